@@ -1,0 +1,27 @@
+# Flags that every Kerf target compiles with.
+#
+# -ffp-contract=off: a fused multiply-add rounds once where the source says twice, so the same expression inlined
+# in two places would give two answers and the back ends would not agree bit for bit (docs/floating-point.md).
+
+add_library(kerf_flags INTERFACE)
+target_compile_features(kerf_flags INTERFACE cxx_std_20)
+target_compile_options(kerf_flags INTERFACE -ffp-contract=off -fno-fast-math
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(KERF_WERROR)
+  target_compile_options(kerf_flags INTERFACE -Werror)
+endif()
+if(KERF_SANITIZE)
+  target_compile_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
+endif()
+
+# kerf_library(NAME SOURCES...): a static library kerf_NAME with the alias kerf::NAME; includes are written from src/.
+function(kerf_library name)
+  add_library(kerf_${name} STATIC ${ARGN})
+  add_library(kerf::${name} ALIAS kerf_${name})
+  target_include_directories(kerf_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  # Users of the library need C++20 and the same rounding, not our warnings.
+  target_compile_features(kerf_${name} PUBLIC cxx_std_20)
+  target_compile_options(kerf_${name} INTERFACE -ffp-contract=off)
+  target_link_libraries(kerf_${name} PRIVATE $<BUILD_INTERFACE:kerf_flags>)
+endfunction()

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/indexed_mesh.h"
+
+namespace kerf {
+
+/// Triangles as a file or a generator gives them: nothing is promised.
+struct TriangleSoup
+{
+    Buffer<Vertex> vertices;
+    Buffer<Triangle> triangles;
+    std::vector<std::uint32_t> triangle_materials;  ///< one a triangle; empty: all 0
+    std::vector<VertexStream> streams;
+    std::vector<Material> materials;  ///< empty: one unnamed material
+    bool has_normals = true;          ///< false: assemble() computes smooth normals with a crease angle
+};
+
+/// What assemble() changed. Nothing here moves a vertex.
+struct Repairs
+{
+    std::uint64_t degenerate_triangles = 0;  ///< dropped: two corners at one position
+    std::uint64_t duplicate_triangles = 0;   ///< dropped: same three points as an earlier one, in the same orientation
+    std::uint64_t nonmanifold_edges = 0;     ///< more than two triangles met there: cut open or paired up
+    std::uint64_t nonmanifold_points = 0;    ///< several fans met in one point: split into one point for each
+    std::uint64_t flipped_triangles = 0;     ///< turned over to agree with their patch, or with the outside
+    std::uint64_t unorientable_edges = 0;    ///< cut open because no orientation satisfies both sides (Moebius)
+
+    bool none() const
+    {
+        return degenerate_triangles + duplicate_triangles + nonmanifold_edges + nonmanifold_points + flipped_triangles +
+                   unorientable_edges ==
+               0;
+    }
+    /// One clause for each kind that occurred, for people: "3 degenerate triangles dropped, 2 points split".
+    std::string describe() const;
+};
+
+/// A mesh ready for a back end, or the reason why there is none.
+struct Assembled
+{
+    IndexedMesh mesh;  ///< valid when `error` is empty
+    Repairs repairs;
+    std::string error;  ///< one sentence: no triangle, an index out of range, a coordinate that is not finite, ...
+};
+
+/// Makes a mesh that back ends can cut: welds vertices of bit-equal position into points (once and for all: afterwards
+/// connectivity is by id), drops degenerate and duplicate triangles, splits non-manifold edges and points, orients
+/// patches, finds the solids, and groups triangles by material and solid in otherwise unchanged order.
+///
+/// Orientation: a shell whose triangles agree keeps its orientation, unless it is an outermost shell of negative
+/// volume: that one is flipped together with what it contains. `sources` count the triangles of the soup. O(n log n)
+/// time, O(n) memory.
+Assembled assemble(TriangleSoup soup);
+
+}  // namespace kerf

@@ -1,0 +1,1 @@
+#include "common/collision_proxy.h"

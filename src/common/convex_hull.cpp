@@ -1,0 +1,1 @@
+#include "common/convex_hull.h"

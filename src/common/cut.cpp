@@ -1,0 +1,93 @@
+#include "common/cut.h"
+
+#include <new>
+#include <numeric>
+#include <stdexcept>
+
+namespace kerf {
+
+std::string_view name_of(Status status)
+{
+    switch (status) {
+        case Status::cut:
+            return "cut";
+        case Status::missed:
+            return "missed";
+        case Status::open_section:
+            return "open_section";
+        case Status::invalid_plane:
+            return "invalid_plane";
+        case Status::invalid_mesh:
+            return "invalid_mesh";
+        case Status::out_of_memory:
+            return "out_of_memory";
+    }
+    return "unknown";
+}
+
+std::string_view name_of(Phase phase)
+{
+    switch (phase) {
+        case Phase::find:
+            return "find";
+        case Phase::walk:
+            return "walk";
+        case Phase::split:
+            return "split";
+        case Phase::copy:
+            return "copy";
+        case Phase::cap:
+            return "cap";
+        case Phase::rebuild:
+            return "rebuild";
+        case Phase::pivot:
+            return "pivot";
+        case Phase::components:
+            return "components";
+        case Phase::growth:
+            return "growth";
+    }
+    return "unknown";
+}
+
+double PhaseTimes::total() const
+{
+    return std::accumulate(ms.begin(), ms.end(), 0.0);
+}
+
+CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options)
+{
+    CutResult result;
+    if (!plane.valid()) {
+        result.status = Status::invalid_plane;
+    } else {
+        try {
+            result = object->cut_by(plane, options);
+        } catch (const std::bad_alloc&) {
+            result = {};
+            result.status = Status::out_of_memory;
+        } catch (const std::length_error&) {
+            // A container asked for more elements than its type can count.
+            result = {};
+            result.status = Status::out_of_memory;
+        }
+    }
+    const bool spent = result.status == Status::cut || result.status == Status::open_section;
+    if (!spent) result.object = std::move(object);
+    return result;
+}
+
+PrepareResult Backend::prepare(IndexedMesh mesh) const
+{
+    try {
+        std::string reason = check(mesh);
+        if (!reason.empty()) return {Status::invalid_mesh, nullptr, std::move(reason)};
+        return {Status::cut, make(std::move(mesh)), {}};
+    } catch (const std::bad_alloc&) {
+        return {Status::out_of_memory, nullptr, "there is not enough memory to prepare the mesh"};
+    } catch (const std::length_error&) {
+        return {Status::out_of_memory, nullptr, "there is not enough memory to prepare the mesh"};
+    }
+}
+
+}  // namespace kerf

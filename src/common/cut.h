@@ -1,0 +1,207 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/collision_proxy.h"
+#include "common/indexed_mesh.h"
+#include "common/mass_properties.h"
+#include "common/plane.h"
+
+// The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the
+// fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
+// docs/cutting-rules.md.
+
+namespace kerf {
+
+/// Outcome of preparing or cutting. Bad geometry is an expected outcome, not an exception.
+enum class Status : std::uint8_t
+{
+    cut,            ///< both sides exist, every section loop was closed (prepare: the mesh is ready)
+    missed,         ///< all of the object is on one side, or within plane_noise of it: the object comes back unharmed
+    open_section,   ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are not
+                    ///< capped
+    invalid_plane,  ///< not finite, or the normal is not a unit vector: the object comes back unharmed
+    invalid_mesh,   ///< prepare only: the mesh breaks what IndexedMesh promises
+    out_of_memory,  ///< the object comes back unharmed
+};
+std::string_view name_of(Status status);
+
+/// Where the time of a cut goes. A back end leaves the phases that it does not have at 0.
+enum class Phase : std::uint8_t
+{
+    find,        ///< which triangles are on which side, which cross
+    walk,        ///< half-edge: following the section from triangle to triangle
+    split,       ///< new vertices and pieces of the crossing triangles
+    copy,        ///< baseline: untouched triangles and their vertices into the fragments
+    cap,         ///< linking the section into loops and closing it
+    rebuild,     ///< half-edge: trees and index ranges of the fragments
+    pivot,       ///< baseline: the report's loop that rewrites every vertex around the new pivot
+    components,  ///< connected pieces
+    growth,      ///< reallocation, when the room reserved by prepare is used up
+};
+inline constexpr std::size_t kPhaseCount = 9;
+std::string_view name_of(Phase phase);
+
+/// Wall-clock milliseconds for each phase.
+struct PhaseTimes
+{
+    std::array<double, kPhaseCount> ms{};
+
+    double& operator[](Phase phase) { return ms[static_cast<std::size_t>(phase)]; }
+    double operator[](Phase phase) const { return ms[static_cast<std::size_t>(phase)]; }
+    double total() const;
+};
+
+/// What a cut did. Counters are exact and the same on every run; times are not.
+struct CutStatistics
+{
+    std::uint64_t triangles = 0;           ///< of the object before the cut
+    std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
+    std::uint64_t section_loops = 0;       ///< closed loops of the section
+    std::uint64_t open_chains = 0;         ///< section polylines that end at the boundary of an open mesh
+    std::uint64_t nodes_visited = 0;       ///< tree nodes looked at
+    std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
+    std::uint64_t bytes_to_upload = 0;     ///< vertex and index bytes that the GPU does not have yet, both sides
+    std::uint64_t bytes_grown = 0;         ///< reallocated because reserved room was used up
+    PhaseTimes phases;
+};
+
+/// A polyline of the section, in mesh coordinates. Seen from the plane's positive side an outer loop runs
+/// counter-clockwise and a hole clockwise. The last point is not repeated.
+struct SectionLoop
+{
+    std::vector<glm::vec3> points;
+    bool closed = true;  ///< false: a chain that ends at the boundary of an open mesh
+};
+
+/// A run of the index buffer that is drawn with one material.
+struct DrawRange
+{
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    std::uint32_t material = 0;  ///< index into DrawView::materials
+    TriangleKind kind = TriangleKind::surface;
+};
+
+/// A run of bytes inside a buffer.
+struct ByteRange
+{
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0;
+};
+
+/// What to draw of an object, and what to upload first. Valid until the object, or one that shares its buffers, is cut.
+struct DrawView
+{
+    const void* buffers = nullptr;           ///< identity: objects with equal values share vertex and index buffer
+    std::span<const Vertex> vertices;        ///< the whole vertex buffer
+    std::span<const std::uint32_t> indices;  ///< the whole index buffer
+    std::vector<DrawRange> ranges;           ///< sorted by kind and material, adjacent runs merged
+    std::span<const Material> materials;
+    std::vector<ByteRange> new_vertex_bytes;  ///< of the vertex buffer, since mark_uploaded()
+    std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, since mark_uploaded()
+};
+
+/// The material that fills a section when the user names none; back ends add it to the materials at the first cut.
+inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::uint32_t>::max();
+
+struct CutOptions
+{
+    bool build_caps = true;         ///< close the section
+    bool split_components = false;  ///< each side comes as its connected pieces, otherwise as one fragment a side
+    std::uint32_t cap_material = kDefaultCapMaterial;  ///< index into the object's materials; default: one named "cap"
+};
+
+struct CutResult;
+
+/// An object that can be cut: a prepared mesh or a fragment of one. Not safe for concurrent use; objects that descend
+/// from different prepare() or clone() calls may be used from different threads.
+class Cuttable
+{
+public:
+    virtual ~Cuttable() = default;
+
+    /// An independent copy that shares nothing. Costs a copy, not a prepare. May run on a worker thread.
+    virtual std::unique_ptr<Cuttable> clone() const = 0;
+
+    virtual std::uint64_t triangle_count() const = 0;
+    virtual Box bounds() const = 0;
+
+    virtual DrawView draw_view() const = 0;
+    /// Declares that all bytes draw_view() named as new are on the GPU now.
+    virtual void mark_uploaded() = 0;
+
+    /// Of the closed solid; summed about the centre of the object's bounds or as precisely.
+    virtual MassProperties mass_properties() const = 0;
+    virtual CollisionProxy collision_proxy(ProxyKind kind) const = 0;
+
+    /// The outline of the last cut on this fragment; empty before any cut. Chains of an open section included.
+    virtual std::span<const SectionLoop> section_loops() const = 0;
+
+    /// A compact copy: only what the fragment uses, dense point ids. O(n).
+    virtual IndexedMesh to_indexed_mesh() const = 0;
+
+protected:
+    Cuttable() = default;
+    Cuttable(const Cuttable&) = default;
+    Cuttable& operator=(const Cuttable&) = default;
+
+private:
+    friend CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options);
+
+    /// Cuts by a valid plane. With status `cut` or `open_section` the fragments are in the result and the object is
+    /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
+    virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
+};
+
+/// What became of an object.
+struct CutResult
+{
+    Status status = Status::missed;
+    std::unique_ptr<Cuttable> object;                 ///< the object itself, unless it was cut
+    std::vector<std::unique_ptr<Cuttable>> positive;  ///< fragments with signed_distance >= 0
+    std::vector<std::unique_ptr<Cuttable>> negative;  ///< fragments with signed_distance < 0
+    double section_area = 0.0;  ///< signed sum of the closed loops' areas, mesh units squared: what caps should cover
+    CutStatistics statistics;
+};
+
+/// Cuts an object and consumes it; it comes back in `CutResult::object` when it was not cut. Never throws: running out
+/// of memory is a status. Same object, same plane, same bytes, on any number of runs.
+///
+/// @param plane  in the mesh's own coordinates, which no cut ever changes
+/// @note  The baseline costs O(n); the half-edge back end what its section costs.
+CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options = {});
+
+/// What became of a mesh.
+struct PrepareResult
+{
+    Status status = Status::invalid_mesh;  ///< cut, invalid_mesh or out_of_memory
+    std::unique_ptr<Cuttable> object;      ///< set when the status is `cut`
+    std::string reason;                    ///< one sentence when it is not
+};
+
+/// A way to cut. Stateless: one backend may prepare any number of objects from any number of threads.
+class Backend
+{
+public:
+    virtual ~Backend() = default;
+
+    /// "baseline/hash", "halfedge": what tables and file names show.
+    virtual std::string name() const = 0;
+
+    /// Makes a mesh ready for cutting; all sorting and building of trees happens here. Never throws.
+    PrepareResult prepare(IndexedMesh mesh) const;
+
+private:
+    /// `mesh` has passed check(). May throw std::bad_alloc.
+    virtual std::unique_ptr<Cuttable> make(IndexedMesh mesh) const = 0;
+};
+
+}  // namespace kerf

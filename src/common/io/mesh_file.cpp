@@ -1,0 +1,1 @@
+#include "common/io/mesh_file.h"

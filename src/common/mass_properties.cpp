@@ -1,0 +1,1 @@
+#include "common/mass_properties.h"

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/assemble.h"
+
+namespace kerf {
+
+/// What a mesh is like before anything is repaired, after welding by bit-equal position.
+struct MeshFacts
+{
+    std::uint64_t triangles = 0;
+    std::uint64_t vertices = 0;         ///< as given
+    std::uint64_t welded_vertices = 0;  ///< different positions
+    std::uint64_t degenerate_triangles = 0;
+    std::uint64_t duplicate_triangles = 0;
+    std::uint64_t boundary_edges = 0;      ///< edges with one triangle
+    std::uint64_t boundary_loops = 0;      ///< closed walks along boundary edges
+    std::uint64_t nonmanifold_edges = 0;   ///< edges with more than two triangles
+    std::uint64_t nonmanifold_points = 0;  ///< points around which the triangles form more than one fan
+    std::uint64_t misoriented_edges = 0;   ///< edges whose two triangles run along them in the same direction
+    std::uint64_t shells = 0;              ///< components connected by edges
+    double area = 0.0;                     ///< of the surface, mesh units squared
+    double volume = 0.0;  ///< signed, by tetrahedra over the box centre; exact for closed oriented meshes
+    Box bounds;
+
+    bool closed() const { return boundary_edges == 0; }
+    bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_points == 0; }
+    bool oriented() const { return misoriented_edges == 0; }
+};
+
+/// Measures triangles as they come. Indices must be in range. O(n log n).
+MeshFacts measure(const TriangleSoup& soup);
+
+/// Measures a mesh or a fragment by its point ids, caps included; `welded_vertices` counts points. O(n log n).
+MeshFacts measure(const IndexedMesh& mesh);
+
+}  // namespace kerf
