@@ -2,7 +2,9 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
+#include "common/float_rules.h"
 #include "common/indexed_mesh.h"
 
 namespace kerf {
@@ -17,9 +19,11 @@ struct MassProperties
 
 /// Volume integrals of 1, x, y, z and the products, over signed tetrahedra from one reference point. They add up: over
 /// triangles, over parts of a mesh, over the nodes of a tree, as long as the reference point is the same.
+///
 /// Method: Blow and Binstock, "How to find the inertia tensor (or other mass properties) of a 3D solid body represented
 /// by a triangle mesh", 2004; tetrahedron integrals as in Tonon, "Explicit exact formulas for the 3-D tetrahedron
-/// inertia tensor", 2004.
+/// inertia tensor", 2004, with s s' + p p' + q q' + r r' (s = p + q + r) written as the sum over the three edges,
+/// (p+q)(p+q)' + (q+r)(q+r)' + (r+p)(r+p)': the same polynomial with one product less for each entry.
 struct MassMoments
 {
     double volume6 = 0.0;         ///< 6 * integral of 1
@@ -33,12 +37,12 @@ struct MassMoments
         const glm::dvec3 p = glm::dvec3(a) - reference, q = glm::dvec3(b) - reference, r = glm::dvec3(c) - reference;
         const double det =
             p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
-        const glm::dvec3 s = p + q + r;
+        const glm::dvec3 pq = p + q, qr = q + r, rp = r + p;
         volume6 += det;
-        first24 += det * s;
-        squares120 += det * (s * s + p * p + q * q + r * r);
+        first24 += det * (pq + r);
+        squares120 += det * (pq * pq + qr * qr + rp * rp);
         const auto product = [](const glm::dvec3& t) { return glm::dvec3(t.y * t.z, t.z * t.x, t.x * t.y); };
-        products120 += det * (product(s) + product(p) + product(q) + product(r));
+        products120 += det * (product(pq) + product(qr) + product(rp));
     }
 
     void add(const MassMoments& other)
@@ -53,8 +57,17 @@ struct MassMoments
     MassProperties properties(const glm::dvec3& reference) const;
 };
 
-/// Mass properties of a closed mesh, summed about the centre of its bounds so that a mesh far from the origin loses no
-/// digits. Exact up to rounding; for an open mesh the result depends on the reference point. O(n).
+/// The moments of triangles about `reference`. Two triangles at a time, so the last bits differ from those of one add()
+/// after the other; equal inputs give equal bits. Cheapest about the origin. O(triangles).
+MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
+                         const glm::dvec3& reference);
+
+/// A good reference point for a mesh with these bounds: the centre of the box, or the origin where that is close enough
+/// to the box to cost no digits worth mentioning.
+glm::dvec3 mass_reference(const Box& bounds);
+
+/// Mass properties of a closed mesh, summed about mass_reference() of its bounds so that a mesh far from the origin
+/// loses no digits. Exact up to rounding; for an open mesh the result depends on the reference point. O(n).
 MassProperties mass_properties(const IndexedMesh& mesh);
 
 }  // namespace kerf
