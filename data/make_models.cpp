@@ -1,0 +1,41 @@
+// make_models FOLDER: writes the report's fifteen models as OBJ files into FOLDER.
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "maker/models.h"
+#include "maker/obj.h"
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) {
+        std::cerr << "usage: make_models FOLDER\n";
+        return 2;
+    }
+    int failures = 0;
+    for (const auto& model : kerf::maker::kModels) {
+        try {
+            const kerf::maker::PolyMesh mesh = model.make();
+            const int triangles = kerf::maker::triangle_count(mesh);
+            const std::string path = std::string(argv[1]) + '/' + std::string(model.name) + ".obj";
+            std::ofstream file(path, std::ios::binary);
+            file << kerf::maker::obj_text(mesh, std::string(model.name));
+            file.close();
+            if (!file) {
+                std::cerr << "cannot write " << path << '\n';
+                return 1;
+            }
+            std::cout << model.name << ": " << triangles << " triangles\n";
+            if (triangles != model.triangles) {
+                std::cerr << model.name << " must have " << model.triangles << " triangles\n";
+                ++failures;
+            }
+        } catch (const std::exception& error) {
+            std::cerr << model.name << ": " << error.what() << '\n';
+            ++failures;
+        }
+    }
+    return failures == 0 ? 0 : 1;
+}
