@@ -1,1 +1,209 @@
 #include "common/assemble.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "common/duplicates.h"
+#include "common/fans.h"
+#include "common/linked_surface.h"
+#include "common/shells.h"
+#include "common/solids.h"
+#include "common/umbrellas.h"
+#include "common/vertex_builder.h"
+#include "common/weld.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::size_t kLargestIndex = std::numeric_limits<std::uint32_t>::max();
+
+/// Empty, or one sentence that names the first thing that is wrong.
+std::string find_error(const TriangleSoup& soup)
+{
+    if (soup.triangles.empty()) return "the mesh has no triangles";
+    if (soup.triangles.size() > kLargestIndex / 3 || soup.vertices.size() >= kLargestIndex)
+        return "the mesh has more than 2^32 corners";
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
+        const glm::vec3& p = soup.vertices[v].position;
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            return "vertex " + std::to_string(v) + " has a coordinate that is not finite";
+    }
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        for (const std::uint32_t v : soup.triangles[t])
+            if (v >= soup.vertices.size())
+                return "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
+                       ", but there are only " + std::to_string(soup.vertices.size());
+    if (!soup.triangle_materials.empty() && soup.triangle_materials.size() != soup.triangles.size())
+        return "there is not one material for each triangle";
+    const std::size_t material_count = std::max<std::size_t>(1, soup.materials.size());
+    for (std::size_t t = 0; t < soup.triangle_materials.size(); ++t)
+        if (soup.triangle_materials[t] >= material_count)
+            return "triangle " + std::to_string(t) + " refers to material " +
+                   std::to_string(soup.triangle_materials[t]) + ", but there are only " +
+                   std::to_string(material_count);
+    for (const VertexStream& stream : soup.streams)
+        if (stream.width == 0 || stream.values.size() != soup.vertices.size() * stream.width)
+            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) + " values per vertex";
+    return {};
+}
+
+/// Triangles worth keeping, as points.
+struct Kept
+{
+    Buffer<Triangle> corners;              ///< point ids
+    Buffer<std::uint32_t> soup_triangles;  ///< for each the number in the soup
+};
+
+Kept drop_faults(const TriangleSoup& soup, const Weld& weld, Repairs& repairs)
+{
+    Kept kept;
+    kept.corners.resize(soup.triangles.size());
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) kept.corners[t][i] = weld.points[soup.triangles[t][i]];
+    const std::vector<TriangleFault> faults = find_faults(weld.point_count, kept.corners);
+    kept.soup_triangles.resize(soup.triangles.size());
+    std::size_t count = 0;
+    for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+        repairs.degenerate_triangles += faults[t] == TriangleFault::degenerate;
+        repairs.duplicate_triangles += faults[t] == TriangleFault::duplicate;
+        if (faults[t] != TriangleFault::none) continue;
+        kept.corners[count] = kept.corners[t];
+        kept.soup_triangles[count++] = t;
+    }
+    kept.corners.resize(count);
+    kept.soup_triangles.resize(count);
+    return kept;
+}
+
+std::uint64_t count_used_points(std::uint32_t point_count, std::span<const Triangle> corners)
+{
+    Buffer<std::uint8_t> used(point_count, 0);
+    for (const Triangle& triangle : corners)
+        for (const std::uint32_t point : triangle) used[point] = 1;
+    return std::accumulate(used.begin(), used.end(), std::uint64_t{0});
+}
+
+/// Turns over the shells that are inside out.
+void turn_over_shells(LinkedSurface& surface, Fans& fans, const Shells& shells, const Solids& solids)
+{
+    if (std::find(solids.flip.begin(), solids.flip.end(), 1) == solids.flip.end()) return;
+    Buffer<std::uint8_t> flip(surface.corners.size());
+    for (std::size_t t = 0; t < flip.size(); ++t) {
+        flip[t] = solids.flip[shells.shell[t]];
+        if (flip[t]) std::swap(fans.fan[3 * t + 1], fans.fan[3 * t + 2]);
+    }
+    surface.turn_over(flip);
+}
+
+/// Sorts `order` by key, stably, by counting.
+template <class KeyOf>
+void counting_sort(Buffer<std::uint32_t>& order, std::size_t key_count, KeyOf&& key_of)
+{
+    if (key_count < 2) return;
+    std::vector<std::uint32_t> next(key_count, 0);
+    for (const std::uint32_t t : order) ++next[key_of(t)];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& slot : next) sum += std::exchange(slot, sum);
+    Buffer<std::uint32_t> sorted(order.size());
+    for (const std::uint32_t t : order) sorted[next[key_of(t)]++] = t;
+    order = std::move(sorted);
+}
+
+/// Puts triangles into groups by material, then solid, in otherwise unchanged order, and returns that order.
+template <class MaterialOf, class SolidOf>
+Buffer<std::uint32_t> make_groups(IndexedMesh& mesh, std::size_t triangle_count, std::size_t solid_count,
+                                  MaterialOf&& material_of, SolidOf&& solid_of)
+{
+    Buffer<std::uint32_t> order(triangle_count);
+    std::iota(order.begin(), order.end(), 0u);
+    counting_sort(order, solid_count, solid_of);
+    counting_sort(order, mesh.materials.size(), material_of);
+    for (std::uint32_t i = 0; i < triangle_count; ++i) {
+        const std::uint32_t material = material_of(order[i]), solid = solid_of(order[i]);
+        if (mesh.groups.empty() || mesh.groups.back().material != material || mesh.groups.back().solid != solid)
+            mesh.groups.push_back({i, 0, material, solid, TriangleKind::surface});
+        ++mesh.groups.back().count;
+    }
+    return order;
+}
+
+/// The soup's materials, at least one, each with a name.
+std::vector<Material> named_materials(std::vector<Material> materials)
+{
+    if (materials.empty()) materials.emplace_back().name = "surface";
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        if (materials[i].name.empty()) materials[i].name = "material " + std::to_string(i);
+    return materials;
+}
+
+}  // namespace
+
+std::string Repairs::describe() const
+{
+    std::string text;
+    const auto clause = [&](std::uint64_t count, const char* one, const char* many, const char* what) {
+        if (count == 0) return;
+        if (!text.empty()) text += ", ";
+        text += std::to_string(count) + " " + (count == 1 ? one : many) + " " + what;
+    };
+    clause(degenerate_triangles, "degenerate triangle", "degenerate triangles", "dropped");
+    clause(duplicate_triangles, "duplicate triangle", "duplicate triangles", "dropped");
+    clause(nonmanifold_edges, "edge", "edges", "with more than two triangles divided");
+    clause(nonmanifold_points, "point", "points", "split");
+    clause(flipped_triangles, "triangle", "triangles", "turned over");
+    clause(unorientable_edges, "edge", "edges", "cut open where no orientation fits");
+    return text;
+}
+
+Assembled assemble(TriangleSoup soup)
+{
+    Assembled result;
+    result.error = find_error(soup);
+    if (!result.error.empty()) return result;
+    Repairs& repairs = result.repairs;
+    IndexedMesh& mesh = result.mesh;
+
+    // -0 becomes +0, so that equal positions have equal bits.
+    for (Vertex& v : soup.vertices) v.position += 0.0f;
+    const Weld weld = weld_positions(soup.vertices);
+    Kept kept = drop_faults(soup, weld, repairs);
+    if (kept.corners.empty()) {
+        result.error = "every triangle of the mesh is degenerate";
+        return result;
+    }
+    Buffer<glm::vec3> positions(weld.point_count);
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v) positions[weld.points[v]] = soup.vertices[v].position;
+
+    std::vector<NonmanifoldEdge> resolved;
+    LinkedSurface surface = link_surface(std::move(kept.corners), positions, resolved);
+    repairs.nonmanifold_edges = surface.nonmanifold_edges;
+    repairs.unorientable_edges = surface.unorientable_edges;
+    Fans fans = find_fans(surface, resolved);
+    if (fans.count > count_used_points(weld.point_count, surface.corners))
+        repairs.nonmanifold_points =
+            count_umbrella_points(weld.point_count, surface.corners, EdgeRuns(weld.point_count, surface.corners));
+
+    const Shells shells = find_shells(surface, fans, positions);
+    const Solids solids = find_solids(surface, shells, positions);
+    turn_over_shells(surface, fans, shells, solids);
+    repairs.flipped_triangles =
+        static_cast<std::uint64_t>(std::count(surface.flipped.begin(), surface.flipped.end(), std::uint8_t{1}));
+
+    mesh.materials = named_materials(std::move(soup.materials));
+    const auto material_of = [&](std::uint32_t t) {
+        return soup.triangle_materials.empty() ? 0 : soup.triangle_materials[kept.soup_triangles[t]];
+    };
+    const auto solid_of = [&](std::uint32_t t) { return solids.solid[shells.shell[t]]; };
+    const std::size_t solid_count = std::size_t{*std::max_element(solids.solid.begin(), solids.solid.end())} + 1;
+    const Buffer<std::uint32_t> order = make_groups(mesh, surface.corners.size(), solid_count, material_of, solid_of);
+    mesh.sources.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) mesh.sources[i] = kept.soup_triangles[order[i]];
+
+    const Buffer<std::uint32_t> first_equal =
+        first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
+    build_vertices({soup, first_equal, kept.soup_triangles, surface, fans, positions}, order, mesh);
+    return result;
+}
+
+}  // namespace kerf

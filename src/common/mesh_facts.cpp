@@ -1,1 +1,100 @@
 #include "common/mesh_facts.h"
+
+#include <glm/geometric.hpp>
+
+#include "common/disjoint_sets.h"
+#include "common/duplicates.h"
+#include "common/half_edge_pairs.h"
+#include "common/mass_properties.h"
+#include "common/umbrellas.h"
+#include "common/weld.h"
+
+namespace kerf {
+
+namespace {
+
+std::uint64_t count_sets(DisjointSets& sets, std::uint32_t size)
+{
+    std::uint64_t count = 0;
+    for (std::uint32_t i = 0; i < size; ++i) count += sets.find(i) == i;
+    return count;
+}
+
+/// Facts of connectivity; `corners` are point ids.
+void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> all_corners)
+{
+    Buffer<Triangle> corners;
+    corners.reserve(all_corners.size());
+    const std::vector<TriangleFault> faults = find_faults(point_count, all_corners);
+    for (std::size_t t = 0; t < all_corners.size(); ++t) {
+        facts.degenerate_triangles += faults[t] == TriangleFault::degenerate;
+        facts.duplicate_triangles += faults[t] == TriangleFault::duplicate;
+        if (faults[t] != TriangleFault::degenerate) corners.push_back(all_corners[t]);
+    }
+
+    const auto triangle_count = static_cast<std::uint32_t>(corners.size());
+    const auto start = [&](std::uint32_t h) { return corners[h / 3][h % 3]; };
+    const EdgeRuns edges(point_count, corners);
+    DisjointSets shells(triangle_count), loops(point_count);
+    Buffer<std::uint8_t> on_boundary(point_count, 0);
+    edges.for_each([&](std::span<const EdgeRuns::Side> edge) {
+        const std::uint32_t h = edge[0].half_edge;
+        for (const EdgeRuns::Side& side : edge.subspan(1)) shells.unite(h / 3, side.half_edge / 3);
+        if (edge.size() == 1) {
+            ++facts.boundary_edges;
+            on_boundary[start(h)] = on_boundary[start(next_half_edge(h))] = 1;
+            loops.unite(start(h), start(next_half_edge(h)));
+        } else if (edge.size() == 2) {
+            facts.misoriented_edges += start(h) == start(edge[1].half_edge);
+        } else {
+            ++facts.nonmanifold_edges;
+        }
+    });
+    facts.shells = count_sets(shells, triangle_count);
+    for (std::uint32_t p = 0; p < point_count; ++p) facts.boundary_loops += on_boundary[p] && loops.find(p) == p;
+    facts.nonmanifold_points = count_umbrella_points(point_count, corners, edges);
+}
+
+void measure_geometry(MeshFacts& facts, std::span<const Vertex> vertices, std::span<const Triangle> triangles)
+{
+    for (const Vertex& v : vertices) facts.bounds.add(v.position);
+    // An open mesh has no volume of its own; the origin is the reference point that other programs take.
+    const glm::dvec3 reference = facts.closed() && !facts.bounds.empty() ? facts.bounds.centre() : glm::dvec3(0.0);
+    MassMoments moments;
+    for (const auto& [a, b, c] : triangles) {
+        const glm::vec3 &p = vertices[a].position, &q = vertices[b].position, &r = vertices[c].position;
+        moments.add(reference, p, q, r);
+        facts.area += 0.5 * glm::length(glm::cross(glm::dvec3(q) - glm::dvec3(p), glm::dvec3(r) - glm::dvec3(p)));
+    }
+    facts.volume = moments.volume6 / 6.0;
+}
+
+MeshFacts measure(std::span<const Vertex> vertices, std::span<const std::uint32_t> points, std::uint32_t point_count,
+                  std::span<const Triangle> triangles)
+{
+    MeshFacts facts;
+    facts.triangles = triangles.size();
+    facts.vertices = vertices.size();
+    facts.welded_vertices = point_count;
+    Buffer<Triangle> corners(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = points[triangles[t][i]];
+    measure_connectivity(facts, point_count, corners);
+    measure_geometry(facts, vertices, triangles);
+    return facts;
+}
+
+}  // namespace
+
+MeshFacts measure(const TriangleSoup& soup)
+{
+    const Weld weld = weld_positions(soup.vertices);
+    return measure(soup.vertices, weld.points, weld.point_count, soup.triangles);
+}
+
+MeshFacts measure(const IndexedMesh& mesh)
+{
+    return measure(mesh.vertices, mesh.points, mesh.point_count, mesh.triangles);
+}
+
+}  // namespace kerf

@@ -14,14 +14,16 @@ struct MeshFacts
     std::uint64_t welded_vertices = 0;  ///< different positions
     std::uint64_t degenerate_triangles = 0;
     std::uint64_t duplicate_triangles = 0;
-    std::uint64_t boundary_edges = 0;      ///< edges with one triangle
-    std::uint64_t boundary_loops = 0;      ///< closed walks along boundary edges
-    std::uint64_t nonmanifold_edges = 0;   ///< edges with more than two triangles
-    std::uint64_t nonmanifold_points = 0;  ///< points around which the triangles form more than one fan
-    std::uint64_t misoriented_edges = 0;   ///< edges whose two triangles run along them in the same direction
-    std::uint64_t shells = 0;              ///< components connected by edges
-    double area = 0.0;                     ///< of the surface, mesh units squared
-    double volume = 0.0;  ///< signed, by tetrahedra over the box centre; exact for closed oriented meshes
+    std::uint64_t boundary_edges = 0;     ///< edges with one triangle
+    std::uint64_t boundary_loops = 0;     ///< connected parts of the boundary
+    std::uint64_t nonmanifold_edges = 0;  ///< edges with more than two triangles
+    std::uint64_t nonmanifold_points =
+        0;  ///< points around which the triangles, joined by shared edges, form more than one fan
+    std::uint64_t misoriented_edges = 0;  ///< edges whose two triangles run along them in the same direction
+    std::uint64_t shells = 0;             ///< components connected by edges, non-manifold ones too
+    double area = 0.0;                    ///< of the surface, mesh units squared
+    double volume = 0.0;  ///< signed, by tetrahedra over the box centre; an open mesh has none, the value is that over
+                          ///< the origin
     Box bounds;
 
     bool closed() const { return boundary_edges == 0; }
