@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include "maker/poly_mesh.h"
@@ -43,7 +44,12 @@ std::vector<std::array<int, 3>> triangulate(const std::vector<glm::dvec3>& polyg
             }
         }
     }
-    if (best[n - 1] == kForbidden) throw std::logic_error("triangulate: the polygon crosses itself");
+    if (best[n - 1] == kForbidden) {
+        std::ostringstream message;
+        message << "triangulate: a polygon crosses itself:";
+        for (const glm::dvec3& p : polygon) message << " (" << p.x << ' ' << p.y << ' ' << p.z << ')';
+        throw std::logic_error(message.str());
+    }
 
     std::vector<std::array<int, 3>> triangles;
     std::vector<std::array<std::size_t, 2>> open{{0, n - 1}};
