@@ -8,6 +8,7 @@
 
 #include "common/cut_geometry.h"
 #include "common/plane.h"
+#include "common/ray_crossing.h"
 
 // Which parts of one side of a cut hang together. Two triangles belong together if they share an edge of the surface,
 // or bound the same solid: their section loops are nested in one another, or one bounds a cavity inside the other. One
@@ -31,31 +32,20 @@ struct PartLoop
     std::span<const glm::vec3> points;
 };
 
-/// An axis-parallel ray from a vertex.
-struct AxisRay
-{
-    glm::vec3 origin;
-    int axis = 0;           ///< 0, 1, 2 for x, y, z
-    bool ascending = true;  ///< towards larger coordinates
-};
-
 /// How often, counted with sign, the ray leaves part `part`: +1 for each crossing from behind a triangle to its front,
 /// -1 for the other way round. ray_crossing() gives the term of one triangle. The ray points away from the plane, so
 /// that caps of this cut do not matter.
 using CountCrossings = std::function<int(std::uint32_t part, const AxisRay& ray)>;
-
-/// The term of one triangle in a signed crossing count: -1, 0 or +1. Edges and vertices are counted once between the
-/// triangles that share them (half-open rule, edges evaluated in a canonical order), so a closed surface gives its
-/// winding number.
-int ray_crossing(const AxisRay& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 /// Groups the parts of one side into pieces. Returns for each part the number of its piece; pieces are numbered in the
 /// order of their first part.
 ///
 /// A solid that is not cut stays one piece. In a solid that is cut, a hole (clockwise loop) joins the smallest outer
 /// loop around it; a whole shell of negative volume joins the piece it lies in; a whole shell of positive volume is a
-/// piece of its own. O(p + e log e) for p parts and e loop points, without a quadratic step for many loops; crossing
-/// counts are asked for whole cavities only.
+/// piece of its own. A hole lies in an outer loop if the middle of its inside does, measured on three lines: loops may
+/// touch and share points and edges. O(p + e log e) for p parts and e loop points, without a quadratic step for many
+/// loops, side by side or nested; crossing counts are asked for whole cavities only, and only where a solid has come
+/// apart.
 std::vector<std::uint32_t> group_pieces(const Plane& plane, Side side, std::span<const SurfacePart> parts,
                                         std::span<const PartLoop> loops, const CountCrossings& count_crossings);
 

@@ -1,0 +1,279 @@
+#include "common/pieces.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "common/shapes.h"
+
+namespace kerf {
+namespace {
+
+int no_crossings(std::uint32_t, const AxisRay&)
+{
+    ADD_FAILURE() << "nobody should have to count crossings";
+    return 0;
+}
+
+/// Loops of one section, each with a part of its own, drawn in the plane's frame: u to the right, v up.
+class Section
+{
+public:
+    explicit Section(const glm::dvec3& normal = {0, 0, 1}) : plane_(*Plane::through({1, 2, 3}, normal)) {}
+
+    /// A loop through the given points; counter-clockwise is an outer loop. Returns its part.
+    std::uint32_t add(const std::vector<glm::dvec2>& points, std::uint32_t solid = 0)
+    {
+        const PlaneFrame frame = PlaneFrame::of(plane_.normal);
+        auto& loop = loops_.emplace_back();
+        for (const glm::dvec2& p : points)
+            loop.push_back(glm::vec3(plane_.offset * plane_.normal + p.x * frame.u + p.y * frame.v));
+        parts_.push_back({solid, true, {}, 0.0});
+        return static_cast<std::uint32_t>(parts_.size() - 1);
+    }
+
+    std::uint32_t add_square(const glm::dvec2& corner, double size, bool hole, std::uint32_t solid = 0)
+    {
+        const glm::dvec2 a = corner, b{corner.x + size, corner.y}, c{corner.x + size, corner.y + size},
+                         d{corner.x, corner.y + size};
+        return hole ? add({a, d, c, b}, solid) : add({a, b, c, d}, solid);
+    }
+
+    std::vector<std::uint32_t> pieces() const
+    {
+        std::vector<PartLoop> loops;
+        for (std::uint32_t i = 0; i < loops_.size(); ++i) loops.push_back({i, loops_[i]});
+        const auto positive = group_pieces(plane_, Side::positive, parts_, loops, no_crossings);
+        EXPECT_EQ(positive, group_pieces(plane_, Side::negative, parts_, loops, no_crossings));
+        return positive;
+    }
+
+private:
+    Plane plane_;
+    std::vector<SurfacePart> parts_;
+    std::vector<std::vector<glm::vec3>> loops_;
+};
+
+using Pieces = std::vector<std::uint32_t>;
+
+TEST(Pieces, AHoleJoinsTheOuterLoopAroundIt)
+{
+    Section section;
+    section.add_square({2, 2}, 1, true);
+    section.add_square({0, 0}, 4, false);
+    section.add_square({5, 0}, 4, false);
+    EXPECT_EQ(section.pieces(), (Pieces{0, 0, 1}));
+}
+
+TEST(Pieces, AnIslandInAHoleIsAPieceOfItsOwn)
+{
+    Section section;
+    section.add_square({0, 0}, 10, false);
+    section.add_square({1, 1}, 8, true);
+    section.add_square({2, 2}, 6, false);
+    section.add_square({3, 3}, 4, true);
+    EXPECT_EQ(section.pieces(), (Pieces{0, 0, 1, 1}));
+}
+
+TEST(Pieces, SolidsThatOverlapDoNotJoin)
+{
+    Section section;
+    section.add_square({0, 0}, 10, false, 7);
+    section.add_square({2, 2}, 2, true, 3);
+    section.add_square({1, 1}, 5, false, 3);
+    EXPECT_EQ(section.pieces(), (Pieces{0, 1, 1}));
+}
+
+TEST(Pieces, AHoleMayTouchItsOuterLoopInPointsAndEdges)
+{
+    const std::vector<glm::dvec2> outer{{0, 0}, {4, 0}, {8, 0}, {8, 8}, {0, 8}};
+    const std::vector<std::vector<glm::dvec2>> holes{
+        {{4, 0}, {2, 4}, {6, 4}},                  // a point of both
+        {{0, 0}, {0, 8}, {2, 8}, {2, 0}},          // three edges overlap
+        {{0, 0}, {0, 8}, {8, 8}, {8, 0}, {4, 1}},  // nearly all of it
+        {{3, 0}, {2, 4}, {6, 4}},                  // a point on an edge
+        {{0, 4}, {4, 8}, {8, 4}, {4, 0}},          // a point on each edge
+    };
+    for (const auto& hole : holes) {
+        Section section;
+        section.add({{8, 0}, {12, 0}, {12, 8}, {8, 8}});  // touches the other one from outside
+        section.add(outer);
+        section.add(hole);
+        EXPECT_EQ(section.pieces(), (Pieces{0, 1, 1}));
+    }
+}
+
+TEST(Pieces, AHoleInTheBayOfAConcaveLoopIsNotInIt)
+{
+    Section section;
+    section.add_square({-9, -9}, 18, false);
+    section.add({{0, 0}, {5, 0}, {5, 5}, {4, 5}, {4, 1}, {1, 1}, {1, 5}, {0, 5}});
+    section.add_square({2, 2}, 1, true);
+    EXPECT_EQ(section.pieces(), (Pieces{0, 1, 0}));
+}
+
+TEST(Pieces, ASolidThatIsNotCutStaysOnePiece)
+{
+    const std::vector<SurfacePart> parts{{4, false, {}, 1.0}, {9, false, {}, 1.0}, {4, false, {}, -0.5}};
+    EXPECT_EQ(group_pieces({}, Side::positive, parts, {}, no_crossings), (Pieces{0, 1, 0}));
+}
+
+/// The outlines of nested regions: outer loops with holes with outer loops, turned and shifted at random.
+struct RandomNest
+{
+    std::vector<std::vector<glm::dvec2>> loops;
+    Pieces expected;
+
+    explicit RandomNest(std::uint32_t seed) : random_(seed)
+    {
+        fill({0, 0}, 1000.0, false, 0, 0);
+        std::vector<std::size_t> order(loops.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::shuffle(order.begin(), order.end(), random_);
+        std::vector<std::vector<glm::dvec2>> shuffled;
+        std::map<std::uint32_t, std::uint32_t> number;
+        for (const std::size_t i : order) {
+            shuffled.push_back(loops[i]);
+            expected.push_back(number.try_emplace(owner_[i], std::uint32_t(number.size())).first->second);
+        }
+        loops = shuffled;
+    }
+
+private:
+    double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
+
+    /// Fills a disc with up to four disjoint polygons, each of which is filled with polygons of the other kind.
+    void fill(const glm::dvec2& centre, double radius, bool hole, std::uint32_t owner, int depth)
+    {
+        for (int slot = 0; slot < 4; ++slot) {
+            if (depth > 4 || between(0, 1) < 0.35) continue;
+            // Four discs in a disc: centres at 0.58 of the radius, radii at most 0.41 of it.
+            const double angle = 1.5707963267948966 * slot + 0.3, r = radius * between(0.2, 0.4);
+            const glm::dvec2 c = centre + 0.58 * radius * glm::dvec2(std::cos(angle), std::sin(angle));
+            const int corners = 3 + static_cast<int>(between(0, 20));
+            std::vector<glm::dvec2> points;
+            const double start = between(0, 6), step = 6.283185307179586 / corners * (hole ? -1 : 1);
+            for (int i = 0; i < corners; ++i)
+                points.push_back(c + r * glm::dvec2(std::cos(start + step * i), std::sin(start + step * i)));
+            const std::uint32_t own = hole ? owner : static_cast<std::uint32_t>(loops.size());
+            loops.push_back(points);
+            owner_.push_back(own);
+            // A disc that fits into any regular polygon.
+            fill(c, 0.5 * r, !hole, own, depth + 1);
+        }
+    }
+
+    std::mt19937 random_;
+    std::vector<std::uint32_t> owner_;
+};
+
+RC_GTEST_PROP(Pieces, AreRightForLoopsNestedAtRandomInAnyPlane, ())
+{
+    const RandomNest nest(*rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0u, 1000000u))));
+    const auto component = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-100, 101)) / 100.0; };
+    const glm::dvec3 normal{component(), component(), component()};
+    RC_PRE(glm::dot(normal, normal) > 0.01);
+    Section section(normal);
+    for (const auto& loop : nest.loops) section.add(loop);
+    RC_ASSERT(section.pieces() == nest.expected);
+}
+
+TEST(Pieces, ThousandsOfLoopsTakeNoQuadraticStep)
+{
+    // Side by side, each with a hole, in one row; and in one another.
+    Section row, nest;
+    Pieces expected_row, expected_nest;
+    for (std::uint32_t i = 0; i < 10000; ++i) {
+        row.add_square({3.0 * i, 0}, 2, false);
+        row.add_square({3.0 * i + 0.5, 0.5}, 1, true);
+        nest.add_square({-1.0 * i, -1.0 * i}, 2.0 * i + 1, i % 2 == 0);
+        expected_row.insert(expected_row.end(), {i, i});
+        expected_nest.push_back(i / 2);
+    }
+    EXPECT_EQ(row.pieces(), expected_row);
+    EXPECT_EQ(nest.pieces(), expected_nest);
+}
+
+/// A sphere cut by z = 0, as parts: the upper half, and whole shells above the plane.
+class CutSpheres
+{
+public:
+    std::uint32_t add(const glm::vec3& centre, float radius, bool inside_out, bool is_cut)
+    {
+        TriangleSoup mesh = shapes::icosphere(radius, 8);
+        auto& triangles = triangles_.emplace_back();
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const glm::vec3 p = mesh.vertices[a].position + centre, q = mesh.vertices[b].position + centre,
+                            r = mesh.vertices[c].position + centre;
+            if (p.z < 0 && q.z < 0 && r.z < 0) continue;
+            triangles.push_back(inside_out ? std::array{p, r, q} : std::array{p, q, r});
+        }
+        parts.push_back({0, is_cut, triangles.front()[0], inside_out ? -1.0 : 1.0});
+        if (is_cut) {
+            auto& loop = loop_points_.emplace_back();
+            const double r = std::sqrt(double(radius) * radius - double(centre.z) * centre.z);
+            for (int i = 0; i < 60; ++i) {
+                const double angle = 6.283185307179586 / 60 * (inside_out ? -i : i);
+                loop.push_back(centre + glm::vec3(r * std::cos(angle), r * std::sin(angle), -centre.z));
+            }
+            loop_parts_.push_back(static_cast<std::uint32_t>(parts.size() - 1));
+        }
+        return static_cast<std::uint32_t>(parts.size() - 1);
+    }
+
+    Pieces pieces() const
+    {
+        std::vector<PartLoop> loops;
+        for (std::size_t i = 0; i < loop_parts_.size(); ++i) loops.push_back({loop_parts_[i], loop_points_[i]});
+        const Plane plane{{0, 0, 1}, 0.0};
+        return group_pieces(plane, Side::positive, parts, loops, [&](std::uint32_t part, const AxisRay& ray) {
+            EXPECT_EQ(ray.axis, 2);
+            EXPECT_TRUE(ray.ascending);
+            int sum = 0;
+            for (const auto& [a, b, c] : triangles_[part]) sum += ray_crossing(ray, a, b, c);
+            return sum;
+        });
+    }
+
+    std::vector<SurfacePart> parts;
+
+private:
+    std::vector<std::vector<std::array<glm::vec3, 3>>> triangles_;
+    std::vector<std::vector<glm::vec3>> loop_points_;
+    std::vector<std::uint32_t> loop_parts_;
+};
+
+TEST(Pieces, AWholeCavityJoinsThePieceItLiesIn)
+{
+    CutSpheres spheres;
+    spheres.add({5, 0, 0}, 2.0f, false, true);
+    spheres.add({0, 0, 0}, 2.0f, false, true);
+    spheres.add({0.3f, 0.2f, 1.0f}, 0.5f, true, false);
+    spheres.add({5.3f, 0.2f, 1.0f}, 0.5f, true, false);
+    EXPECT_EQ(spheres.pieces(), (Pieces{0, 1, 1, 0}));
+}
+
+TEST(Pieces, ACavityBesideACutCavityIsInTheSamePiece)
+{
+    CutSpheres spheres;
+    spheres.add({0.3f, 0.2f, 2.6f}, 0.5f, true, false);
+    spheres.add({0.2f, 0.1f, 0.0f}, 1.5f, true, true);
+    spheres.add({9, 0, 0}, 4.0f, false, true);
+    spheres.add({0, 0, 0}, 4.0f, false, true);
+    EXPECT_EQ(spheres.pieces(), (Pieces{0, 0, 1, 0}));
+}
+
+TEST(Pieces, AWholeShellOfPositiveVolumeIsAPieceOfItsOwn)
+{
+    CutSpheres spheres;
+    spheres.add({0, 0, 0}, 2.0f, false, true);
+    spheres.add({9, 0, 5}, 2.0f, false, false);  // came off in an earlier cut
+    spheres.add({9.2f, 0.1f, 5}, 1.0f, true, false);
+    EXPECT_EQ(spheres.pieces(), (Pieces{0, 1, 1}));
+}
+
+}  // namespace
+}  // namespace kerf
