@@ -39,8 +39,9 @@ struct CollisionProxy
 /// Number of directions of the bounded hull, hence the bound on its points.
 inline constexpr std::size_t kSupportDirections = 32;
 
-/// The fixed unit directions of the bounded hull, spread evenly over the sphere; the six axis directions are among
-/// them.
+/// The fixed unit directions of the bounded hull: sixteen lines, then the same lines in the opposite direction, bit for
+/// bit the negatives (i and i + 16 belong together). The first three are the axes. No direction in space is farther
+/// than 24.6 degrees from one of them.
 const std::array<glm::vec3, kSupportDirections>& support_directions();
 
 /// dot(direction, p) in float, in the one order of operations that every search for extreme vertices uses, so that a
@@ -52,10 +53,12 @@ inline float support_value(const glm::vec3& direction, const glm::vec3& p)
 
 /// For each support direction the extreme vertex: largest support value; among equals the lexicographically smallest
 /// position, so that the answer depends on the positions only and not on their order.
-/// O(vertices * kSupportDirections).
+/// The origin when there are no vertices. O(vertices * kSupportDirections).
 std::array<glm::vec3, kSupportDirections> support_points(std::span<const Vertex> vertices);
 
-/// The bounded hull over support points that were found elsewhere (a tree keeps them). O(1).
+/// The bounded hull over support points that were found elsewhere (a tree keeps them). Inside the full hull; holds 100
+/// % of its volume for a box, 96 % for a cylinder along an axis, about 87 % for an asteroid, 82 % for a sphere, 81 %
+/// for a torus. O(1).
 CollisionProxy bounded_hull(const Box& box, const std::array<glm::vec3, kSupportDirections>& points);
 
 /// The proxy of a set of vertices. Empty for no vertices. O(n), full_hull O(n log n), every_vertex O(n^2).
