@@ -1,8 +1,10 @@
 #include "common/cut.h"
 
+#include <algorithm>
 #include <new>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 namespace kerf {
 
@@ -48,6 +50,35 @@ std::string_view name_of(Phase phase)
             return "growth";
     }
     return "unknown";
+}
+
+void merge_ranges(std::vector<DrawRange>& ranges)
+{
+    std::sort(ranges.begin(), ranges.end(), [](const DrawRange& a, const DrawRange& b) {
+        return std::tie(a.kind, a.material, a.first_index) < std::tie(b.kind, b.material, b.first_index);
+    });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < ranges.size(); ++i) {
+        DrawRange& before = ranges[last];
+        const DrawRange& range = ranges[i];
+        const bool follows = before.kind == range.kind && before.material == range.material &&
+                             before.first_index + before.index_count == range.first_index;
+        if (follows)
+            before.index_count += range.index_count;
+        else
+            ranges[++last] = range;
+    }
+    if (!ranges.empty()) ranges.resize(last + 1);
+}
+
+std::uint32_t cap_material(const CutOptions& options, std::vector<Material>& materials)
+{
+    if (options.cap_material < materials.size()) return options.cap_material;
+    const auto cap =
+        std::find_if(materials.begin(), materials.end(), [](const Material& m) { return m.name == "cap"; });
+    const auto index = static_cast<std::uint32_t>(cap - materials.begin());
+    if (cap == materials.end()) materials.push_back({"cap", glm::vec4(1.0f), {}});
+    return index;
 }
 
 double PhaseTimes::total() const

@@ -90,6 +90,9 @@ struct DrawRange
     TriangleKind kind = TriangleKind::surface;
 };
 
+/// Sorts ranges by kind, material and place, and joins those that follow one another.
+void merge_ranges(std::vector<DrawRange>& ranges);
+
 /// A run of bytes inside a buffer.
 struct ByteRange
 {
@@ -109,7 +112,7 @@ struct DrawView
     std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, since mark_uploaded()
 };
 
-/// The material that fills a section when the user names none; back ends add it to the materials at the first cut.
+/// The material that fills a section when the user names none: see cap_material().
 inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::uint32_t>::max();
 
 struct CutOptions
@@ -118,6 +121,10 @@ struct CutOptions
     bool split_components = false;  ///< each side comes as its connected pieces, otherwise as one fragment a side
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< index into the object's materials; default: one named "cap"
 };
+
+/// Index of the material for caps: the one in `options`, or else the material named "cap", which is appended if there
+/// is none.
+std::uint32_t cap_material(const CutOptions& options, std::vector<Material>& materials);
 
 struct CutResult;
 

@@ -67,12 +67,9 @@ std::string check_triangles(const IndexedMesh& mesh)
 std::string check_groups(const IndexedMesh& mesh)
 {
     std::uint64_t covered = 0;
-    TriangleKind kind = TriangleKind::surface;
     for (const TriangleGroup& group : mesh.groups) {
         if (group.first != covered) return "the triangle groups do not follow one another";
         if (group.material >= mesh.materials.size()) return "a triangle group names a material that does not exist";
-        if (group.kind < kind) return "a surface group comes after a cap group";
-        kind = group.kind;
         covered += group.count;
     }
     if (covered != mesh.triangles.size()) return "the triangle groups do not cover all triangles";

@@ -70,7 +70,7 @@ struct VertexStream
 ///   point have bit-equal positions. (Equal positions do not mean equal points: touching corners stay apart.)
 /// * No triangle has two equal points; no directed edge (by point) occurs twice; the triangles around a point form one
 /// fan.
-/// * `groups` cover the triangles in order, without gap or overlap, surface groups before cap groups.
+/// * `groups` cover the triangles in order, without gap or overlap; several may be alike.
 /// * Coordinates are finite; -0 does not occur.
 struct IndexedMesh
 {
