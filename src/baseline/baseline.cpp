@@ -1,1 +1,134 @@
 #include "baseline/baseline.h"
+
+#include "baseline/fragment.h"
+#include "baseline/slice.h"
+#include "common/stopwatch.h"
+
+namespace kerf::baseline {
+
+std::string_view name_of(VertexLookup lookup)
+{
+    switch (lookup) {
+        case VertexLookup::scan:
+            return "scan";
+        case VertexLookup::two_bucket_hash:
+            return "two_bucket_hash";
+        case VertexLookup::hash:
+            return "hash";
+        case VertexLookup::remap:
+            return "remap";
+    }
+    return "unknown";
+}
+
+namespace {
+
+struct Method
+{
+    VertexLookup lookup;
+    bool rewrite_pivots;
+};
+
+class BaselineCuttable final : public Cuttable
+{
+public:
+    BaselineCuttable(Fragment fragment, Method method) : fragment_(std::move(fragment)), method_(method) {}
+
+    std::unique_ptr<Cuttable> clone() const override
+    {
+        auto copy = std::make_unique<BaselineCuttable>(fragment_, method_);
+        return copy;
+    }
+
+    std::uint64_t triangle_count() const override { return fragment_.mesh.triangles.size(); }
+    Box bounds() const override { return fragment_.bounds(); }
+
+    DrawView draw_view() const override
+    {
+        const IndexedMesh& mesh = fragment_.mesh;
+        DrawView view;
+        view.buffers = &mesh;
+        view.vertices = mesh.vertices;
+        static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+        view.indices = {reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()), mesh.triangles.size() * 3};
+        view.materials = mesh.materials;
+        for (const TriangleGroup& group : mesh.groups)
+            view.ranges.push_back({3 * group.first, 3 * group.count, group.material, group.kind});
+        merge_ranges(view.ranges);
+        if (!is_uploaded_) {
+            view.new_vertex_bytes.push_back({0, view.vertices.size_bytes()});
+            view.new_index_bytes.push_back({0, view.indices.size_bytes()});
+        }
+        return view;
+    }
+
+    void mark_uploaded() override { is_uploaded_ = true; }
+
+    MassProperties mass_properties() const override { return kerf::mass_properties(fragment_.mesh); }
+
+    CollisionProxy collision_proxy(ProxyKind kind) const override
+    {
+        return kerf::collision_proxy(kind, fragment_.mesh.vertices);
+    }
+
+    std::span<const SectionLoop> section_loops() const override { return fragment_.section; }
+    IndexedMesh to_indexed_mesh() const override { return fragment_.mesh; }
+
+private:
+    CutResult cut_by(const Plane& plane, const CutOptions& options) override
+    {
+        Slices slices = slice(fragment_, plane, options, method_.lookup);
+        CutResult result;
+        result.status = slices.status;
+        result.section_area = slices.section_area;
+        result.statistics = slices.statistics;
+        if (slices.status == Status::missed) return result;
+
+        const auto hand_over = [&](std::vector<Fragment>& from, std::vector<std::unique_ptr<Cuttable>>& to) {
+            for (Fragment& fragment : from) {
+                if (method_.rewrite_pivots) {
+                    Stopwatch watch;
+                    Buffer<Vertex> scratch;
+                    rewrite_around_pivot(fragment.mesh, scratch);
+                    result.statistics.phases[Phase::pivot] += watch.lap();
+                }
+                to.push_back(std::make_unique<BaselineCuttable>(std::move(fragment), method_));
+            }
+        };
+        hand_over(slices.positive, result.positive);
+        hand_over(slices.negative, result.negative);
+        return result;
+    }
+
+    Fragment fragment_;
+    Method method_;
+    bool is_uploaded_ = false;
+};
+
+class BaselineBackend final : public Backend
+{
+public:
+    explicit BaselineBackend(Method method) : method_(method) {}
+
+    std::string name() const override { return "baseline/" + std::string(name_of(method_.lookup)); }
+
+private:
+    std::unique_ptr<Cuttable> make(IndexedMesh mesh) const override
+    {
+        Fragment fragment;
+        fragment.mesh = std::move(mesh);
+        fragment.noise = plane_noise(fragment.bounds().largest_coordinate());
+        return std::make_unique<BaselineCuttable>(std::move(fragment), method_);
+    }
+
+    Method method_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_backend(VertexLookup lookup, bool rewrite_pivots)
+{
+    return std::make_unique<BaselineBackend>(Method{lookup, rewrite_pivots});
+}
+
+}  // namespace kerf::baseline

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/cut_geometry.h"
+#include "common/cut_point_classes.h"
+#include "common/indexed_mesh.h"
+
+namespace kerf::baseline {
+
+/// A triangle that the plane crosses, and how it falls apart.
+struct CrossingTriangle
+{
+    std::uint32_t triangle;      ///< index in the mesh
+    std::uint32_t group;         ///< index of its group
+    std::uint32_t cut_next;      ///< cut point id of the edge lone -> next
+    std::uint32_t cut_previous;  ///< cut point id of the edge previous -> lone
+    TriangleSplit split;
+};
+
+/// All of a mesh that crosses the plane, with cut points identified across edges.
+struct Crossings
+{
+    std::vector<CrossingTriangle> triangles;  ///< in mesh order
+    CutPointClasses cut_points;
+
+    /// The cut point that stands for corner `code` (kCutNext or kCutPrevious) of a crossing triangle.
+    std::uint32_t cut_point(const CrossingTriangle& crossing, std::uint8_t code)
+    {
+        return cut_points.find(code == TriangleSplit::kCutNext ? crossing.cut_next : crossing.cut_previous);
+    }
+};
+
+/// The attributes at corner `code` of a crossing triangle.
+Vertex corner_vertex(const IndexedMesh& mesh, const CrossingTriangle& crossing, std::uint8_t code);
+
+/// The values of one stream at corner `code` of a crossing triangle: `stream.width` of them into `result`.
+void corner_stream(const IndexedMesh& mesh, const VertexStream& stream, const CrossingTriangle& crossing,
+                   std::uint8_t code, float* result);
+
+/// Splits the triangles named in `crossings` (index and group filled in) and finds out which cut points are one. O(k).
+void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Crossings& crossings);
+
+}  // namespace kerf::baseline

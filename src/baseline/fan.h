@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "baseline/section.h"
+#include "baseline/side_builder.h"
+
+namespace kerf::baseline {
+
+/// The mean of the section's points: where the report puts the centre of its fan.
+glm::vec3 section_centre(const Section& section);
+
+/// Closes one side with the report's fan (section 3.2.3): a triangle from the section's centre to each edge of each
+/// closed path, with vertices of their own whose normal is the plane's, flipped for the positive side, and planar uv.
+/// Each path gets its own copy of the centre, so that paths that bound different pieces share nothing. Right where the
+/// section is star-shaped around the centre; that is what is being compared. Caps are grouped by solid. O(k).
+void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
+                    std::span<const SectionPath> paths, const glm::vec3& centre, const Plane& plane,
+                    std::uint32_t material);
+
+}  // namespace kerf::baseline

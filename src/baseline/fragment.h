@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "common/cut.h"
+#include "common/indexed_mesh.h"
+
+namespace kerf::baseline {
+
+/// A mesh or a part of one, as the baseline keeps it: compact arrays that belong to nobody else.
+struct Fragment
+{
+    IndexedMesh mesh;
+    double noise = 0.0;  ///< plane_noise of the mesh that prepare() got; the same for all its fragments
+    std::vector<std::uint32_t>
+        fan_centres;                   ///< vertices that fans added: rounded, so they may stick out by a last place
+    std::vector<SectionLoop> section;  ///< outline of the last cut
+
+    /// Smallest box around the vertices. O(n) when first asked for.
+    const Box& bounds() const
+    {
+        if (bounds_.empty()) bounds_ = mesh.bounds();
+        return bounds_;
+    }
+
+    /// A cut makes room for all of the object on either side. Gives that back where it is more than kSpare times what
+    /// is used: a small piece is cheap to copy and must not hold on to the memory of what it was cut from; a large one
+    /// wastes little.
+    void release_spare_room()
+    {
+        constexpr std::size_t kSpare = 4;
+        if (mesh.vertices.capacity() > kSpare * mesh.vertices.size()) {
+            mesh.vertices.shrink_to_fit();
+            mesh.points.shrink_to_fit();
+        }
+        if (mesh.triangles.capacity() > kSpare * mesh.triangles.size()) {
+            mesh.triangles.shrink_to_fit();
+            mesh.sources.shrink_to_fit();
+        }
+    }
+
+private:
+    mutable Box bounds_;
+};
+
+}  // namespace kerf::baseline

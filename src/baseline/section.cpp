@@ -1,0 +1,206 @@
+#include "baseline/section.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "baseline/pair_table.h"
+
+namespace kerf::baseline {
+
+namespace {
+
+/// Gives section points their numbers.
+class PointNumbers
+{
+public:
+    PointNumbers(const IndexedMesh& mesh, Crossings& crossings, Section& section)
+        : mesh_(mesh), crossings_(crossings), section_(section), of_cut_point_(crossings.cut_points.size(), kNone)
+    {
+    }
+
+    /// The section point at a corner of a crossing triangle.
+    std::uint32_t of_corner(const CrossingTriangle& crossing, std::uint8_t code)
+    {
+        if (code < 3) return of_vertex(mesh_.triangles[crossing.triangle][code]);
+        const std::uint32_t id = crossings_.cut_point(crossing, code);
+        const glm::vec3& position =
+            code == TriangleSplit::kCutNext ? crossing.split.cut_next.position : crossing.split.cut_previous.position;
+        const std::uint32_t existing = crossings_.cut_points.existing(id);
+        if (existing != kNone) return of_existing(existing, position);
+        if (of_cut_point_[id] == kNone) of_cut_point_[id] = add({position, kNone, id});
+        return of_cut_point_[id];
+    }
+
+    std::uint32_t of_vertex(std::uint32_t vertex)
+    {
+        return of_existing(mesh_.points[vertex], mesh_.vertices[vertex].position);
+    }
+
+private:
+    std::uint32_t of_existing(std::uint32_t point, const glm::vec3& position)
+    {
+        const auto [entry, is_new] = of_existing_.try_emplace(point, kNone);
+        if (is_new) entry->second = add({position, point, kNone});
+        return entry->second;
+    }
+
+    std::uint32_t add(const SectionPoint& point)
+    {
+        section_.points.push_back(point);
+        return static_cast<std::uint32_t>(section_.points.size() - 1);
+    }
+
+    const IndexedMesh& mesh_;
+    Crossings& crossings_;
+    Section& section_;
+    std::vector<std::uint32_t> of_cut_point_;
+    std::unordered_map<std::uint32_t, std::uint32_t> of_existing_;
+};
+
+/// Removes pairs of opposite edges.
+void cancel_opposite_edges(std::vector<SectionEdge>& edges)
+{
+    PairTable edge_between;
+    edge_between.reset(edges.size());
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+        SectionEdge& edge = edges[i];
+        const std::uint32_t other = edge_between.find(edge.to, edge.from);
+        if (other != kNone && edges[other].from != kNone) {
+            edge.from = edges[other].from = kNone;
+            continue;
+        }
+        edge_between(edge.from, edge.to) = i;
+    }
+    std::erase_if(edges, [](const SectionEdge& edge) { return edge.from == kNone; });
+}
+
+}  // namespace
+
+Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
+                     std::span<const EdgeInPlane> in_plane_of_positive)
+{
+    Section section;
+    section.points.reserve(crossings.cut_points.size());
+    section.edges.reserve(crossings.triangles.size());
+    PointNumbers numbers(mesh, crossings, section);
+
+    bool some_coincide = false;
+    for (std::uint32_t i = 0; i < crossings.triangles.size(); ++i) {
+        const CrossingTriangle& crossing = crossings.triangles[i];
+        const TriangleSplit& split = crossing.split;
+        some_coincide |= split.next_code < 3 || split.previous_code != TriangleSplit::kCutPrevious;
+        if (!split.has_section_edge()) continue;
+        const std::uint32_t from = numbers.of_corner(crossing, split.section_from);
+        const std::uint32_t to = numbers.of_corner(crossing, split.section_to);
+        if (from == to) continue;
+        section.edges.push_back(
+            {from, to, i, crossing.triangle, split.section_from, split.section_to, mesh.groups[crossing.group].solid});
+    }
+    if (some_coincide) cancel_opposite_edges(section.edges);
+
+    if (!in_plane_of_negative.empty() && !in_plane_of_positive.empty()) {
+        const auto ends = [&](const EdgeInPlane& edge) {
+            const Triangle& t = mesh.triangles[edge.triangle];
+            return std::pair{t[edge.corner], t[(edge.corner + 1u) % 3]};
+        };
+        PairTable positive_edges;
+        positive_edges.reset(in_plane_of_positive.size());
+        for (std::uint32_t i = 0; i < in_plane_of_positive.size(); ++i) {
+            const auto [a, b] = ends(in_plane_of_positive[i]);
+            positive_edges(mesh.points[a], mesh.points[b]) = i;
+        }
+        for (const EdgeInPlane& edge : in_plane_of_negative) {
+            const auto [a, b] = ends(edge);
+            const std::uint32_t i = positive_edges.find(mesh.points[b], mesh.points[a]);
+            if (i == kNone) continue;
+            const EdgeInPlane& above = in_plane_of_positive[i];
+            const auto [from, to] = ends(above);
+            section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, above.triangle,
+                                     above.corner, static_cast<std::uint8_t>((above.corner + 1u) % 3),
+                                     mesh.groups[above.group].solid});
+        }
+    }
+    return section;
+}
+
+std::vector<SectionPath> link_paths(const Section& section, std::span<const std::uint32_t> tags)
+{
+    const std::size_t edge_count = section.edges.size(), point_count = section.points.size();
+
+    // Outgoing edges of each point, in edge order, as compressed rows.
+    std::vector<std::uint32_t> row(point_count + 1, 0), outgoing(edge_count);
+    std::vector<std::int32_t> surplus(point_count, 0);  // outgoing less incoming edges
+    for (const SectionEdge& edge : section.edges) {
+        ++row[edge.from + 1];
+        ++surplus[edge.from];
+        --surplus[edge.to];
+    }
+    for (std::size_t i = 0; i < point_count; ++i) row[i + 1] += row[i];
+    std::vector<std::uint32_t> fill(row.begin(), row.end() - 1);
+    for (std::uint32_t i = 0; i < edge_count; ++i) outgoing[fill[section.edges[i].from]++] = i;
+
+    std::vector<bool> is_used(edge_count, false);
+    const auto next_edge = [&](std::uint32_t point, std::uint32_t tag) {
+        for (std::uint32_t i = row[point]; i < row[point + 1]; ++i)
+            if (!is_used[outgoing[i]] && tags[outgoing[i]] == tag) return outgoing[i];
+        return kNone;
+    };
+
+    std::vector<SectionPath> paths;
+    std::vector<std::uint32_t> place(point_count, kNone);  // where on the current path a point's outgoing edge is
+    const auto follow = [&](std::uint32_t first) {
+        const std::uint32_t tag = tags[first];
+        std::vector<std::uint32_t> path;
+        for (std::uint32_t edge = first; edge != kNone;) {
+            is_used[edge] = true;
+            place[section.edges[edge].from] = static_cast<std::uint32_t>(path.size());
+            path.push_back(edge);
+            const std::uint32_t to = section.edges[edge].to;
+            if (place[to] != kNone) {
+                // Back at a point of the path: what lies between is a loop that visits no point twice.
+                const auto begin = path.begin() + place[to];
+                for (auto it = begin; it != path.end(); ++it) place[section.edges[*it].from] = kNone;
+                paths.push_back({{begin, path.end()}, true, tag});
+                path.erase(begin, path.end());
+            }
+            edge = next_edge(to, tag);
+        }
+        for (const std::uint32_t edge : path) place[section.edges[edge].from] = kNone;
+        if (!path.empty()) paths.push_back({std::move(path), false, tag});
+    };
+
+    // Chains first, from where they begin, or a loop could swallow a part of one.
+    for (std::uint32_t i = 0; i < edge_count; ++i) {
+        std::int32_t& begins = surplus[section.edges[i].from];
+        if (is_used[i] || begins <= 0) continue;
+        --begins;
+        follow(i);
+    }
+    for (std::uint32_t i = 0; i < edge_count; ++i)
+        if (!is_used[i]) follow(i);
+    return paths;
+}
+
+double signed_area(const Section& section, const SectionPath& path, const Plane& plane)
+{
+    const glm::dvec3 origin(section.points[section.edges[path.edges.front()].from].position);
+    glm::dvec3 twice{0.0};
+    for (const std::uint32_t i : path.edges) {
+        const SectionEdge& edge = section.edges[i];
+        twice += glm::cross(glm::dvec3(section.points[edge.from].position) - origin,
+                            glm::dvec3(section.points[edge.to].position) - origin);
+    }
+    return glm::dot(twice, plane.normal) * 0.5;
+}
+
+SectionLoop to_loop(const Section& section, const SectionPath& path)
+{
+    SectionLoop loop;
+    loop.closed = path.closed;
+    loop.points.reserve(path.edges.size() + 1);
+    for (const std::uint32_t i : path.edges) loop.points.push_back(section.points[section.edges[i].from].position);
+    if (!path.closed) loop.points.push_back(section.points[section.edges[path.edges.back()].to].position);
+    return loop;
+}
+
+}  // namespace kerf::baseline

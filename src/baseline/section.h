@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "baseline/crossing.h"
+#include "common/cut.h"
+
+namespace kerf::baseline {
+
+inline constexpr std::uint32_t kNone = CutPointClasses::kNone;
+
+/// A point of the section's outline: a point that existed before the cut, or a new one.
+struct SectionPoint
+{
+    glm::vec3 position;
+    std::uint32_t existing;   ///< point id in the mesh before the cut, or kNone
+    std::uint32_t cut_point;  ///< when not existing: the id of its class of cut points
+};
+
+/// An edge of the outline, directed as it runs in the surface of the positive side.
+struct SectionEdge
+{
+    std::uint32_t from, to;  ///< section points
+    std::uint32_t
+        crossing;  ///< the crossing triangle that it divides, or kNone for an edge of the mesh that lies in the plane
+    std::uint32_t triangle;               ///< the triangle it was found in
+    std::uint8_t from_corner, to_corner;  ///< its ends as corner codes of that triangle
+    std::uint32_t solid;
+};
+
+/// The section: every edge between a triangle kept on one side and a triangle kept on the other.
+struct Section
+{
+    std::vector<SectionPoint> points;
+    std::vector<SectionEdge> edges;
+};
+
+/// A polyline of section edges that visits no point twice.
+struct SectionPath
+{
+    std::vector<std::uint32_t> edges;  ///< in order, each starting where the one before ends
+    bool closed = true;                ///< false: a chain that ends at the boundary of an open mesh
+    std::uint32_t tag = 0;
+};
+
+/// A directed edge of an untouched triangle whose ends are both exactly on the plane; `corner` is where it starts.
+struct EdgeInPlane
+{
+    std::uint32_t triangle;
+    std::uint32_t group;
+    std::uint8_t corner;
+};
+
+/// Collects the outline from the crossing triangles and from the edges in the plane of both sides. Edges that run forth
+/// and back cancel. O(k) expected.
+Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
+                     std::span<const EdgeInPlane> in_plane_of_positive);
+
+/// Links edges into simple loops and chains; only edges of equal tag follow one another. `tags` has one entry an edge.
+/// O(k).
+std::vector<SectionPath> link_paths(const Section& section, std::span<const std::uint32_t> tags);
+
+/// Signed area of a closed path, positive when it runs counter-clockwise seen from the positive side.
+double signed_area(const Section& section, const SectionPath& path, const Plane& plane);
+
+/// The path as the contract shows it.
+SectionLoop to_loop(const Section& section, const SectionPath& path);
+
+}  // namespace kerf::baseline
