@@ -1,0 +1,19 @@
+#include "support/backends.h"
+
+#include "baseline/baseline.h"
+
+namespace kerf::test {
+
+const std::vector<NamedBackend>& backends()
+{
+    using baseline::VertexLookup;
+    static const std::vector<NamedBackend> all{
+        {"baseline_scan", [] { return baseline::make_backend(VertexLookup::scan); }},
+        {"baseline_two_bucket_hash", [] { return baseline::make_backend(VertexLookup::two_bucket_hash); }},
+        {"baseline_hash", [] { return baseline::make_backend(VertexLookup::hash); }},
+        {"baseline_remap", [] { return baseline::make_backend(VertexLookup::remap); }},
+    };
+    return all;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "common/cut.h"
+
+namespace kerf::test {
+
+/// A back end under test.
+struct NamedBackend
+{
+    std::string name;  ///< as GoogleTest wants it: letters, digits and underscores
+    std::function<std::unique_ptr<Backend>()> make;
+};
+
+/// How GoogleTest prints one in failure messages.
+inline void PrintTo(const NamedBackend& backend, std::ostream* out)
+{
+    *out << backend.name;
+}
+
+/// Every back end and every vertex lookup: the contract tests run over all of them.
+const std::vector<NamedBackend>& backends();
+
+}  // namespace kerf::test

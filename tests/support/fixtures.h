@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/assemble.h"
+#include "common/indexed_mesh.h"
+#include "common/plane.h"
+
+namespace kerf::test {
+
+/// A mesh with a name for failure messages.
+struct NamedMesh
+{
+    std::string name;
+    IndexedMesh mesh;
+};
+
+/// assemble() for input that is known to be good; throws std::runtime_error otherwise.
+IndexedMesh assembled(TriangleSoup soup);
+
+/// Small closed shapes: convex, concave, with tunnels, hollow, of several shells, with seams and with streams.
+const std::vector<NamedMesh>& closed_shapes();
+
+/// A closed shape by name.
+const IndexedMesh& closed_shape(const std::string& name);
+
+/// Two triangles' worth of trouble each: meshes with boundary.
+const std::vector<NamedMesh>& open_shapes();
+
+/// Random numbers that are the same everywhere (SplitMix64).
+class Random
+{
+public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    std::uint64_t next();
+    double uniform();  ///< in [0, 1)
+    std::uint32_t below(std::uint32_t bound);
+    glm::dvec3 direction();  ///< uniform on the sphere
+
+private:
+    std::uint64_t state_;
+};
+
+/// A plane with a name for failure messages.
+struct NamedPlane
+{
+    std::string name;
+    Plane plane;
+};
+
+/// Planes worth testing on a mesh: `count` each of random ones through the middle, through a vertex, along an edge,
+/// through three vertices, in the plane of a face; and the axis planes through the centre of the bounds.
+std::vector<NamedPlane> planes_for(const IndexedMesh& mesh, std::uint32_t count, std::uint64_t seed);
+
+}  // namespace kerf::test

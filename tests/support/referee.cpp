@@ -1,0 +1,203 @@
+#include "support/referee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <unordered_map>
+
+namespace kerf::referee {
+
+namespace {
+
+/// Counts directed edges between keys; returns how many lack a reverse.
+std::size_t unmatched(std::vector<std::array<std::uint64_t, 2>> edges)
+{
+    std::vector<std::array<std::uint64_t, 2>> reversed(edges.size());
+    std::transform(edges.begin(), edges.end(), reversed.begin(), [](const auto& e) { return std::array{e[1], e[0]}; });
+    std::sort(edges.begin(), edges.end());
+    std::sort(reversed.begin(), reversed.end());
+    std::vector<std::array<std::uint64_t, 2>> difference;
+    std::set_difference(edges.begin(), edges.end(), reversed.begin(), reversed.end(), std::back_inserter(difference));
+    return difference.size();
+}
+
+template <class Key>
+std::size_t open_edges_by(const IndexedMesh& mesh, Key key)
+{
+    std::vector<std::array<std::uint64_t, 2>> edges;
+    edges.reserve(mesh.triangles.size() * 3);
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) edges.push_back({key(t[i]), key(t[(i + 1) % 3])});
+    return unmatched(std::move(edges));
+}
+
+std::array<std::uint32_t, 3> bits_of(const glm::vec3& p)
+{
+    std::array<std::uint32_t, 3> bits;
+    std::memcpy(bits.data(), &p, sizeof bits);
+    return bits;
+}
+
+const glm::vec3& position(const IndexedMesh& mesh, const Triangle& t, std::size_t corner)
+{
+    return mesh.vertices[t[corner]].position;
+}
+
+double area_of(const IndexedMesh& mesh, const Triangle& t)
+{
+    const glm::dvec3 a(position(mesh, t, 0)), b(position(mesh, t, 1)), c(position(mesh, t, 2));
+    return glm::length(glm::cross(b - a, c - a)) / 2;
+}
+
+}  // namespace
+
+std::size_t open_edges(const IndexedMesh& mesh)
+{
+    return open_edges_by(mesh, [&](std::uint32_t v) { return std::uint64_t(mesh.points[v]); });
+}
+
+std::size_t open_edges_by_position(const IndexedMesh& mesh)
+{
+    std::map<std::array<std::uint32_t, 3>, std::uint64_t> ids;
+    std::vector<std::uint64_t> id(mesh.vertices.size());
+    for (std::size_t v = 0; v < id.size(); ++v)
+        id[v] = ids.try_emplace(bits_of(mesh.vertices[v].position), ids.size()).first->second;
+    return open_edges_by(mesh, [&](std::uint32_t v) { return id[v]; });
+}
+
+std::size_t triangles_with_equal_corners(const IndexedMesh& mesh)
+{
+    return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+        const glm::vec3 &a = position(mesh, t, 0), &b = position(mesh, t, 1), &c = position(mesh, t, 2);
+        return a == b || b == c || c == a;
+    }));
+}
+
+double volume(const IndexedMesh& mesh)
+{
+    if (mesh.vertices.empty()) return 0;
+    const glm::dvec3 origin(mesh.vertices[0].position);
+    long double six = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const glm::dvec3 a = glm::dvec3(position(mesh, t, 0)) - origin, b = glm::dvec3(position(mesh, t, 1)) - origin,
+                         c = glm::dvec3(position(mesh, t, 2)) - origin;
+        six += static_cast<long double>(glm::dot(a, glm::cross(b, c)));
+    }
+    return static_cast<double>(six / 6);
+}
+
+double area(const IndexedMesh& mesh)
+{
+    long double sum = 0;
+    for (const Triangle& t : mesh.triangles) sum += static_cast<long double>(area_of(mesh, t));
+    return static_cast<double>(sum);
+}
+
+double area(const IndexedMesh& mesh, TriangleKind kind)
+{
+    long double sum = 0;
+    for (const TriangleGroup& group : mesh.groups) {
+        if (group.kind != kind) continue;
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
+            sum += static_cast<long double>(area_of(mesh, mesh.triangles[t]));
+    }
+    return static_cast<double>(sum);
+}
+
+double overhang(const IndexedMesh& mesh, const Plane& plane, bool positive_side)
+{
+    double worst = -INFINITY;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double d = plane.signed_distance(position(mesh, t, i));
+            worst = std::max(worst, positive_side ? -d : d);
+        }
+    return worst;
+}
+
+std::size_t edge_components(const IndexedMesh& mesh)
+{
+    std::vector<std::size_t> parent(mesh.triangles.size());
+    std::iota(parent.begin(), parent.end(), std::size_t(0));
+    const auto find = [&](std::size_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> triangle_at;
+    std::size_t count = parent.size();
+    for (std::size_t t = 0; t < parent.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [a, b] =
+                std::minmax(mesh.points[mesh.triangles[t][i]], mesh.points[mesh.triangles[t][(i + 1) % 3]]);
+            const auto [entry, is_new] = triangle_at.try_emplace({a, b}, t);
+            if (is_new) continue;
+            const std::size_t p = find(entry->second), q = find(t);
+            if (p == q) continue;
+            parent[p] = q;
+            --count;
+        }
+    return count;
+}
+
+std::vector<SurfaceTriangle> canonical_surface(const IndexedMesh& mesh)
+{
+    std::vector<SurfaceTriangle> result;
+    for (const TriangleGroup& group : mesh.groups) {
+        if (group.kind != TriangleKind::surface) continue;
+        for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
+            std::array<std::vector<std::uint32_t>, 3> corners;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t v = mesh.triangles[i][k];
+                corners[k].resize(8);
+                std::memcpy(corners[k].data(), &mesh.vertices[v], sizeof(Vertex));
+                for (const VertexStream& stream : mesh.streams)
+                    for (std::uint32_t w = 0; w < stream.width; ++w) {
+                        std::uint32_t bits;
+                        std::memcpy(&bits, &stream.values[std::size_t(v) * stream.width + w], sizeof bits);
+                        corners[k].push_back(bits);
+                    }
+            }
+            std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+            SurfaceTriangle triangle{mesh.sources[i], mesh.materials[group.material].name, {}};
+            for (const auto& corner : corners) triangle.bits.insert(triangle.bits.end(), corner.begin(), corner.end());
+            result.push_back(std::move(triangle));
+        }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::vector<SurfaceTriangle> canonical_surface(const std::vector<std::unique_ptr<Cuttable>>& fragments)
+{
+    std::vector<SurfaceTriangle> all;
+    for (const auto& fragment : fragments) {
+        std::vector<SurfaceTriangle> part = canonical_surface(fragment->to_indexed_mesh());
+        std::move(part.begin(), part.end(), std::back_inserter(all));
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::vector<std::uint32_t> bytes_of(const IndexedMesh& mesh)
+{
+    std::vector<std::uint32_t> bytes;
+    const auto add = [&](const void* data, std::size_t size) {
+        const std::size_t at = bytes.size();
+        bytes.resize(at + size / sizeof(std::uint32_t));
+        if (size > 0) std::memcpy(bytes.data() + at, data, size);
+    };
+    add(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
+    add(mesh.points.data(), mesh.points.size() * sizeof(std::uint32_t));
+    add(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+    add(mesh.sources.data(), mesh.sources.size() * sizeof(std::uint32_t));
+    for (const VertexStream& stream : mesh.streams) add(stream.values.data(), stream.values.size() * sizeof(float));
+    for (const TriangleGroup& g : mesh.groups)
+        for (const std::uint32_t value : {g.first, g.count, g.material, g.solid, std::uint32_t(g.kind)})
+            bytes.push_back(value);
+    return bytes;
+}
+
+}  // namespace kerf::referee
