@@ -19,6 +19,7 @@ PolyMesh make_rook();
 PolyMesh make_bishop();
 PolyMesh make_queen();
 PolyMesh make_king();
+PolyMesh make_horse();
 PolyMesh make_car();
 
 struct Model
@@ -29,11 +30,12 @@ struct Model
 };
 
 /// Models of the report's, in the order of its Table 1.
-inline constexpr std::array<Model, 13> kModels{{
+inline constexpr std::array<Model, 14> kModels{{
     {"car", make_car, 2836},
     {"cube", make_cube, 12},
     {"rook", make_rook, 926},
     {"pedestal", make_pedestal, 44},
+    {"horse", make_horse, 446},
     {"icosphere", make_icosphere, 80},
     {"bishop", make_bishop, 1216},
     {"cylinder", make_cylinder, 124},
