@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "common/assemble.h"
 #include "common/mesh_facts.h"
@@ -16,9 +19,20 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A mesh file as it is: triangles (n-gons triangulated), several meshes and materials joined, node transforms applied.
-/// OBJ, PLY, STL, OFF, glTF and GLB, by file name extension in either case. Text numbers are read correctly rounded.
-/// Vertices are counted as the format stores them (OBJ: different v/vt/vn triples).
+/// A mesh file as it is: triangles (n-gons triangulated without a new vertex), several meshes and materials joined,
+/// node transforms applied. OBJ, PLY, STL, OFF, glTF and GLB, by file name extension in either case.
+///
+/// * Text numbers are read correctly rounded. -0 becomes +0 in coordinates.
+/// * Vertices are counted as the format stores them (OBJ: different v/vt/vn triples that a face uses).
+/// * uv have their origin in the lower left corner of the image, as in OBJ and OpenGL; glTF is converted.
+/// * Normals farther than 1e-6 from unit length are normalised. Where a file gives normals for some of its vertices,
+/// the
+///   others get the mean of their triangles' normals, weighted by area. Where it gives none, and for STL, `has_normals`
+///   is false.
+/// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices are streams of their
+///   own.
+///
+/// Time and memory are O(file size), whatever counts the file claims.
 /// @throws FileError  unreadable, empty or malformed file; index out of range; a coordinate that is not finite
 TriangleSoup read_soup(const std::filesystem::path& path);
 
@@ -35,9 +49,35 @@ struct LoadedMesh
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
 /// Writes OBJ, PLY, STL or GLB, by extension. What is written as OBJ or PLY reads back bit for bit (positions, normals,
-/// uv, and streams in PLY; points by equal positions). OBJ and GLB keep materials; OBJ has the groups `surface` and
-/// `cap`. The file appears complete or not at all: it is written beside its place and renamed.
+/// uv, and streams in PLY; points by equal positions). OBJ and GLB keep materials, OBJ in an .mtl file beside it if
+/// they say more than a name; OBJ has the groups `surface` and `cap`. The file appears complete or not at all: it is
+/// written beside its place and renamed.
 /// @throws FileError
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
+
+/// Several mesh files that appear together or not at all.
+class MeshFileSet
+{
+public:
+    MeshFileSet();
+    ~MeshFileSet();  ///< removes what was not committed
+    MeshFileSet(const MeshFileSet&) = delete;
+    MeshFileSet& operator=(const MeshFileSet&) = delete;
+
+    /// Writes a mesh as write_mesh() does, under a temporary name beside its place.
+    /// @throws FileError
+    void add(const std::filesystem::path& path, const IndexedMesh& mesh);
+
+    /// Gives all files their names. When one cannot have its name, the ones renamed before are removed again.
+    /// @throws FileError
+    void commit();
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Extensions that write_mesh() knows, in lower case and without the dot.
+const std::vector<std::string>& writable_formats();
 
 }  // namespace kerf::io

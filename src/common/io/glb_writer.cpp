@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "common/io/bytes.h"
+#include "common/io/mesh_file.h"
+#include "common/io/read_formats.h"
+#include "common/io/write_formats.h"
+
+namespace kerf::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr unsigned kFloat = 5126, kUnsignedInt = 5125;
+constexpr unsigned kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+
+/// A path as a relative reference: blanks and what has a meaning in references are escaped.
+std::string uri_of(std::string_view path)
+{
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string uri;
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_plain = (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'Z') ||
+                              (byte >= 'a' && byte <= 'z') ||
+                              std::string_view("-._~/").find(c) != std::string_view::npos;
+        if (is_plain) {
+            uri += c;
+        } else {
+            uri += '%';
+            uri += kDigits[byte >> 4];
+            uri += kDigits[byte & 15];
+        }
+    }
+    return uri;
+}
+
+class GlbWriter
+{
+public:
+    explicit GlbWriter(const IndexedMesh& mesh) : mesh_(mesh) {}
+
+    void write(OutputFile& file)
+    {
+        add_materials();
+        for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap}) {
+            Json primitives = primitives_of(kind);
+            if (primitives.empty()) continue;
+            const char* name = kind == TriangleKind::surface ? "surface" : "cap";
+            roots_.push_back(nodes_.size());
+            nodes_.push_back({{"name", name}, {"mesh", meshes_.size()}});
+            meshes_.push_back({{"name", name}, {"primitives", std::move(primitives)}});
+        }
+        write_container(file);
+    }
+
+private:
+    void add_materials()
+    {
+        for (const Material& source : mesh_.materials) {
+            const glm::vec4 c = glm::vec4(source.colour);
+            const auto channel = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
+            Json surface{{"baseColorFactor", {channel(c.r), channel(c.g), channel(c.b), channel(c.a)}},
+                         {"metallicFactor", 0.0}};
+            if (!source.texture.empty()) {
+                surface["baseColorTexture"] = {{"index", textures_.size()}};
+                textures_.push_back({{"source", images_.size()}});
+                images_.push_back({{"uri", uri_of(source.texture)}});
+            }
+            Json material;
+            if (!source.name.empty()) material["name"] = source.name;
+            material["pbrMetallicRoughness"] = std::move(surface);
+            if (channel(c.a) < 1.0f) material["alphaMode"] = "BLEND";
+            materials_.push_back(std::move(material));
+        }
+    }
+
+    /// One primitive for each material, with its own vertices in order of use.
+    Json primitives_of(TriangleKind kind)
+    {
+        Json primitives = Json::array();
+        for (std::uint32_t material = 0; material < mesh_.materials.size(); ++material) {
+            used_.clear();
+            indices_.clear();
+            local_.assign(mesh_.vertices.size(), kUnused);
+            for (const TriangleGroup& group : mesh_.groups)
+                if (group.kind == kind && group.material == material) collect(group);
+            if (!indices_.empty()) primitives.push_back(primitive(material));
+        }
+        return primitives;
+    }
+
+    void collect(const TriangleGroup& group)
+    {
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
+            for (const std::uint32_t v : mesh_.triangles[t]) {
+                if (local_[v] == kUnused) {
+                    local_[v] = static_cast<std::uint32_t>(used_.size());
+                    used_.push_back(v);
+                }
+                indices_.push_back(local_[v]);
+            }
+    }
+
+    Json primitive(std::uint32_t material)
+    {
+        Json attributes;
+        attributes["POSITION"] = add_positions();
+        attributes["NORMAL"] = add_floats(3, [&](std::uint32_t v, int i) { return mesh_.vertices[v].normal[i]; });
+        // The origin of glTF's images is the upper left corner.
+        attributes["TEXCOORD_0"] = add_floats(2, [&](std::uint32_t v, int i) {
+            const glm::vec2& uv = mesh_.vertices[v].uv;
+            return i == 0 ? uv.x : 1.0f - uv.y;
+        });
+        for (const VertexStream& stream : mesh_.streams)
+            if (stream.name == "color" && (stream.width == 3 || stream.width == 4))
+                attributes["COLOR_0"] = add_floats(static_cast<int>(stream.width), [&](std::uint32_t v, int i) {
+                    return stream.values[v * stream.width + static_cast<std::uint32_t>(i)];
+                });
+        Json result{{"attributes", std::move(attributes)}};
+        const std::size_t first = binary_.size();
+        for (const std::uint32_t index : indices_) store_little(binary_, index);
+        result["indices"] = add_accessor(first, kElementArrayBuffer, kUnsignedInt, indices_.size(), "SCALAR");
+        result["material"] = material;
+        return result;
+    }
+
+    std::size_t add_positions()
+    {
+        const std::size_t accessor =
+            add_floats(3, [&](std::uint32_t v, int i) { return mesh_.vertices[v].position[i]; });
+        Box box;
+        for (const std::uint32_t v : used_) box.add(mesh_.vertices[v].position);
+        // As doubles the floats' digits are exact.
+        accessors_[accessor]["min"] = {double(box.lo.x), double(box.lo.y), double(box.lo.z)};
+        accessors_[accessor]["max"] = {double(box.hi.x), double(box.hi.y), double(box.hi.z)};
+        return accessor;
+    }
+
+    template <class Value>
+    std::size_t add_floats(int width, const Value& value)
+    {
+        constexpr std::array<const char*, 5> kTypes{"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+        const std::size_t first = binary_.size();
+        for (const std::uint32_t v : used_)
+            for (int i = 0; i < width; ++i) store_little(binary_, value(v, i));
+        return add_accessor(first, kArrayBuffer, kFloat, used_.size(), kTypes[static_cast<std::size_t>(width)]);
+    }
+
+    /// Describes the bytes from `first` on. All numbers are four bytes long, so everything stays aligned.
+    std::size_t add_accessor(std::size_t first, unsigned target, unsigned component, std::size_t count,
+                             const char* type)
+    {
+        views_.push_back(
+            {{"buffer", 0}, {"byteOffset", first}, {"byteLength", binary_.size() - first}, {"target", target}});
+        accessors_.push_back(
+            {{"bufferView", views_.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
+        return accessors_.size() - 1;
+    }
+
+    Json document() const
+    {
+        Json document;
+        document["asset"] = {{"version", "2.0"}, {"generator", "Kerf"}};
+        document["scene"] = 0;
+        document["scenes"] = Json::array({{{"nodes", roots_}}});
+        // The format forbids lists that are empty.
+        const auto add = [&](const char* name, const Json& list) {
+            if (!list.empty()) document[name] = list;
+        };
+        add("nodes", nodes_);
+        add("meshes", meshes_);
+        add("materials", materials_);
+        add("textures", textures_);
+        add("images", images_);
+        add("accessors", accessors_);
+        add("bufferViews", views_);
+        document["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
+        return document;
+    }
+
+    void write_container(OutputFile& file) const
+    {
+        std::string json = document().dump(-1, ' ', false, Json::error_handler_t::replace);
+        json.resize((json.size() + 3) / 4 * 4, ' ');
+        constexpr std::size_t kHeaders = 12 + 8 + 8;
+        if (kHeaders + json.size() + binary_.size() > std::numeric_limits<std::uint32_t>::max())
+            fail(file.path(), "the mesh is too large for a GLB file, which ends at 4 GB");
+        std::string header = "glTF";
+        store_little(header, std::uint32_t{2});
+        store_little(header, static_cast<std::uint32_t>(kHeaders + json.size() + binary_.size()));
+        store_little(header, static_cast<std::uint32_t>(json.size()));
+        file.write(header + "JSON" + json);
+        std::string chunk;
+        store_little(chunk, static_cast<std::uint32_t>(binary_.size()));
+        file.write(chunk + std::string("BIN\0", 4));
+        file.write(binary_);
+    }
+
+    static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+
+    const IndexedMesh& mesh_;
+    Json roots_ = Json::array(), nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(),
+         textures_ = Json::array(), images_ = Json::array(), accessors_ = Json::array(), views_ = Json::array();
+    std::string binary_;
+    std::vector<std::uint32_t> used_;     ///< vertices of the current primitive
+    std::vector<std::uint32_t> indices_;  ///< of the current primitive
+    std::vector<std::uint32_t> local_;    ///< vertex -> index in used_
+};
+
+}  // namespace
+
+void write_glb(OutputFile& file, const IndexedMesh& mesh)
+{
+    GlbWriter(mesh).write(file);
+}
+
+}  // namespace kerf::io

@@ -1,0 +1,146 @@
+#include "common/io/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "common/io/read_formats.h"
+#include "common/io/text_scanner.h"
+
+namespace kerf::io {
+
+namespace {
+
+PlyType to_type(const TextScanner& line, std::string_view word)
+{
+    constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames{{
+        {"char", PlyType::int8},
+        {"int8", PlyType::int8},
+        {"uchar", PlyType::uint8},
+        {"uint8", PlyType::uint8},
+        {"short", PlyType::int16},
+        {"int16", PlyType::int16},
+        {"ushort", PlyType::uint16},
+        {"uint16", PlyType::uint16},
+        {"int", PlyType::int32},
+        {"int32", PlyType::int32},
+        {"uint", PlyType::uint32},
+        {"uint32", PlyType::uint32},
+        {"float", PlyType::float32},
+        {"float32", PlyType::float32},
+        {"double", PlyType::float64},
+        {"float64", PlyType::float64},
+    }};
+    for (const auto& [name, type] : kNames)
+        if (name == word) return type;
+    line.fail(in_quotes(word) + " is not a type of property");
+}
+
+PlyFormat to_format(const TextScanner& line, std::string_view word)
+{
+    if (word == "ascii") return PlyFormat::ascii;
+    if (word == "binary_little_endian") return PlyFormat::little_endian;
+    if (word == "binary_big_endian") return PlyFormat::big_endian;
+    line.fail(in_quotes(word) + " is not a format of PLY files");
+}
+
+PlyProperty read_property(TextScanner& line)
+{
+    PlyProperty property;
+    std::string_view word = line.word();
+    if (word == "list") {
+        property.is_list = true;
+        property.count_type = to_type(line, line.word());
+        if (!is_integer(property.count_type)) line.fail("the length of a list is not an integer");
+        word = line.word();
+    }
+    property.type = to_type(line, word);
+    property.name = line.word();
+    if (property.name.empty()) line.fail("a property has no name");
+    return property;
+}
+
+/// Bytes that one element takes at least. As text each number takes two with its separator.
+std::uint64_t least_size(const PlyElement& element, PlyFormat format)
+{
+    std::uint64_t size = 0;
+    for (const PlyProperty& p : element.properties)
+        size += format == PlyFormat::ascii ? 2 : size_of(p.is_list ? p.count_type : p.type);
+    return size;
+}
+
+void check_room(const TextScanner& line, const PlyHeader& header)
+{
+    // The last number of a text needs no separator.
+    std::uint64_t room = line.bytes_left() + 1;
+    for (const PlyElement& element : header.elements) {
+        const std::uint64_t size = least_size(element, header.format);
+        if (size > 0 && element.count > room / size)
+            line.fail("element '" + element.name + "' is said to occur " + std::to_string(element.count) +
+                      " times, which is more than the file has room for");
+        room -= element.count * size;
+    }
+}
+
+}  // namespace
+
+std::size_t size_of(PlyType type)
+{
+    switch (type) {
+        case PlyType::int8:
+        case PlyType::uint8:
+            return 1;
+        case PlyType::int16:
+        case PlyType::uint16:
+            return 2;
+        case PlyType::int32:
+        case PlyType::uint32:
+        case PlyType::float32:
+            return 4;
+        case PlyType::float64:
+            return 8;
+    }
+    return 0;
+}
+
+bool is_integer(PlyType type)
+{
+    return type != PlyType::float32 && type != PlyType::float64;
+}
+
+PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view bytes)
+{
+    TextScanner line(path, bytes, TextScanner::Syntax{});
+    PlyHeader header;
+    if (!line.next_line() || line.word() != "ply") line.fail("it does not begin with 'ply'");
+    bool has_format = false;
+    for (;;) {
+        if (!line.next_line()) line.fail("the file ends inside the header");
+        const std::string_view keyword = line.word();
+        if (keyword == "end_header") break;
+        if (keyword == "format") {
+            header.format = to_format(line, line.word());
+            has_format = true;
+        } else if (keyword == "element") {
+            PlyElement element;
+            element.name = line.word();
+            const std::int64_t count = line.integer("the number of '" + element.name + "'");
+            if (count < 0) line.fail("the number of '" + element.name + "' is negative");
+            element.count = static_cast<std::uint64_t>(count);
+            header.elements.push_back(std::move(element));
+        } else if (keyword == "property") {
+            if (header.elements.empty()) line.fail("a property comes before the first element");
+            header.elements.back().properties.push_back(read_property(line));
+        } else if (keyword != "comment" && keyword != "obj_info") {
+            line.fail(in_quotes(keyword) + " is not a keyword of PLY headers");
+        }
+    }
+    if (!has_format) line.fail("the header does not name the format");
+    line.end_line();
+    check_room(line, header);
+    header.size = bytes.size() - line.bytes_left();
+    header.lines = line.line() - 1;
+    return header;
+}
+
+}  // namespace kerf::io

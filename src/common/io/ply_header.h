@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kerf::io {
+
+enum class PlyFormat : std::uint8_t
+{
+    ascii,
+    little_endian,
+    big_endian
+};
+enum class PlyType : std::uint8_t
+{
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    float32,
+    float64
+};
+
+std::size_t size_of(PlyType type);
+bool is_integer(PlyType type);
+
+struct PlyProperty
+{
+    std::string name;
+    PlyType type = PlyType::float32;
+    bool is_list = false;
+    PlyType count_type = PlyType::uint8;  ///< lists: of the number in front of the items
+};
+
+struct PlyElement
+{
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader
+{
+    PlyFormat format = PlyFormat::ascii;
+    std::vector<PlyElement> elements;
+    std::size_t size = 0;   ///< bytes up to and with the end of its last line
+    std::size_t lines = 0;  ///< lines of the header
+};
+
+/// Reads "ply ... end_header", and holds the counts that it claims against the size of the file.
+/// @throws FileError
+PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace kerf::io

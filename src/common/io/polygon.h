@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "common/indexed_mesh.h"
+
+namespace kerf::io {
+
+/// The most corners of a face that is not convex: triangulating it takes quadratic time, here about a second.
+inline constexpr std::size_t kMostConcaveCorners = 1 << 14;
+
+/// Cuts a polygon with at least three corners into corners - 2 triangles over the same corners, no vertex added, and
+/// appends them. A convex one becomes a fan from its first corner, in O(n); any other is clipped ear by ear, seen along
+/// the axis in which its plane is widest (Meisters 1975), in O(n^2). An outline that crosses itself or has no area gets
+/// triangles too, some of them folded over.
+///
+/// @param indices   vertex index of each corner
+/// @param vertices  positions are looked up here
+/// @return false, and nothing appended, for a polygon of more than kMostConcaveCorners that is not convex
+bool triangulate_polygon(std::span<const std::uint32_t> indices, std::span<const Vertex> vertices,
+                         Buffer<Triangle>& triangles);
+
+}  // namespace kerf::io

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "common/assemble.h"
+
+// One reader a format. Each gets the whole file as bytes and returns its triangles; finish_soup() checks and completes
+// what all formats have in common. All throw FileError.
+
+namespace kerf::io {
+
+/// @throws FileError  "FILE: REASON"
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason);
+
+/// All bytes of a regular file.
+std::string read_bytes(const std::filesystem::path& path);
+
+TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes);
+TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes);
+TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes);
+TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes);
+
+/// glTF text with its buffers beside it, or GLB.
+TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace kerf::io

@@ -1,0 +1,25 @@
+#include <new>
+#include <utility>
+
+#include "common/io/mesh_file.h"
+#include "common/io/read_formats.h"
+
+namespace kerf::io {
+
+LoadedMesh read_mesh(const std::filesystem::path& path)
+{
+    TriangleSoup soup = read_soup(path);
+    try {
+        LoadedMesh loaded;
+        loaded.facts = measure(soup);
+        Assembled assembled = assemble(std::move(soup));
+        if (!assembled.error.empty()) fail(path, assembled.error);
+        loaded.mesh = std::move(assembled.mesh);
+        loaded.repairs = assembled.repairs;
+        return loaded;
+    } catch (const std::bad_alloc&) {
+        fail(path, "there is not enough memory to prepare it");
+    }
+}
+
+}  // namespace kerf::io

@@ -1,0 +1,118 @@
+#include "common/io/soup_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/io/polygon.h"
+#include "common/io/read_formats.h"
+
+namespace kerf::io {
+
+namespace {
+
+/// Vertex and index numbers are 32 bits wide, and so is the number of corners.
+constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
+constexpr std::size_t kMostTriangles = std::numeric_limits<std::uint32_t>::max() / 3;
+
+/// A normal whose length differs by more is not a rounded unit vector and is normalised; a file that we wrote stays as
+/// it is.
+constexpr double kUnitTolerance = 1e-6;
+
+bool is_finite(const glm::vec3& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+glm::vec3 unit_or_none(const glm::vec3& n)
+{
+    if (!is_finite(n)) return kNoNormal;
+    const glm::dvec3 wide(n);
+    const double length = std::hypot(wide.x, wide.y, wide.z);
+    if (!(length > 0.0)) return kNoNormal;
+    return std::abs(length - 1.0) > kUnitTolerance ? glm::vec3(wide / length) : n;
+}
+
+glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    const glm::dvec3 e = glm::dvec3(b) - glm::dvec3(a), f = glm::dvec3(c) - glm::dvec3(a);
+    return {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
+}
+
+}  // namespace
+
+std::uint32_t SoupBuilder::add_vertex(const Vertex& vertex)
+{
+    if (soup.vertices.size() >= kMostVertices) fail(path_, "the mesh has more than 2^32 vertices");
+    soup.vertices.push_back(vertex);
+    return static_cast<std::uint32_t>(soup.vertices.size() - 1);
+}
+
+void SoupBuilder::add_face(std::span<const std::uint32_t> corners)
+{
+    if (corners.size() < 3) return;
+    for (const std::uint32_t corner : corners)
+        if (corner >= soup.vertices.size())
+            fail(path_, "face " + std::to_string(soup.triangles.size()) + " names vertex " + std::to_string(corner) +
+                            ", but there are only " + std::to_string(soup.vertices.size()));
+    if (soup.triangles.size() + (corners.size() - 2) > kMostTriangles)
+        fail(path_, "the mesh has more than 2^32 corners");
+    if (!triangulate_polygon(corners, soup.vertices, soup.triangles))
+        fail(path_, "a face has " + std::to_string(corners.size()) + " corners and is not convex, which is too long");
+    if (material_ != kNone) soup.triangle_materials.resize(soup.triangles.size(), material_);
+}
+
+void SoupBuilder::use_material(const std::string& name)
+{
+    // Faces before the first material have one without a name.
+    if (material_ == kNone && !soup.triangles.empty()) {
+        material_of_name_.emplace(std::string(), 0);
+        soup.materials.emplace_back();
+        soup.triangle_materials.resize(soup.triangles.size(), 0);
+    }
+    const auto [found, is_new] = material_of_name_.emplace(name, static_cast<std::uint32_t>(soup.materials.size()));
+    if (is_new) soup.materials.emplace_back().name = name;
+    material_ = found->second;
+}
+
+TriangleSoup SoupBuilder::finish()
+{
+    if (soup.triangles.empty()) fail(path_, "there are no triangles in it");
+    finish_vertices();
+    return std::move(soup);
+}
+
+void SoupBuilder::finish_vertices()
+{
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+        Vertex& v = soup.vertices[i];
+        if (!is_finite(v.position)) fail(path_, "vertex " + std::to_string(i) + " has a coordinate that is not finite");
+        if (!std::isfinite(v.uv.x) || !std::isfinite(v.uv.y))
+            fail(path_, "vertex " + std::to_string(i) + " has a texture coordinate that is not finite");
+        v.position += 0.0f;  // -0 becomes +0, so that equal positions have equal bits
+        v.normal = unit_or_none(v.normal);
+        missing += v.normal == kNoNormal;
+    }
+    soup.has_normals = missing < soup.vertices.size();
+    if (soup.has_normals && missing > 0) fill_missing_normals();
+}
+
+/// Mean of the triangles' normals, weighted by area, for the vertices without one.
+void SoupBuilder::fill_missing_normals()
+{
+    std::vector<glm::dvec3> sum(soup.vertices.size(), glm::dvec3(0.0));
+    for (const Triangle& t : soup.triangles) {
+        const glm::dvec3 n =
+            area_vector(soup.vertices[t[0]].position, soup.vertices[t[1]].position, soup.vertices[t[2]].position);
+        for (const std::uint32_t corner : t) sum[corner] += n;
+    }
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+        Vertex& v = soup.vertices[i];
+        if (v.normal != kNoNormal) continue;
+        const double length = std::hypot(sum[i].x, sum[i].y, sum[i].z);
+        v.normal = length > 0.0 ? glm::vec3(sum[i] / length) : glm::vec3(0.0f, 0.0f, 1.0f);
+    }
+}
+
+}  // namespace kerf::io

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "common/assemble.h"
+
+namespace kerf::io {
+
+/// The normal of a vertex for which the file gives none, until SoupBuilder::finish().
+inline constexpr glm::vec3 kNoNormal{0.0f};
+
+/// Collects what a reader finds, and completes it in one way for all formats.
+class SoupBuilder
+{
+public:
+    explicit SoupBuilder(const std::filesystem::path& path) : path_(path) {}
+
+    TriangleSoup soup;  ///< readers add vertices and streams themselves
+
+    /// Adds a vertex and returns its index. Streams are the caller's.
+    std::uint32_t add_vertex(const Vertex& vertex);
+
+    /// Adds a face with any number of corners, with the current material. Fewer than three bound no surface and are
+    /// left out. @throws FileError  an index out of range, or an outline that is too long to triangulate
+    void add_face(std::span<const std::uint32_t> corners);
+
+    /// Following faces have the material of this name, which is made when it is new.
+    void use_material(const std::string& name);
+
+    /// Following faces have this material of `soup.materials`.
+    void use_material(std::uint32_t index) { material_ = index; }
+
+    /// Checks coordinates, turns -0 into +0, makes normals unit vectors and fills in those that are missing.
+    /// @throws FileError  no triangle; a number that is not finite
+    TriangleSoup finish();
+
+private:
+    void finish_vertices();
+    void fill_missing_normals();
+
+    const std::filesystem::path& path_;
+    std::uint32_t material_ = kNone;
+    std::unordered_map<std::string, std::uint32_t> material_of_name_;
+
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< no material named yet
+};
+
+}  // namespace kerf::io

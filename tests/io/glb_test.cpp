@@ -1,0 +1,163 @@
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/io/bytes.h"
+#include "io/glb_sample.h"
+#include "io/test_files.h"
+
+namespace kerf::io {
+namespace {
+
+using nlohmann::json;
+using GlbTest = MeshFileTest;
+
+TEST_F(GlbTest, ReadsPositionsBitForBitWithoutATransform)
+{
+    const TriangleSoup soup = soup_of("a.glb", glb(sample_document(), sample_buffer()));
+    EXPECT_EQ(soup.triangles, (Buffer<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+    ASSERT_EQ(soup.vertices.size(), 4u);
+    EXPECT_EQ(soup.vertices[1].position, glm::vec3(0.1f, 0.0f, 0.0f));
+    EXPECT_EQ(soup.vertices[1].uv, glm::vec2(0.1f, 1.0f)) << "the origin of uv is the lower left corner";
+    EXPECT_FALSE(soup.has_normals);
+}
+
+TEST_F(GlbTest, ReadsTheBaseColourAndItsTexture)
+{
+    const TriangleSoup soup = soup_of("a.glb", glb(sample_document(), sample_buffer()));
+    ASSERT_FALSE(soup.triangle_materials.empty());
+    const Material& material = soup.materials[soup.triangle_materials[0]];
+    EXPECT_EQ(material.name, "peel");
+    EXPECT_EQ(material.colour, glm::vec4(1.0f, 0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(material.texture, "peel.png");
+}
+
+TEST_F(GlbTest, AppliesNodeTransformsAndInstancesMeshes)
+{
+    json document = sample_document();
+    document["scenes"][0]["nodes"] = {0, 2};
+    document["nodes"] = {{{"children", {1}}, {"translation", {10, 0, 0}}},
+                         {{"mesh", 0}, {"scale", {2, 2, 2}}},
+                         {{"mesh", 0}, {"matrix", {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 1}}}};
+    const TriangleSoup soup = soup_of("a.glb", glb(document, sample_buffer()));
+    ASSERT_EQ(soup.vertices.size(), 8u);
+    EXPECT_EQ(soup.vertices[1].position, glm::vec3(10.0 + 2.0 * double(0.1f), 0.0, 0.0));
+    EXPECT_EQ(soup.vertices[5].position, glm::vec3(-0.1f, 0.0f, 5.0f));
+    EXPECT_EQ(soup.triangles[2], (Triangle{6, 5, 4})) << "a mirrored triangle must turn over";
+}
+
+TEST_F(GlbTest, ReadsTextWithBuffersInsideAndBeside)
+{
+    json document = sample_document();
+    document["buffers"][0]["uri"] = "a b.bin";
+    write("a b.bin", sample_buffer());
+    EXPECT_EQ(soup_of("a.gltf", document.dump()).triangles.size(), 2u);
+    std::filesystem::remove(file("a b.bin"));
+    EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "a b.bin is not there"));
+}
+
+TEST_F(GlbTest, RefusesWhatItsSizesDoNotAllow)
+{
+    const auto error_with = [&](const char* pointer, const json& value) {
+        json document = sample_document();
+        document[json::json_pointer(pointer)] = value;
+        return error_of("a.glb", glb(document, sample_buffer()));
+    };
+    EXPECT_TRUE(contains(error_with("/accessors/0/count", 4000000000u), "not inside its buffer view"));
+    EXPECT_TRUE(contains(error_with("/accessors/0/count", -4), "makes sense"));
+    EXPECT_TRUE(contains(error_with("/accessors/0/byteOffset", 8), "not inside its buffer view"));
+    EXPECT_TRUE(contains(error_with("/accessors/0/componentType", 5122), "not supported"));
+    EXPECT_TRUE(contains(error_with("/bufferViews/0/byteOffset", 60), "not inside its buffer"));
+    EXPECT_TRUE(contains(error_with("/buffers/0/byteLength", 93), "truncated"));
+    EXPECT_TRUE(contains(error_with("/meshes/0/primitives/0/attributes/POSITION", 9), "does not exist"));
+    EXPECT_TRUE(contains(error_with("/meshes/0/primitives/0/mode", 1), "no triangles"));
+    EXPECT_TRUE(contains(error_with("/nodes/0/mesh", 1), "does not exist"));
+    EXPECT_TRUE(contains(error_with("/nodes/0/children", json::array({0})), "not a root"));
+    EXPECT_TRUE(contains(error_with("/nodes/0/translation", json::array({0, 1})), "not 3 numbers"));
+    EXPECT_TRUE(contains(error_with("/asset/version", "1.0"), "not version 2"));
+    EXPECT_TRUE(contains(error_with("/extensionsRequired", json::array({"KHR_draco_mesh_compression"})), "KHR_draco"));
+}
+
+TEST_F(GlbTest, RefusesIndicesOutOfRangeAndCoordinatesThatAreNotFinite)
+{
+    std::string buffer = sample_buffer();
+    buffer[80] = 4;
+    EXPECT_TRUE(
+        contains(error_of("a.glb", glb(sample_document(), buffer)), "names a vertex that its mesh does not have"));
+    buffer = sample_buffer();
+    buffer.replace(0, 4, "\xFF\xFF\xFF\x7F");
+    EXPECT_TRUE(contains(error_of("a.glb", glb(sample_document(), buffer)), "not finite"));
+}
+
+TEST_F(GlbTest, RefusesATreeThatMultipliesItself)
+{
+    json document = sample_document();
+    json& nodes = document["nodes"] = json::array();
+    document["scenes"][0]["nodes"] = {0};
+    for (int i = 0; i < 40; ++i) nodes.push_back({{"children", {i + 1, i + 1}}, {"mesh", 0}});
+    nodes.push_back({{"mesh", 0}});
+    EXPECT_TRUE(contains(error_of("a.glb", glb(document, sample_buffer())), "two parents"));
+    nodes = json::array();
+    for (int i = 0; i < 20000; ++i) nodes.push_back({{"children", {i + 1}}});
+    nodes.push_back({{"mesh", 0}});
+    EXPECT_TRUE(contains(error_of("a.glb", glb(document, sample_buffer())), "too deeply"));
+}
+
+TEST_F(GlbTest, WritesMaterialsNodesAndAttributesThatReadBack)
+{
+    const IndexedMesh mesh = sample_mesh();
+    write_mesh(file("a.glb"), mesh);
+    const TriangleSoup soup = read_soup(file("a.glb"));
+    ASSERT_EQ(soup.triangles.size(), mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t read = soup.triangles[t][k], written = mesh.triangles[t][k];
+            EXPECT_EQ(soup.vertices[read].position, mesh.vertices[written].position);
+            EXPECT_EQ(soup.vertices[read].normal, mesh.vertices[written].normal);
+            EXPECT_NEAR(soup.vertices[read].uv.y, mesh.vertices[written].uv.y, 1e-6);
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_EQ(soup.streams[0].values[4 * read + i], mesh.streams[0].values[3 * written + i]);
+        }
+    const auto material = [&](std::size_t t) { return soup.materials[soup.triangle_materials[t]]; };
+    EXPECT_EQ(material(0).name, "skin");
+    EXPECT_EQ(material(0).texture, "peel.png");
+    EXPECT_EQ(material(0).colour, mesh.materials[0].colour);
+    EXPECT_EQ(material(3).name, "flesh");
+}
+
+TEST_F(GlbTest, WritesAContainerThatKeepsTheRulesOfTheFormat)
+{
+    write_mesh(file("a.glb"), sample_mesh());
+    const std::string bytes = read_text(file("a.glb"));
+    const auto number = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, Endian::little); };
+    ASSERT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(number(4), 2u);
+    EXPECT_EQ(number(8), bytes.size());
+    const std::size_t json_size = number(12), binary_size = number(20 + json_size);
+    EXPECT_EQ(json_size % 4, 0u);
+    EXPECT_EQ(binary_size % 4, 0u);
+    EXPECT_EQ(20 + json_size + 8 + binary_size, bytes.size());
+
+    const json document = json::parse(bytes.substr(20, json_size));
+    EXPECT_EQ(document["asset"]["version"], "2.0");
+    EXPECT_EQ(document["buffers"][0]["byteLength"], binary_size);
+    ASSERT_EQ(document["nodes"].size(), 2u);
+    EXPECT_EQ(document["nodes"][0]["name"], "surface");
+    EXPECT_EQ(document["nodes"][1]["name"], "cap");
+    std::size_t covered = 0;
+    for (const json& view : document["bufferViews"]) {
+        EXPECT_EQ(view["byteOffset"], covered);
+        covered += view["byteLength"].get<std::size_t>();
+    }
+    EXPECT_EQ(covered, binary_size);
+    for (const json& mesh : document["meshes"])
+        for (const json& primitive : mesh["primitives"]) {
+            const json& position = document["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+            EXPECT_EQ(position["min"].size(), 3u);
+            EXPECT_EQ(position["max"].size(), 3u);
+            EXPECT_LT(primitive["material"], document["materials"].size());
+        }
+}
+
+}  // namespace
+}  // namespace kerf::io

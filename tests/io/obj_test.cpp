@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "io/test_files.h"
+
+namespace kerf::io {
+namespace {
+
+using ObjTest = MeshFileTest;
+
+TEST_F(ObjTest, CountsVerticesAsDifferentTriples)
+{
+    const TriangleSoup soup = soup_of("a.obj",
+                                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\n"
+                                      "vt 0 0\nvt 1 0.25\nvt 1 1\nvn 0 0 1\nvn 0 0 -1\n"
+                                      "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/2/1\nf 1/1/2 4/2/2 3/3/2\n");
+    EXPECT_EQ(soup.vertices.size(), 7u);
+    ASSERT_EQ(soup.triangles.size(), 3u);
+    EXPECT_TRUE(soup.has_normals);
+    const Vertex& v = soup.vertices[soup.triangles[0][1]];
+    EXPECT_EQ(v.position, glm::vec3(1, 0, 0));
+    EXPECT_EQ(v.uv, glm::vec2(1, 0.25f));
+    EXPECT_EQ(v.normal, glm::vec3(0, 0, 1));
+    EXPECT_TRUE(soup.materials.empty());
+}
+
+TEST_F(ObjTest, CountsNegativeIndicesBackwardsFromTheLatest)
+{
+    const TriangleSoup soup = soup_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -4 -3 -1\n");
+    EXPECT_EQ(soup.vertices[soup.triangles[0][0]].position, glm::vec3(0, 0, 0));
+    EXPECT_EQ(soup.vertices[soup.triangles[1][2]].position, glm::vec3(5, 5, 5));
+    EXPECT_FALSE(soup.has_normals);
+}
+
+TEST_F(ObjTest, TakesContinuationsCommentsAndCrLf)
+{
+    const TriangleSoup soup =
+        soup_of("a.obj",
+                "# head\r\no thing\r\ng part\r\ns off\r\nv 0 0 \\\r\n0\r\nv 1 0 0 # x\r\nv 1 1 0\r\n"
+                "v 0 1 0\r\nf 1 2\\\r\n 3 4\r\n");
+    EXPECT_EQ(soup.triangles.size(), 2u);
+    EXPECT_EQ(soup.vertices.size(), 4u);
+}
+
+TEST_F(ObjTest, ReadsNumbersCorrectlyRounded)
+{
+    const TriangleSoup soup = soup_of("a.obj",
+                                      "v 1.00000005960464477539062500001 -2.3360191035254516 1e-50\nv 1 0 0\nv 0 1 -0\n"
+                                      "f 1 2 3\n");
+    const glm::vec3& p = soup.vertices[0].position;
+    EXPECT_EQ(p.x, std::nextafter(1.0f, 2.0f));
+    EXPECT_EQ(p.y, -2.3360191035254516f);
+    EXPECT_EQ(p.z, 0.0f);
+    EXPECT_FALSE(std::signbit(soup.vertices[2].position.z));
+}
+
+TEST_F(ObjTest, ReadsMaterialsWithColourAndTexture)
+{
+    write("my materials.mtl",
+          "newmtl red skin\nKd 1 0 0.5\nd 0.25\nmap_Kd -s 2 2 -clamp on wet peel.png\nnewmtl blue\nKd 0 0 1\nTr 0.5\n"
+          "map_Kd\nKd x y z\n");
+    const TriangleSoup soup =
+        soup_of("a.obj",
+                "mtllib my materials.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl red skin\n"
+                "f 1 2 3\nusemtl blue\nf 3 2 1\nusemtl red skin\nf 3 2 1\nusemtl unknown\nf 1 2 3\n");
+    ASSERT_EQ(soup.materials.size(), 4u);
+    EXPECT_EQ(soup.triangle_materials, (std::vector<std::uint32_t>{0, 1, 2, 1, 3}));
+    EXPECT_EQ(soup.materials[0].name, "");
+    EXPECT_EQ(soup.materials[1].name, "red skin");
+    EXPECT_EQ(soup.materials[1].colour, glm::vec4(1, 0, 0.5f, 0.25f));
+    EXPECT_EQ(soup.materials[1].texture, "wet peel.png");
+    EXPECT_EQ(soup.materials[2].colour, glm::vec4(0, 0, 1, 0.5f));
+    EXPECT_EQ(soup.materials[2].texture, "");
+    EXPECT_EQ(soup.materials[3].name, "unknown");
+}
+
+TEST_F(ObjTest, ReadsWithoutItsMaterialFile)
+{
+    const TriangleSoup soup = soup_of("a.obj", "mtllib gone.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    ASSERT_EQ(soup.materials.size(), 1u);
+    EXPECT_EQ(soup.materials[0].name, "m");
+}
+
+TEST_F(ObjTest, ReadsVertexColoursAsAStream)
+{
+    const TriangleSoup soup = soup_of("a.obj", "v 0 0 0 1 0.5 0.25\nv 1 0 0 0 0 0\nv 0 1 0\nf 3 1 2\n");
+    ASSERT_EQ(soup.streams.size(), 1u);
+    EXPECT_EQ(soup.streams[0].name, "color");
+    EXPECT_EQ(soup.streams[0].values, (Buffer<float>{1, 1, 1, 1, 0.5f, 0.25f, 0, 0, 0}));
+}
+
+TEST_F(ObjTest, FillsInNormalsThatOnlySomeCornersLack)
+{
+    const TriangleSoup soup =
+        soup_of("a.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nvn 0 1 0\nvn 3 0 4\nvn 0 0 0\nf 1//1 2//2 3\nf 1//3 2//1 3//1\n");
+    EXPECT_TRUE(soup.has_normals);
+    EXPECT_EQ(soup.vertices[0].normal, glm::vec3(0, 1, 0));
+    EXPECT_EQ(soup.vertices[1].normal, glm::vec3(0.6f, 0, 0.8f));
+    EXPECT_EQ(soup.vertices[2].normal, glm::vec3(0, 0, 1));
+    EXPECT_EQ(soup.vertices[3].normal, glm::vec3(0, 0, 1));
+}
+
+TEST_F(ObjTest, NamesTheLineThatIsWrong)
+{
+    const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 4\n"), "line 4: vertex 4 is out of range"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 0\n"), "line 4"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 -4\n"), "line 4"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 99999999999999999999\n"), "line 4"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1/1 2/1 3/1\n"), "texture coordinate 1 is out of range"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1//1 2//1 3//1\n"), "normal 1 is out of range"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2\n"), "fewer than three corners"));
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 0\nf 1 1 1\n"), "line 1: a coordinate is missing"));
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 nan 0\n"), "not finite"));
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 1e99 0\n"), "too large"));
+    EXPECT_TRUE(contains(error_of("a.obj", head), "no triangles"));
+}
+
+TEST_F(ObjTest, ReadsBackBitForBitWhatItWrote)
+{
+    const IndexedMesh mesh = sample_mesh();
+    write_mesh(file("a.obj"), mesh);
+    const TriangleSoup soup = read_soup(file("a.obj"));
+    EXPECT_EQ(all_corners(soup), all_corners(mesh, false));
+    EXPECT_EQ(count_positions(soup.vertices), 4u);
+    EXPECT_EQ(names_in_folder(), (std::vector<std::string>{"a.mtl", "a.obj"}));
+}
+
+TEST_F(ObjTest, WritesGroupsWithTheirMaterials)
+{
+    const IndexedMesh mesh = sample_mesh();
+    write_mesh(file("a.obj"), mesh);
+    const TriangleSoup soup = read_soup(file("a.obj"));
+    ASSERT_EQ(soup.materials.size(), 3u);
+    EXPECT_EQ(soup.triangle_materials, (std::vector<std::uint32_t>{0, 0, 1, 2}));
+    EXPECT_EQ(soup.materials[0].name, "skin");
+    EXPECT_EQ(soup.materials[0].colour, mesh.materials[0].colour);
+    EXPECT_EQ(soup.materials[0].texture, "peel.png");
+    EXPECT_EQ(soup.materials[1].name, "surface") << "a material without a name is called like its group";
+    EXPECT_EQ(soup.materials[2].name, "flesh");
+    EXPECT_EQ(soup.materials[2].colour, mesh.materials[2].colour);
+
+    std::istringstream lines(read_text(file("a.obj")));
+    std::vector<std::string> structure;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string keyword = line.substr(0, line.find(' '));
+        if (keyword == "g" || keyword == "usemtl") structure.push_back(line);
+        if (keyword == "f" && structure.back() != "f") structure.push_back("f");
+    }
+    EXPECT_EQ(structure, (std::vector<std::string>{"g surface", "usemtl skin", "f", "usemtl surface", "f", "g cap",
+                                                   "usemtl flesh", "f"}));
+}
+
+TEST_F(ObjTest, WritesOnePositionForEachPoint)
+{
+    IndexedMesh mesh = sample_mesh();
+    write_mesh(file("a.obj"), mesh);
+    const std::string text = read_text(file("a.obj"));
+    std::size_t positions = 0;
+    for (std::size_t at = text.find("\nv "); at != std::string::npos; at = text.find("\nv ", at + 1)) ++positions;
+    EXPECT_EQ(positions, mesh.point_count);
+}
+
+TEST_F(ObjTest, KeepsMaterialsApartThatShareAName)
+{
+    IndexedMesh mesh = sample_mesh();
+    mesh.materials = {{"m", glm::vec4(1.0f), ""}, {"m", glm::vec4(1.0f), ""}, {" a\nb \\", glm::vec4(1.0f), ""}};
+    write_mesh(file("a.obj"), mesh);
+    const TriangleSoup soup = read_soup(file("a.obj"));
+    ASSERT_EQ(soup.materials.size(), 3u);
+    EXPECT_EQ(soup.materials[0].name, "m");
+    EXPECT_EQ(soup.materials[1].name, "m_2");
+    EXPECT_EQ(soup.materials[2].name, "a_b");
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.obj"}) << "names alone need no .mtl file";
+}
+
+}  // namespace
+}  // namespace kerf::io

@@ -1,0 +1,80 @@
+#include "common/io/bytes.h"
+#include "io/test_files.h"
+
+namespace kerf::io {
+namespace {
+
+using StlTest = MeshFileTest;
+
+std::string facet(const std::string& a, const std::string& b, const std::string& c)
+{
+    return " facet normal 0 nan 1\n  outer loop\n   vertex " + a + "\n   vertex " + b + "\n   vertex " + c +
+           "\n  endloop\n endfacet\n";
+}
+
+TEST_F(StlTest, ReadsTextWithSeveralSolids)
+{
+    const TriangleSoup soup = soup_of(
+        "a.STL", "solid one facet\n" + facet("0 0 0", "1 0 0", "0 1 -0.0") + "endsolid one facet\n\nSOLID\n" +
+                     facet("1.361967e-003 7.946887e-003 2.423772e-002", "1 0 0", "0 1 0") +
+                     " FACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 1 1 0 VERTEX 0 1 0 ENDLOOP "
+                     "ENDFACET\nENDSOLID");
+    EXPECT_EQ(soup.triangles.size(), 4u);
+    EXPECT_EQ(soup.vertices.size(), 10u);
+    EXPECT_EQ(soup.vertices[3].position, glm::vec3(1.361967e-003f, 7.946887e-003f, 2.423772e-002f));
+    EXPECT_FALSE(soup.has_normals);
+}
+
+std::string binary(std::uint32_t claimed, std::uint32_t real, const std::string& title)
+{
+    std::string bytes = title;
+    bytes.resize(80, ' ');
+    store_little(bytes, claimed);
+    for (std::uint32_t i = 0; i < real; ++i) {
+        for (int k = 0; k < 12; ++k) store_little(bytes, k < 3 ? 0.0f : float(k * k % 7) + float(i));
+        store_little(bytes, std::uint16_t{0x7FFF});
+    }
+    return bytes;
+}
+
+TEST_F(StlTest, ReadsBinaryEvenIfItsTitleBeginsLikeText)
+{
+    for (const char* title : {"solid block", "", "binary"}) {
+        const TriangleSoup soup = soup_of("a.stl", binary(2, 2, title));
+        EXPECT_EQ(soup.triangles.size(), 2u);
+        EXPECT_EQ(soup.vertices.size(), 6u);
+        EXPECT_EQ(soup.vertices[0].position, glm::vec3(2, 2, 4));
+    }
+}
+
+TEST_F(StlTest, SaysWhatIsWrong)
+{
+    EXPECT_TRUE(contains(error_of("a.stl", binary(4000000000u, 1, "x")), "truncated"));
+    EXPECT_TRUE(contains(error_of("a.stl", binary(0, 0, "x")), "no triangles"));
+    EXPECT_TRUE(contains(error_of("a.stl", "hello"), "neither a text nor a binary"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "0 x 0") + "endsolid\n"),
+                         "line 6: a coordinate is 'x'"));
+    EXPECT_TRUE(
+        contains(error_of("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "0 inf 0") + "endsolid\n"), "not finite"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "0 1 0")), "ends inside a solid"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid a\nendsolid a\n"), "no triangles"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid a\nfacade\n"), "'facade' stands where a facet should begin"));
+    std::string with_nan = binary(1, 1, "x");
+    with_nan.replace(96, 4, "\xFF\xFF\xFF\xFF");
+    EXPECT_TRUE(contains(error_of("a.stl", with_nan), "not finite"));
+}
+
+TEST_F(StlTest, WritesBinaryThatKeepsPositionsAndOrder)
+{
+    IndexedMesh mesh = sample_mesh();
+    write_mesh(file("a.stl"), mesh);
+    const TriangleSoup soup = read_soup(file("a.stl"));
+    ASSERT_EQ(soup.triangles.size(), mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(soup.vertices[soup.triangles[t][k]].position, mesh.vertices[mesh.triangles[t][k]].position);
+    EXPECT_EQ(std::filesystem::file_size(file("a.stl")), 84 + 50 * mesh.triangles.size());
+}
+
+}  // namespace
+}  // namespace kerf::io
