@@ -47,6 +47,8 @@ PairOfPoints load(const Vertex& first, const Vertex& second, [[maybe_unused]] co
     return p;
 }
 
+// For two triangles 36 multiplications, 39 additions and 9 conversions. Additions and conversions share their two units
+// on the machines this was measured on, and are what the time goes into: fewer additions is the way to make it faster.
 struct PairOfMoments
 {
     Pair volume{}, x{}, y{}, z{}, xx{}, yy{}, zz{}, yz{}, zx{}, xy{};

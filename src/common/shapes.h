@@ -14,10 +14,13 @@
 // triangles, with unit normals and uv, and centred on the origin unless said otherwise. Give them to assemble().
 //
 // Equal arguments give equal bytes on one machine; round shapes take sin and cos from the C library, so their last bits
-// may differ between libraries. `asteroid`, `shuffled` and all random numbers use nothing but exactly rounded
-// operations and are the same everywhere.
+// may differ between libraries. Counts below what a shape needs (no cell, two slices, ...) are raised to it.
+// `asteroid`, `shuffled` and all random numbers use nothing but exactly rounded operations and are the same everywhere.
 
 namespace kerf::shapes {
+
+/// No generator is asked for more by make(), asteroid() included: 16 million triangles.
+inline constexpr std::uint64_t kMostTriangles = 16'000'000;
 
 /// Sphere from an icosahedron whose faces are divided into frequency^2 triangles: 20 * frequency^2 triangles.
 /// uv: the unfolded icosahedron, ten rhombi.
@@ -66,7 +69,7 @@ TriangleSoup tray(std::uint32_t cells);
 /// plane across z gives one long concave loop. 8 * segments + 4 triangles for turns * segments_per_turn segments.
 TriangleSoup spiral_wall(float turns, std::uint32_t segments_per_turn);
 
-/// Menger sponge of side 1, `level` 0 to 4: all faces on the lattice of the smallest cubes.
+/// Menger sponge of side 1, `level` 0 to 4 (more is taken as 4): all faces on the lattice of the smallest cubes.
 /// 4 * 20^level + 8 * 8^level triangles.
 TriangleSoup menger_sponge(std::uint32_t level);
 

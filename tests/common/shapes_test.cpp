@@ -93,6 +93,24 @@ TEST(Shapes, AnUnknownNameGivesNothing)
     EXPECT_TRUE(std::is_sorted(shapes::names().begin(), shapes::names().end()));
 }
 
+TEST(Shapes, RaiseCountsThatAreTooSmall)
+{
+    expect_well_made(shapes::icosphere(1.0f, 0), 1, 2);
+    expect_well_made(shapes::uv_sphere(1.0f, 0, 0), 1, 2);
+    expect_well_made(shapes::box(glm::vec3(1.0f), glm::uvec3(0)), 1, 2);
+    expect_well_made(shapes::cylinder(1.0f, 1.0f, 0, 0), 1, 2);
+    expect_well_made(shapes::cone(1.0f, 1.0f, 0), 1, 2);
+    expect_well_made(shapes::torus(1.0f, 0.3f, 0, 0), 1, 0);
+    expect_well_made(shapes::pipe(1.0f, 0.5f, 1.0f, 0, 0), 1, 0);
+    expect_well_made(shapes::comb(0), 1, 2);
+    expect_well_made(shapes::l_step(0), 1, 2);
+    expect_well_made(shapes::two_legs(0), 1, 2);
+    expect_well_made(shapes::tray(0), 1, 2);
+    EXPECT_TRUE(surface_facts(shapes::bowl(1.0f, 0.2f, 0, 0)).closed_and_manifold());
+    EXPECT_TRUE(surface_facts(shapes::spiral_wall(0.0f, 0)).closed_and_manifold());
+    EXPECT_EQ(shapes::asteroid(0, 1).triangles.size(), 12u);
+}
+
 TEST(Icosphere, ApproachesTheSphere)
 {
     for (const std::uint32_t f : {1u, 2u, 3u, 5u, 8u, 40u}) {

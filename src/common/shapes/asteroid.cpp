@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -113,7 +114,7 @@ TriangleSoup asteroid(std::uint64_t triangles, std::uint64_t seed)
         layers.push_back({Noise(noise_seed), glm::dvec3(x, y, z)});
     }
 
-    const glm::uvec3 cells = cells_for(triangles);
+    const glm::uvec3 cells = cells_for(std::clamp<std::uint64_t>(triangles, 12, kMostTriangles));
     const auto quads =
         2 * (std::size_t(cells.x) * cells.y + std::size_t(cells.y) * cells.z + std::size_t(cells.z) * cells.x);
     TriangleSoup soup;

@@ -161,7 +161,7 @@ std::optional<TriangleSoup> make(std::string_view name, std::uint64_t triangles,
 {
     const auto found = std::find_if(entries().begin(), entries().end(), [&](const Entry& e) { return e.name == name; });
     if (found == entries().end()) return std::nullopt;
-    return found->make(double(triangles), seed);
+    return found->make(double(std::min(triangles, kMostTriangles)), seed);
 }
 
 }  // namespace kerf::shapes

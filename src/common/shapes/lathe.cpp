@@ -1,5 +1,6 @@
 #include "common/shapes/lathe.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@ namespace kerf::shapes {
 ProfileRun straight_run(double r0, double z0, double r1, double z1, std::uint32_t parts)
 {
     ProfileRun run;
+    parts = std::max(parts, 1u);
     for (std::uint32_t i = 0; i <= parts; ++i) {
         const double t = double(i) / double(parts);
         // The last point as given, so that the next run meets it bit for bit.
@@ -21,6 +23,7 @@ ProfileRun straight_run(double r0, double z0, double r1, double z1, std::uint32_
 
 TriangleSoup turn(const std::vector<ProfileRun>& profile, std::uint32_t slices)
 {
+    slices = std::max(slices, 3u);
     std::vector<double> cosine, sine;
     for (std::uint32_t j = 0; j < slices; ++j) {
         const double angle = 2.0 * std::numbers::pi * double(j) / double(slices);

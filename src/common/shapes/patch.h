@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -51,7 +52,7 @@ public:
     GridPatch(TriangleSoup& soup, std::uint32_t columns, std::uint32_t rows, MakeVertex make)
         : soup_(soup), columns_(columns), make_(make), index_(std::size_t(columns + 1) * (rows + 1), kUnused)
     {
-        fill(0, columns, 0, rows);
+        if (columns > 0 && rows > 0) fill(0, columns, 0, rows);
     }
 
 private:
@@ -102,8 +103,9 @@ struct BoxPoint
 /// The six faces of a box as grids: 4 * (nx*ny + ny*nz + nz*nx) triangles. `make(BoxPoint)` gives the vertex; the three
 /// coordinates in the cube depend on the lattice point only, so faces meet bit for bit.
 template <class MakeVertex>
-void add_box_grid(TriangleSoup& soup, const glm::uvec3& cells, MakeVertex make)
+void add_box_grid(TriangleSoup& soup, glm::uvec3 cells, MakeVertex make)
 {
+    cells = glm::max(cells, glm::uvec3(1));
     const auto on_axis = [&](int axis, std::uint32_t i) { return 2.0 * double(i) / double(cells[axis]) - 1.0; };
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2;

@@ -1,5 +1,6 @@
 // Spheres, and what else a lathe makes.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,7 @@ TriangleSoup icosphere(float radius, std::uint32_t frequency)
         corner[std::size_t(6 + k)] = {ring * std::cos(lower), ring * std::sin(lower), -height};
     }
     TriangleSoup soup;
+    frequency = std::max(frequency, 1u);
     soup.vertices.reserve(std::size_t(10) * (frequency + 1) * (frequency + 1));
     soup.triangles.reserve(std::size_t(20) * frequency * frequency);
     // A rhombus a, b, c, d has the faces (a, b, c) and (a, c, d). Weights are whole numbers, so a point on an edge of
@@ -49,6 +51,7 @@ TriangleSoup icosphere(float radius, std::uint32_t frequency)
 TriangleSoup uv_sphere(float radius, std::uint32_t slices, std::uint32_t rings)
 {
     ProfileRun run;
+    rings = std::max(rings, 2u);
     for (std::uint32_t i = 0; i <= rings; ++i) {
         const double angle = std::numbers::pi * double(i) / double(rings);
         const bool pole = i == 0 || i == rings;
@@ -74,6 +77,7 @@ TriangleSoup cone(float radius, float height, std::uint32_t slices)
 TriangleSoup torus(float major_radius, float minor_radius, std::uint32_t major, std::uint32_t minor)
 {
     ProfileRun run;
+    minor = std::max(minor, 3u);
     for (std::uint32_t i = 0; i <= minor; ++i) {
         const double angle = 2.0 * std::numbers::pi * double(i % minor) / double(minor);
         const double c = std::cos(angle), s = std::sin(angle);
@@ -94,6 +98,7 @@ TriangleSoup bowl(float radius, float thickness, std::uint32_t slices, std::uint
 {
     // Two half circles from the axis to the rim, the inner one back to the axis.
     ProfileRun outside, inside;
+    rings = std::max(rings, 1u);
     const double outer = double(radius), inner = double(radius) - double(thickness);
     for (std::uint32_t i = 0; i <= rings; ++i) {
         const double angle = 0.5 * std::numbers::pi * double(i) / double(rings);

@@ -1,5 +1,6 @@
 // Shapes with flat faces and sharp edges: the box, what is built of blocks, and the spiral wall.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -93,25 +94,28 @@ TriangleSoup box(const glm::vec3& size, const glm::uvec3& cells)
 
 TriangleSoup comb(std::uint32_t teeth)
 {
-    const std::uint32_t columns = 2 * teeth - 1;
+    const std::uint32_t columns = 2 * std::max(teeth, 1u) - 1;
     const Lattice lattice{even_planes(0.2 * columns, columns), std::vector{-0.5, -0.2, 0.5}, even_planes(0.2, 1)};
     return surface_of_blocks(lattice, [](const glm::uvec3& cell) { return cell.y == 0 || cell.x % 2 == 0; });
 }
 
 TriangleSoup l_step(std::uint32_t cells)
 {
+    cells = std::max(cells, 1u);
     const Lattice lattice{even_planes(2.0, 2 * cells), even_planes(1.0, cells), even_planes(2.0, 2 * cells)};
     return surface_of_blocks(lattice, [=](const glm::uvec3& cell) { return cell.x < cells || cell.z < cells; });
 }
 
 TriangleSoup two_legs(std::uint32_t cells)
 {
+    cells = std::max(cells, 1u);
     const Lattice lattice{even_planes(3.0, 3 * cells), even_planes(1.0, cells), even_planes(2.0, 2 * cells)};
     return surface_of_blocks(lattice, [=](const glm::uvec3& cell) { return cell.z >= cells || cell.x / cells != 1; });
 }
 
 TriangleSoup tray(std::uint32_t cells)
 {
+    cells = std::max(cells, 1u);
     const Lattice lattice{even_planes(3.0, 3 * cells), even_planes(3.0, 3 * cells), even_planes(2.0, 2 * cells)};
     return surface_of_blocks(
         lattice, [=](const glm::uvec3& cell) { return cell.z < cells || cell.x / cells != 1 || cell.y / cells != 1; });
@@ -119,6 +123,8 @@ TriangleSoup tray(std::uint32_t cells)
 
 TriangleSoup menger_sponge(std::uint32_t level)
 {
+    constexpr std::uint32_t kFinestLevel = 4;
+    level = std::min(level, kFinestLevel);
     std::uint32_t side = 1;
     for (std::uint32_t i = 0; i < level; ++i) side *= 3;
     const std::vector<double> planes = even_planes(1.0, side);
@@ -134,6 +140,7 @@ TriangleSoup menger_sponge(std::uint32_t level)
 TriangleSoup spiral_wall(float turns, std::uint32_t segments_per_turn)
 {
     constexpr double kFirstRadius = 0.2, kPitch = 0.2, kHalfThickness = 0.04, kHalfHeight = 0.25;
+    segments_per_turn = std::max(segments_per_turn, 3u);
     const auto segments = std::uint32_t(std::max(1.0, std::round(double(turns) * double(segments_per_turn))));
     struct Station
     {
