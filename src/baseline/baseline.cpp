@@ -64,7 +64,11 @@ public:
 
     void mark_uploaded() override { is_uploaded_ = true; }
 
-    MassProperties mass_properties() const override { return kerf::mass_properties(fragment_.mesh); }
+    MassProperties mass_properties() const override
+    {
+        const glm::dvec3 reference = mass_reference(fragment_.bounds());
+        return mass_moments(fragment_.mesh.vertices, fragment_.mesh.triangles, reference).properties(reference);
+    }
 
     CollisionProxy collision_proxy(ProxyKind kind) const override
     {

@@ -39,15 +39,18 @@ struct VertexClasses
     {
         const Buffer<Vertex>& vertices = whole.mesh.vertices;
         of_vertex.resize(vertices.size());
+        std::uint8_t* const classes = of_vertex.data();
+        const Plane local = plane;  // in registers: the loop writes through pointers that could alias the plane
         const double noise = whole.noise;
         std::uint32_t count_on = 0, count_far_below = 0, count_far_above = 0;
-        for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-            const double d = plane.signed_distance(vertices[i].position);
+        const auto count = static_cast<std::uint32_t>(vertices.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const double d = local.signed_distance(vertices[i].position);
             const auto c = static_cast<std::uint8_t>(int(d < 0.0) | (int(d > 0.0) << 1));
             count_on += c == kOn;
             count_far_below += d < -noise;
             count_far_above += d > noise;
-            of_vertex[i] = c;
+            classes[i] = c;
             visit(i, c);
         }
         // Centres of earlier fans do not count (rule 4): they are rounded means of a section and may stick out of the
@@ -118,9 +121,10 @@ private:
     void classify_vertices()
     {
         if constexpr (kRemaps) {
-            RemapLookup::Copier copier(mesh_, builders_, table_, point_table_);
-            classes_.classify(whole_, plane_, copier);
-            copier.finish(classes_.of_vertex);
+            RemapLookup::copy_vertices(mesh_, builders_, table_, point_table_, [&](auto&& visit) {
+                classes_.classify(whole_, plane_, visit);
+                return std::span<const std::uint8_t>(classes_.of_vertex);
+            });
         } else {
             classes_.classify(whole_, plane_, [](std::uint32_t, std::uint8_t) {});
         }

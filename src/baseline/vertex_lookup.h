@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <unordered_set>
+#include <vector>
 
 #include "baseline/pair_table.h"
 #include "baseline/side_builder.h"
@@ -135,67 +136,57 @@ class RemapLookup
 public:
     RemapLookup(SideBuilder& builder, const Buffer<std::uint32_t>& table) : builder_(builder), table_(table)
     {
-        cut_vertices_.reset(0);
+        seam_vertices_.reset(0);
         other_vertices_.reset(0);
     }
 
-    /// Copies each vertex to its side while the vertices are being classified, and notes in `table` where it went: 2 *
+    /// Copies each vertex to its side while `classify` shows it with its class, and notes in `table` where it went: 2 *
     /// index + 1 on the positive side, 2 * index on the negative one. Vertices on the plane wait until a triangle asks
-    /// for them.
-    class Copier
+    /// for them. O(n). `classify(visit)` calls visit(vertex, class) for every vertex in order and returns the classes.
+    template <class Classify>
+    static void copy_vertices(const IndexedMesh& source, std::array<SideBuilder, 2>& builders,
+                              Buffer<std::uint32_t>& table, std::span<std::uint32_t> point_table, Classify&& classify)
     {
-    public:
-        Copier(const IndexedMesh& source, std::array<SideBuilder, 2>& builders, Buffer<std::uint32_t>& table,
-               std::span<std::uint32_t> point_table)
-            : source_(source), builders_(builders), table_(table), point_table_(point_table)
-        {
-            // The table spends one bit on the side.
-            if (source.vertices.size() > std::numeric_limits<std::uint32_t>::max() / 2)
-                throw std::length_error("remap can number 2^31 vertices");
-            table.resize(source.vertices.size());
-            for (std::size_t side = 0; side < 2; ++side) {
-                IndexedMesh& mesh = builders[side].mesh;
-                mesh.vertices.resize(source.vertices.size());
-                mesh.points.resize(source.vertices.size());
-                vertices_[side] = mesh.vertices.data();
-                points_[side] = mesh.points.data();
+        const std::size_t n = source.vertices.size();
+        // The table spends one bit on the side.
+        if (n > std::numeric_limits<std::uint32_t>::max() / 2)
+            throw std::length_error("remap can number 2^31 vertices");
+        table.resize(n);
+        // Room for all on either side; what is not needed is given back at once and never written.
+        for (SideBuilder& builder : builders) {
+            builder.mesh.vertices.resize(n);
+            builder.mesh.points.resize(n);
+        }
+        // Locals, which the compiler can keep in registers: everything here is written through pointers of the same
+        // types.
+        Vertex *const below = builders[0].mesh.vertices.data(), *const above = builders[1].mesh.vertices.data();
+        std::uint32_t *const points_below = builders[0].mesh.points.data(), *const points_above =
+                                                                                builders[1].mesh.points.data();
+        const Vertex* const vertices = source.vertices.data();
+        const std::uint32_t* const points = source.points.data();
+        std::uint32_t *const indices = table.data(), *const point_ids = point_table.data();
+        std::uint32_t next_below = 0, next_above = 0, next_point_below = 0, next_point_above = 0;
+
+        const std::span<const std::uint8_t> classes = classify([&](std::uint32_t vertex, std::uint8_t vertex_class) {
+            std::uint32_t& point = point_ids[points[vertex]];
+            if (vertex_class == 1) {
+                if (point == SideBuilder::kNone) point = 2 * next_point_below++;
+                below[next_below] = vertices[vertex];
+                points_below[next_below] = point / 2;
+                indices[vertex] = 2 * next_below++;
+            } else if (vertex_class == 2) {
+                if (point == SideBuilder::kNone) point = 2 * next_point_above++ + 1;
+                above[next_above] = vertices[vertex];
+                points_above[next_above] = point / 2;
+                indices[vertex] = 2 * next_above++ + 1;
             }
-        }
-
-        void operator()(std::uint32_t vertex, std::uint8_t vertex_class)
-        {
-            if (vertex_class == 0) return;
-            const std::size_t side = vertex_class >> 1;
-            const std::uint32_t at = side ? next_[1] : next_[0];
-            (side ? vertices_[1] : vertices_[0])[at] = source_.vertices[vertex];
-            std::uint32_t& point = point_table_[source_.points[vertex]];
-            if (point == SideBuilder::kNone)
-                point = 2 * (side ? next_point_[1]++ : next_point_[0]++) + static_cast<std::uint32_t>(side);
-            (side ? points_[1] : points_[0])[at] = point / 2;
-            table_[vertex] = 2 * at + static_cast<std::uint32_t>(side);
-            next_[1] += static_cast<std::uint32_t>(side);
-            next_[0] += static_cast<std::uint32_t>(1 - side);
-        }
-
-        void finish(std::span<const std::uint8_t> classes)
-        {
-            for (std::size_t side = 0; side < 2; ++side)
-                builders_[side].set_copied(classes, static_cast<std::uint8_t>(side + 1), next_[side],
-                                           next_point_[side]);
-        }
-
-    private:
-        const IndexedMesh& source_;
-        std::array<SideBuilder, 2>& builders_;
-        Buffer<std::uint32_t>& table_;
-        std::array<Vertex*, 2> vertices_;
-        std::array<std::uint32_t*, 2> points_;
-        std::span<std::uint32_t> point_table_;
-        std::array<std::uint32_t, 2> next_{}, next_point_{};
-    };
+        });
+        builders[0].set_copied(classes, 1, next_below, next_point_below);
+        builders[1].set_copied(classes, 2, next_above, next_point_above);
+    }
 
     /// Makes room for the vertices on `count` cut edges.
-    void reserve_cuts(std::size_t count) { cut_vertices_.reset(count); }
+    void reserve_cuts(std::size_t count) { on_edge_.assign(count, {}); }
 
     std::uint32_t existing(std::uint32_t vertex)
     {
@@ -211,7 +202,15 @@ public:
         const std::uint8_t lone = crossing.split.lone;
         const std::uint32_t a = t[lone];
         const std::uint32_t b = code == TriangleSplit::kCutNext ? t[(lone + 1u) % 3] : t[(lone + 2u) % 3];
-        std::uint32_t& index = cut_vertices_(std::min(a, b), std::max(a, b));
+        const std::uint32_t lo = std::min(a, b), hi = std::max(a, b);
+        OnEdge& known = on_edge_[code == TriangleSplit::kCutNext ? crossing.cut_next : crossing.cut_previous];
+        if (known.lo == lo && known.hi == hi) return known.index;
+        // The other triangle at a seam has vertices of its own on the same edge.
+        std::uint32_t& index = known.index == PairTable::kNone ? known.index : seam_vertices_(lo, hi);
+        if (&index == &known.index) {
+            known.lo = lo;
+            known.hi = hi;
+        }
         if (index == PairTable::kNone) index = builder_.append_cut(crossings, crossing, code);
         return index;
     }
@@ -219,7 +218,14 @@ public:
 private:
     SideBuilder& builder_;
     const Buffer<std::uint32_t>& table_;
-    PairTable cut_vertices_, other_vertices_;
+    /// The vertex on a cut edge, for the first pair of vertices that asked.
+    struct OnEdge
+    {
+        std::uint32_t lo = 0, hi = 0;
+        std::uint32_t index = PairTable::kNone;
+    };
+    std::vector<OnEdge> on_edge_;  // by cut point
+    PairTable seam_vertices_, other_vertices_;
 };
 
 }  // namespace kerf::baseline
