@@ -100,41 +100,6 @@ TEST(Assemble, DividesTwoCubesGluedAtAnEdge)
     EXPECT_EQ(result.mesh.point_count, 16u);
 }
 
-TEST(Assemble, DividesGluedCubesWhicheverWayTheyAreTurned)
-{
-    const Assembled one_inverted = assembled(cube({0, 0, 0}) + inside_out(cube({1, 1, 0})));
-    EXPECT_EQ(one_inverted.repairs.flipped_triangles, 12u);
-    EXPECT_EQ(measure(one_inverted.mesh).volume, 2.0);
-
-    TriangleSoup mixed = cube({0, 0, 0}) + cube({1, 1, 0});
-    for (const std::size_t t : {1, 6, 11, 14, 15, 20}) std::swap(mixed.triangles[t][1], mixed.triangles[t][2]);
-    const Assembled result = assembled(mixed);
-    EXPECT_EQ(result.repairs.flipped_triangles, 6u);
-    EXPECT_EQ(measure(result.mesh).volume, 2.0);
-}
-
-TEST(Assemble, OpensAWallThatEndsAtAnotherSurface)
-{
-    // A fin on a cube's edge: one triangle finds no partner there.
-    TriangleSoup fin = soup({{0, 0, 0}, {1, 0, 0}, {0, -1, -1}}, {{0, 1, 2}});
-    const Assembled result = assembled(cube() + fin);
-    EXPECT_EQ(result.repairs.nonmanifold_edges, 1u);
-    EXPECT_EQ(measure(result.mesh).boundary_edges, 3u);
-    EXPECT_EQ(measure(result.mesh).shells, 2u);
-}
-
-TEST(Assemble, KeepsBothSidesOfASheet)
-{
-    const TriangleSoup sheet =
-        grid(3, 4, [](std::uint32_t i, std::uint32_t j) { return glm::vec3(float(i), float(j), 0); });
-    const Assembled result = assembled(sheet + inside_out(sheet));
-    // Front and back meet at the rim: a flat pillow. Two corner triangles come off, because the side opposite to the
-    // corner runs from rim to rim: front and back would pass there between the same two points.
-    EXPECT_EQ(measure(result.mesh).shells, 3u);
-    EXPECT_TRUE(measure(result.mesh).closed());
-    EXPECT_EQ(result.mesh.triangles.size(), 2 * sheet.triangles.size());
-}
-
 TEST(Assemble, DividesTwoCubesGluedAtAPoint)
 {
     const Assembled result = assembled(cube({0, 0, 0}) + cube({1, 1, 1}));
