@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/cut.h"
+
+namespace kerf::bench {
+
+/// `count` planes with seeded random directions through the centre of a box: the report's "10 cuts" through the middle.
+std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t count, std::uint64_t seed);
+
+/// Cuts a clone of `object` and looks at the result: both sides closed, volumes and surface areas add up to the
+/// whole's. Empty when all is right, otherwise what is wrong: such a result is not timed.
+std::string check_cut(const Cuttable& object, const Plane& plane);
+
+}  // namespace kerf::bench

@@ -1,0 +1,157 @@
+// The report's fifteen models, ten cuts each (its Table 2):
+//   Cut/<back end>/<model>        one cut, fan and new pivots included, as the report times it
+//   Proxy/<kind>/<model>          the collision proxies of both fragments of a cut
+//   Prepare/<back end>/<model>    making a mesh ready for cutting
+// Loading, cloning and destroying stay untimed.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+#include "baseline/baseline.h"
+#include "bench/back_ends.h"
+#include "bench/checked_cut.h"
+#include "bench/cpu_stopwatch.h"
+#include "bench/models.h"
+
+namespace kerf::bench {
+
+namespace {
+
+constexpr std::uint32_t kCutsPerModel = 10;
+constexpr std::uint64_t kPlaneSeed = 2024;
+
+std::unique_ptr<Cuttable> prepared(benchmark::State& state, const Backend& backend, const Model& model,
+                                   std::span<const Plane> planes)
+{
+    PrepareResult result = backend.prepare(model.mesh);
+    if (!result.object) {
+        state.SkipWithError(result.reason.c_str());
+        return nullptr;
+    }
+    for (const Plane& plane : planes)
+        if (const std::string error = check_cut(*result.object, plane); !error.empty()) {
+            state.SkipWithError(error.c_str());
+            return nullptr;
+        }
+    return std::move(result.object);
+}
+
+void cut_model(benchmark::State& state, const Backend& backend, const Model& model)
+{
+    const auto planes = planes_through_the_middle(model.mesh.bounds(), kCutsPerModel, kPlaneSeed);
+    const auto object = prepared(state, backend, model, planes);
+    if (!object) return;
+    std::uint64_t cuts = 0, crossing = 0;
+    double seconds = 0.0;
+    std::vector<std::unique_ptr<Cuttable>> fresh(planes.size());
+    std::vector<CutResult> results(planes.size());
+    for (auto _ : state) {
+        for (auto& copy : fresh) copy = object->clone();
+        CpuStopwatch watch;
+        for (std::size_t i = 0; i < planes.size(); ++i) results[i] = cut(std::move(fresh[i]), planes[i]);
+        const double iteration = watch.lap();
+        benchmark::DoNotOptimize(results.data());
+        state.SetIterationTime(iteration);
+        seconds += iteration;
+        cuts += planes.size();
+        for (CutResult& result : results) {
+            crossing += result.statistics.crossing_triangles;
+            result = {};
+        }
+    }
+    const auto triangles = double(model.mesh.triangles.size());
+    state.counters["cut_ms"] = seconds * 1e3 / double(cuts);
+    state.counters["triangles"] = triangles;
+    state.counters["vertices"] = double(model.mesh.vertices.size());
+    state.counters["crossing"] = double(crossing) / double(cuts);
+    state.counters["ns_per_triangle"] = seconds * 1e9 / double(cuts) / triangles;
+}
+
+void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
+{
+    const auto backend = baseline::make_backend(baseline::VertexLookup::remap);
+    const auto planes = planes_through_the_middle(model.mesh.bounds(), kCutsPerModel, kPlaneSeed);
+    const auto object = prepared(state, *backend, model, planes);
+    if (!object) return;
+    std::vector<CutResult> cuts;
+    for (const Plane& plane : planes) cuts.push_back(cut(object->clone(), plane));
+
+    double seconds = 0.0;
+    std::size_t points = 0;
+    for (auto _ : state) {
+        points = 0;
+        CpuStopwatch watch;
+        for (const CutResult& result : cuts)
+            for (const auto* side : {&result.positive, &result.negative}) {
+                const CollisionProxy proxy = side->front()->collision_proxy(kind);
+                benchmark::DoNotOptimize(proxy.points.data());
+                points += proxy.points.size();
+            }
+        const double iteration = watch.lap();
+        state.SetIterationTime(iteration);
+        seconds += iteration;
+    }
+    state.counters["proxy_ms"] = seconds * 1e3 / double(state.iterations()) / kCutsPerModel;
+    state.counters["points"] = double(points) / (2 * kCutsPerModel);
+    state.counters["triangles"] = double(model.mesh.triangles.size());
+}
+
+void prepare_model(benchmark::State& state, const Backend& backend, const Model& model)
+{
+    double seconds = 0.0;
+    for (auto _ : state) {
+        IndexedMesh copy = model.mesh;
+        CpuStopwatch watch;
+        const PrepareResult result = backend.prepare(std::move(copy));
+        const double iteration = watch.lap();
+        benchmark::DoNotOptimize(result.object.get());
+        state.SetIterationTime(iteration);
+        seconds += iteration;
+    }
+    const auto triangles = double(model.mesh.triangles.size());
+    state.counters["triangles"] = triangles;
+    state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
+}
+
+}  // namespace
+
+void register_model_benchmarks()
+{
+    // The report's methods also run its loop over all vertices for the new pivots; `remap` is nobody's and does not.
+    using baseline::VertexLookup;
+    static std::vector<std::shared_ptr<Backend>> timed;
+    for (const VertexLookup lookup : {VertexLookup::scan, VertexLookup::two_bucket_hash, VertexLookup::hash})
+        timed.push_back(baseline::make_backend(lookup, true));
+    for (const TimedBackend& back_end : back_ends()) {
+        const std::string name = back_end.backend->name();
+        if (std::none_of(timed.begin(), timed.end(), [&](const auto& other) { return other->name() == name; }))
+            timed.push_back(back_end.backend);
+    }
+    for (const Model& model : models()) {
+        for (const auto& backend : timed) {
+            benchmark::RegisterBenchmark(("Cut/" + backend->name() + "/" + model.name).c_str(),
+                                         [&](benchmark::State& s) { cut_model(s, *backend, model); })
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond);
+        }
+        for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull,
+                                     ProxyKind::every_vertex})
+            benchmark::RegisterBenchmark(("Proxy/" + std::string(name_of(kind)) + "/" + model.name).c_str(),
+                                         [&, kind](benchmark::State& s) { build_proxies(s, kind, model); })
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond);
+        // All lookups prepare alike.
+        for (const auto& backend : timed) {
+            if (backend->name() == "baseline/scan" || backend->name() == "baseline/two_bucket_hash" ||
+                backend->name() == "baseline/hash")
+                continue;
+            benchmark::RegisterBenchmark(("Prepare/" + backend->name() + "/" + model.name).c_str(),
+                                         [&](benchmark::State& s) { prepare_model(s, *backend, model); })
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond);
+        }
+    }
+}
+
+}  // namespace kerf::bench

@@ -1,0 +1,22 @@
+#include "bench/models.h"
+
+#include <filesystem>
+
+#include "common/io/mesh_file.h"
+
+namespace kerf::bench {
+
+const std::vector<Model>& models()
+{
+    static const std::vector<Model> all = [] {
+        std::vector<Model> loaded;
+        for (const char* name : {"car", "cube", "rook", "pedestal", "horse", "icosphere", "bishop", "cylinder", "pawn",
+                                 "cone", "barrel", "king", "sphere", "queen", "monkey"})
+            loaded.push_back(
+                {name, io::read_mesh(std::filesystem::path(KERF_MODELS_DIR) / (std::string(name) + ".obj")).mesh});
+        return loaded;
+    }();
+    return all;
+}
+
+}  // namespace kerf::bench

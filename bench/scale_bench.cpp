@@ -1,0 +1,126 @@
+// How the cost of one cut grows with the mesh:
+//   Scale/<back end>/<shape>/<triangles>     the whole chain that a game needs: two closed fragments, mass properties,
+//   a bounded
+//                                            hull each, and the draw view with the bytes to upload
+//   Geometry/<back end>/<shape>/<triangles>  the two closed fragments with all attributes, nothing else
+// Shapes: `asteroid` (triangles in a coherent order) and `shuffled` (the same in a random order). Random planes through
+// the middle. Cloning the input and destroying the fragments stay untimed.
+
+#include <benchmark/benchmark.h>
+
+#include "bench/back_ends.h"
+#include "bench/checked_cut.h"
+#include "bench/cpu_stopwatch.h"
+#include "common/shapes.h"
+
+namespace kerf::bench {
+
+namespace {
+
+constexpr std::uint32_t kPlanes = 10;
+constexpr std::uint64_t kPlaneSeed = 99, kShapeSeed = 1;
+
+/// The last shape made: benchmarks of one size follow one another, and the large ones should not all stay in memory.
+const IndexedMesh& shape_of(const std::string& name, std::uint64_t triangles)
+{
+    static std::pair<std::string, std::uint64_t> key;
+    static IndexedMesh mesh;
+    if (key != std::pair{name, triangles}) {
+        TriangleSoup soup = shapes::asteroid(triangles, kShapeSeed);
+        if (name == "shuffled") soup = shapes::shuffled(std::move(soup), kShapeSeed);
+        mesh = assemble(std::move(soup)).mesh;
+        key = {name, triangles};
+    }
+    return mesh;
+}
+
+enum class Extent
+{
+    geometry,
+    whole_chain
+};
+
+void cut_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size,
+               Extent extent)
+{
+    const IndexedMesh& mesh = shape_of(shape, size);
+    const auto planes = planes_through_the_middle(mesh.bounds(), kPlanes, kPlaneSeed);
+    PrepareResult prepared = backend.prepare(mesh);
+    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
+    if (const std::string error = check_cut(*prepared.object, planes[0]); !error.empty())
+        return state.SkipWithError(error.c_str());
+
+    std::uint64_t cuts = 0;
+    double seconds = 0.0;
+    CutStatistics sum;
+    double mass_ms = 0.0, proxy_ms = 0.0, draw_ms = 0.0;
+    for (auto _ : state) {
+        const Plane& plane = planes[cuts % kPlanes];
+        auto fresh = prepared.object->clone();
+        CpuStopwatch whole, part;
+        CutResult result = cut(std::move(fresh), plane);
+        benchmark::DoNotOptimize(result);
+        part.lap();
+        if (extent == Extent::whole_chain) {
+            for (const auto* side : {&result.positive, &result.negative})
+                for (const auto& fragment : *side) benchmark::DoNotOptimize(fragment->mass_properties());
+            mass_ms += part.lap() * 1e3;
+            for (const auto* side : {&result.positive, &result.negative})
+                for (const auto& fragment : *side)
+                    benchmark::DoNotOptimize(fragment->collision_proxy(ProxyKind::bounded_hull).points.data());
+            proxy_ms += part.lap() * 1e3;
+            for (const auto* side : {&result.positive, &result.negative})
+                for (const auto& fragment : *side) benchmark::DoNotOptimize(fragment->draw_view().ranges.data());
+            draw_ms += part.lap() * 1e3;
+        }
+        const double iteration = whole.lap();
+        state.SetIterationTime(iteration);
+        seconds += iteration;
+        ++cuts;
+        const CutStatistics& s = result.statistics;
+        sum.crossing_triangles += s.crossing_triangles;
+        sum.triangles_touched += s.triangles_touched;
+        sum.nodes_visited += s.nodes_visited;
+        sum.bytes_to_upload += s.bytes_to_upload;
+        for (std::size_t i = 0; i < kPhaseCount; ++i) sum.phases.ms[i] += s.phases.ms[i];
+    }
+    const auto n = double(cuts), triangles = double(mesh.triangles.size());
+    state.counters["triangles"] = triangles;
+    state.counters["crossing"] = double(sum.crossing_triangles) / n;
+    state.counters["ns_per_triangle"] = seconds * 1e9 / n / triangles;
+    state.counters["ns_per_crossing"] = seconds * 1e9 / double(sum.crossing_triangles);
+    state.counters["touched"] = double(sum.triangles_touched) / n;
+    state.counters["nodes"] = double(sum.nodes_visited) / n;
+    state.counters["upload_bytes"] = double(sum.bytes_to_upload) / n;
+    for (std::size_t i = 0; i < kPhaseCount; ++i)
+        if (sum.phases.ms[i] > 0)
+            state.counters["ms_" + std::string(name_of(static_cast<Phase>(i)))] = sum.phases.ms[i] / n;
+    if (extent == Extent::whole_chain) {
+        state.counters["ms_mass"] = mass_ms / n;
+        state.counters["ms_proxy"] = proxy_ms / n;
+        state.counters["ms_draw"] = draw_ms / n;
+    }
+}
+
+}  // namespace
+
+void register_scale_benchmarks()
+{
+    for (const std::uint64_t size :
+         {1'000ull, 3'000ull, 10'000ull, 30'000ull, 100'000ull, 300'000ull, 1'000'000ull, 4'000'000ull})
+        for (const std::string shape : {"asteroid", "shuffled"})
+            for (const TimedBackend& back_end : back_ends())
+                for (const Extent extent : {Extent::whole_chain, Extent::geometry}) {
+                    if (size > back_end.most_triangles) continue;
+                    const std::string name = (extent == Extent::geometry ? "Geometry/" : "Scale/") +
+                                             back_end.backend->name() + "/" + shape + "/" + std::to_string(size);
+                    benchmark::RegisterBenchmark(name.c_str(),
+                                                 [&back_end, shape, size, extent](benchmark::State& s) {
+                                                     cut_shape(s, *back_end.backend, shape, size, extent);
+                                                 })
+                        ->UseManualTime()
+                        ->Unit(benchmark::kMillisecond);
+                }
+}
+
+}  // namespace kerf::bench
