@@ -37,6 +37,18 @@ Shells label(const LinkedSurface& surface)
     return result;
 }
 
+/// Calls visit(shell, first, last) for each run of triangles of one shell.
+template <class Visit>
+void for_each_run(Shells& shells, Visit&& visit)
+{
+    for (std::size_t first = 0; first < shells.shell.size();) {
+        std::size_t last = first + 1;
+        while (last < shells.shell.size() && shells.shell[last] == shells.shell[first]) ++last;
+        visit(shells.shells[shells.shell[first]], first, last);
+        first = last;
+    }
+}
+
 /// 6 times the volume of the tetrahedron (o, a, b, c).
 double volume6(const glm::dvec3& o, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
@@ -90,15 +102,23 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans,
 Shells find_shells(const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions)
 {
     Shells result = label(surface);
-    for (std::size_t t = 0; t < surface.corners.size(); ++t)
-        for (const std::uint32_t point : surface.corners[t]) result.shells[result.shell[t]].box.add(positions[point]);
+    for_each_run(result, [&](Shell& shell, std::size_t first, std::size_t last) {
+        Box box;
+        for (std::size_t t = first; t < last; ++t)
+            for (const std::uint32_t point : surface.corners[t]) box.add(positions[point]);
+        shell.box.add(box);
+    });
     bool all_closed = true;
-    for (std::size_t t = 0; t < surface.corners.size(); ++t) {
-        const auto& [a, b, c] = surface.corners[t];
-        Shell& shell = result.shells[result.shell[t]];
-        shell.volume6 += volume6(shell.box.centre(), positions[a], positions[b], positions[c]);
+    for_each_run(result, [&](Shell& shell, std::size_t first, std::size_t last) {
+        const glm::dvec3 centre = shell.box.centre();
+        double sum = 0.0;
+        for (std::size_t t = first; t < last; ++t) {
+            const auto& [a, b, c] = surface.corners[t];
+            sum += volume6(centre, positions[a], positions[b], positions[c]);
+        }
+        shell.volume6 += sum;
         all_closed = all_closed && shell.closed;
-    }
+    });
     if (!all_closed) close_holes(result, surface, fans, positions);
     return result;
 }
