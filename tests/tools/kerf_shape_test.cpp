@@ -1,0 +1,61 @@
+#include <sstream>
+
+#include "tools/program.h"
+
+namespace kerf::tools {
+namespace {
+
+using KerfShape = ProgramTest;
+
+TEST_F(KerfShape, WritesEveryShapeThatItsHelpNames)
+{
+    const std::string help = kerf("shape --help").out;
+    const std::size_t first = help.find("Shapes: ") + 8;
+    std::string names = help.substr(first, help.find('.', first) - first);
+    for (char& c : names)
+        if (c == ',') c = ' ';
+    std::istringstream in(names);
+    std::size_t count = 0;
+    for (std::string name; in >> name; ++count) {
+        SCOPED_TRACE(name);
+        const Outcome outcome = kerf("shape " + name + " --triangles 2000 -o " + name + ".ply");
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const Json info = kerf_json("info " + name + ".ply");
+        EXPECT_EQ(info["closed"], true);
+        EXPECT_EQ(info["manifold"], true);
+        EXPECT_EQ(info["oriented"], true);
+        EXPECT_GT(info["volume"], 0.0);
+    }
+    EXPECT_GE(count, 10u);
+}
+
+TEST_F(KerfShape, MakesAboutAsManyTrianglesAsAskedFor)
+{
+    kerf("shape asteroid --triangles 20000 -o a.ply");
+    const std::uint64_t triangles = kerf_json("info a.ply")["triangles"];
+    EXPECT_NEAR(static_cast<double>(triangles), 20000.0, 1000.0);
+}
+
+TEST_F(KerfShape, GivesTheSameBytesForTheSameSeedOnly)
+{
+    for (const char* format : {"obj", "ply", "stl", "glb"}) {
+        const std::string end = " --triangles 500 -o ";
+        kerf("shape asteroid --seed 1" + end + "a." + format);
+        kerf("shape asteroid --seed 1" + end + "b." + format);
+        kerf("shape asteroid --seed 2" + end + "c." + format);
+        const std::string a = text_of(std::string("a.") + format);
+        EXPECT_FALSE(a.empty());
+        EXPECT_EQ(a, text_of(std::string("b.") + format));
+        EXPECT_NE(a, text_of(std::string("c.") + format));
+    }
+}
+
+TEST_F(KerfShape, RefusesPlacesThatItCannotWriteTo)
+{
+    expect_unusable(kerf("shape box -o gone/a.obj"), "gone/a.obj: it cannot be written");
+    expect_unusable(kerf("shape box -o a.off"), "a.off: the extension");
+    EXPECT_TRUE(names_in_folder().empty());
+}
+
+}  // namespace
+}  // namespace kerf::tools

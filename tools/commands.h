@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+// The subcommands of `kerf`, one file each. Each adds itself to the program with its options, help and examples, and
+// runs while the command line is parsed. Wrong use is a CLI::ParseError; anything else that goes wrong is a
+// std::exception whose what() is one sentence.
+
+namespace kerf::tools {
+
+void add_info_command(CLI::App& program);
+void add_cut_command(CLI::App& program);
+void add_shape_command(CLI::App& program);
+
+}  // namespace kerf::tools

@@ -1,0 +1,312 @@
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/cut.h"
+#include "common/io/mesh_file.h"
+#include "tools/commands.h"
+#include "tools/fragment_facts.h"
+#include "tools/registry.h"
+#include "tools/text.h"
+
+namespace kerf::tools {
+
+namespace {
+
+struct CutCommandOptions
+{
+    std::string file;
+    std::optional<glm::dvec3> point;  ///< default: centre of the bounds
+    glm::dvec3 normal{0.0, 0.0, 1.0};
+    std::string backend = registered_backends().front().name;
+    std::string lookup;
+    bool no_cap = false;
+    bool components = false;
+    std::string prefix;
+    std::string format = io::writable_formats().front();
+    bool json = false;
+};
+
+/// One fragment that was written.
+struct Piece
+{
+    std::string file;
+    FragmentFacts facts;
+};
+
+struct SideReport
+{
+    std::vector<Piece> pieces;
+
+    FragmentFacts total() const
+    {
+        FragmentFacts sum;
+        for (const Piece& piece : pieces) sum.add(piece.facts);
+        return sum;
+    }
+};
+
+struct CutReport
+{
+    std::string file, backend;
+    Plane plane;
+    bool capped = true;
+    Status status = Status::missed;
+    Repairs repairs;
+    CutStatistics statistics;
+    double section_area = 0.0;
+    double prepare_ms = 0.0, cut_ms = 0.0;
+    SideReport positive, negative;
+};
+
+class Stopwatch
+{
+public:
+    double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// PREFIX.positive.obj, or PREFIX.positive.0.obj for one of several components.
+std::string file_name(const CutCommandOptions& options, const char* side, std::size_t component)
+{
+    std::string name = options.prefix + "." + side;
+    if (options.components) name += "." + std::to_string(component);
+    return name + "." + options.format;
+}
+
+SideReport add_side(io::MeshFileSet& files, const CutCommandOptions& options, const char* side,
+                    const std::vector<std::unique_ptr<Cuttable>>& fragments)
+{
+    SideReport report;
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        const IndexedMesh mesh = fragments[i]->to_indexed_mesh();
+        const std::string name = file_name(options, side, i);
+        files.add(name, mesh);
+        report.pieces.push_back({name, measure_fragment(mesh, fragments[i]->mass_properties())});
+    }
+    return report;
+}
+
+CutReport perform(const CutCommandOptions& options)
+{
+    io::LoadedMesh loaded = io::read_mesh(options.file);
+    const std::optional<Plane> plane =
+        Plane::through(options.point.value_or(loaded.mesh.bounds().centre()), options.normal);
+    if (!plane) throw std::runtime_error("the plane's numbers are too large to calculate with");
+    const std::unique_ptr<Backend> backend = make_backend(options.backend, options.lookup);
+
+    CutReport report;
+    report.file = options.file;
+    report.backend = backend->name();
+    report.plane = *plane;
+    report.capped = !options.no_cap;
+    report.repairs = loaded.repairs;
+
+    const Stopwatch preparing;
+    PrepareResult prepared = backend->prepare(std::move(loaded.mesh));
+    report.prepare_ms = preparing.ms();
+    if (prepared.status != Status::cut) throw std::runtime_error(options.file + ": " + prepared.reason);
+
+    CutOptions cut_options;
+    cut_options.build_caps = !options.no_cap;
+    cut_options.split_components = options.components;
+    const Stopwatch cutting;
+    const CutResult result = cut(std::move(prepared.object), *plane, cut_options);
+    report.cut_ms = cutting.ms();
+    report.status = result.status;
+    report.statistics = result.statistics;
+    report.section_area = result.section_area;
+    if (result.status == Status::missed) return report;
+    if (result.status == Status::out_of_memory)
+        throw std::runtime_error(options.file + ": there is not enough memory to cut it");
+    if (result.status != Status::cut && result.status != Status::open_section)
+        throw std::runtime_error(options.file + ": it could not be cut (" + std::string(name_of(result.status)) + ")");
+
+    io::MeshFileSet files;
+    report.positive = add_side(files, options, "positive", result.positive);
+    report.negative = add_side(files, options, "negative", result.negative);
+    files.commit();
+    return report;
+}
+
+/// A closed section whose caps do not have its area: the fan of a section that is not star-shaped.
+bool cap_is_off(const CutReport& report, const FragmentFacts& side)
+{
+    constexpr double kTolerance = 1e-6;  // relative to the section: caps are rounded to float
+    return report.capped && report.status == Status::cut &&
+           std::abs(side.cap_area - report.section_area) > kTolerance * std::abs(report.section_area);
+}
+
+Json side_json(const SideReport& side)
+{
+    Json json = facts_json(side.total());
+    json["pieces"] = Json::array();
+    for (const Piece& piece : side.pieces) {
+        Json entry{{"file", piece.file}};
+        entry.update(facts_json(piece.facts));
+        json["pieces"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+Json report_json(const CutReport& report)
+{
+    const CutStatistics& statistics = report.statistics;
+    Json phases = Json::object();
+    for (std::size_t i = 0; i < kPhaseCount; ++i)
+        phases[std::string(name_of(static_cast<Phase>(i)))] = statistics.phases.ms[i];
+    Json json{{"file", report.file},
+              {"backend", report.backend},
+              {"status", std::string(name_of(report.status))},
+              {"plane", {{"normal", vector_json(report.plane.normal)}, {"offset", report.plane.offset}}},
+              {"repairs", report.repairs.describe()},
+              {"counts",
+               {{"triangles", statistics.triangles},
+                {"crossing", statistics.crossing_triangles},
+                {"loops", statistics.section_loops},
+                {"open_chains", statistics.open_chains},
+                {"triangles_touched", statistics.triangles_touched},
+                {"nodes_visited", statistics.nodes_visited},
+                {"bytes_to_upload", statistics.bytes_to_upload}}},
+              {"section_area", report.section_area}};
+    if (report.status != Status::missed) {
+        json["positive"] = side_json(report.positive);
+        json["negative"] = side_json(report.negative);
+    }
+    json["time_ms"] = {{"prepare", report.prepare_ms}, {"cut", report.cut_ms}, {"phases", std::move(phases)}};
+    return json;
+}
+
+std::string side_text(const char* name, const SideReport& side)
+{
+    std::string text = std::string(name) + ": " + facts_text(side.total()) + "\n";
+    for (const Piece& piece : side.pieces) {
+        text += "  " + piece.file;
+        if (side.pieces.size() > 1) text += ": " + facts_text(piece.facts);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string report_text(const CutReport& report)
+{
+    const CutStatistics& statistics = report.statistics;
+    std::string text;
+    if (!report.repairs.none()) text += "repaired: " + report.repairs.describe() + "\n";
+    if (report.status == Status::missed)
+        return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
+
+    text += std::string(name_of(report.status)) + ": " + grouped(statistics.crossing_triangles) + " of " +
+            counted(statistics.triangles, "triangle") + " crossing, " +
+            counted(statistics.section_loops, "section loop") + ", section area " + rounded(report.section_area) + "\n";
+    if (report.status == Status::open_section)
+        text += "the mesh is open: " + counted(statistics.open_chains, "part") +
+                " of the section ended at its boundary, without a cap\n";
+    for (const auto& [name, side] : {std::pair{"positive", &report.positive}, {"negative", &report.negative}}) {
+        text += side_text(name, *side);
+        if (const FragmentFacts total = side->total(); cap_is_off(report, total))
+            text += "  its cap has area " + rounded(total.cap_area) +
+                    ", which is not the section's: the fan does not fit\n";
+    }
+    text += report.backend + ": prepare " + rounded(report.prepare_ms) + " ms, cut " + rounded(report.cut_ms) + " ms";
+    std::string phases;
+    for (std::size_t i = 0; i < kPhaseCount; ++i)
+        if (statistics.phases.ms[i] > 0.0)
+            phases += (phases.empty() ? " (" : ", ") + std::string(name_of(static_cast<Phase>(i))) + " " +
+                      rounded(statistics.phases.ms[i]);
+    return text + phases + (phases.empty() ? "\n" : ")\n");
+}
+
+std::string list_of_backends()
+{
+    std::string list;
+    for (const RegisteredBackend& backend : registered_backends()) {
+        list += "  " + backend.name + "  " + backend.description + "\n";
+        if (!backend.lookups.empty()) list += "    lookups: ";
+        for (std::size_t i = 0; i < backend.lookups.size(); ++i)
+            list += backend.lookups[i] + (i + 1 < backend.lookups.size() ? ", " : "\n");
+    }
+    return list;
+}
+
+std::vector<std::string> backend_names()
+{
+    std::vector<std::string> names;
+    for (const RegisteredBackend& backend : registered_backends()) names.push_back(backend.name);
+    return names;
+}
+
+void run(const CutCommandOptions& options)
+{
+    const CutReport report = perform(options);
+    if (options.json)
+        print(report_json(report));
+    else
+        print(report_text(report));
+}
+
+}  // namespace
+
+void add_cut_command(CLI::App& program)
+{
+    auto options = std::make_shared<CutCommandOptions>();
+    CLI::App* command = program.add_subcommand("cut", "Cut a mesh by a plane and write both sides");
+    command->add_option("FILE", options->file, "Mesh: obj, ply, stl, off, gltf or glb")->required();
+    command
+        ->add_option_function<std::string>(
+            "--point", [options](const std::string& text) { options->point = parse_vector("--point", text); },
+            "A point of the plane; default: the centre of the mesh's bounds")
+        ->type_name("X,Y,Z");
+    command
+        ->add_option_function<std::string>(
+            "--normal",
+            [options](const std::string& text) {
+                options->normal = parse_vector("--normal", text);
+                if (!Plane::through({0, 0, 0}, options->normal))
+                    throw CLI::ValidationError("--normal", "'" + text + "' has no direction");
+            },
+            "The plane's normal, of any length; it points to the positive side")
+        ->type_name("X,Y,Z")
+        ->required();
+    command->add_option("--backend", options->backend, "Which way to cut; see below")
+        ->check(CLI::IsMember(backend_names()).description(""))
+        ->capture_default_str();
+    command->add_option("--lookup", options->lookup, "How the baseline looks up vertices; see below");
+    command->add_flag("--no-cap", options->no_cap, "Leave the section open");
+    command->add_flag("--components", options->components, "Write the connected pieces of each side one by one");
+    command->add_option("--out", options->prefix, "Beginning of the names of the files to write")
+        ->type_name("PREFIX")
+        ->required();
+    command->add_option("--format", options->format, "Format of the files: obj, ply, stl or glb")
+        ->check(CLI::IsMember(io::writable_formats()).description(""))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON instead of text");
+    command->footer(
+        "Writes PREFIX.positive.obj and PREFIX.negative.obj, with --components PREFIX.positive.0.obj and so on:\n"
+        "all of them or, when something goes wrong, none. A plane that misses writes nothing.\n\n"
+        "Back ends:\n" +
+        list_of_backends() +
+        "\nExamples:\n"
+        "  kerf cut rook.obj --normal 0,1,0 --out /tmp/rook\n"
+        "  kerf cut knot.off --point 0.1,0,0 --normal 1,0.5,0 --components --format ply --out knot --json");
+    command->callback([options] {
+        try {
+            make_backend(options->backend, options->lookup);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError("--lookup", error.what());
+        }
+        run(*options);
+    });
+}
+
+}  // namespace kerf::tools

@@ -1,0 +1,84 @@
+#include "tools/fragment_facts.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+namespace kerf::tools {
+
+namespace {
+
+double area_of(const IndexedMesh& mesh, const Triangle& t)
+{
+    const auto position = [&](std::size_t i) { return glm::dvec3(mesh.vertices[t[i]].position); };
+    return 0.5 * glm::length(glm::cross(position(1) - position(0), position(2) - position(0)));
+}
+
+/// Each directed edge occurs as often as its reverse. Sorted by their two points, an edge and its reverse side by side,
+/// the balance of every pair is 0.
+bool is_closed(const IndexedMesh& mesh)
+{
+    std::vector<std::pair<std::uint64_t, int>> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint64_t a = mesh.points[t[i]], b = mesh.points[t[(i + 1) % 3]];
+            edges.emplace_back(std::min(a, b) << 32 | std::max(a, b), a < b ? 1 : -1);
+        }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size();) {
+        int balance = 0;
+        const std::uint64_t edge = edges[i].first;
+        for (; i < edges.size() && edges[i].first == edge; ++i) balance += edges[i].second;
+        if (balance != 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void FragmentFacts::add(const FragmentFacts& other)
+{
+    const double whole = volume + other.volume;
+    if (whole != 0.0)
+        centre_of_mass = (volume * centre_of_mass + other.volume * other.centre_of_mass) / whole;
+    else if (triangles == 0)
+        centre_of_mass = other.centre_of_mass;
+    triangles += other.triangles;
+    surface_area += other.surface_area;
+    cap_area += other.cap_area;
+    volume = whole;
+    closed = closed && other.closed;
+}
+
+FragmentFacts measure_fragment(const IndexedMesh& mesh, const MassProperties& mass)
+{
+    FragmentFacts facts;
+    facts.triangles = mesh.triangles.size();
+    for (const TriangleGroup& group : mesh.groups) {
+        double& area = group.kind == TriangleKind::cap ? facts.cap_area : facts.surface_area;
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
+            area += area_of(mesh, mesh.triangles[t]);
+    }
+    facts.volume = mass.volume;
+    facts.centre_of_mass = mass.centre;
+    facts.closed = is_closed(mesh);
+    return facts;
+}
+
+Json facts_json(const FragmentFacts& facts)
+{
+    return {
+        {"triangles", facts.triangles}, {"area", facts.area()},   {"surface_area", facts.surface_area},
+        {"cap_area", facts.cap_area},   {"volume", facts.volume}, {"centre_of_mass", vector_json(facts.centre_of_mass)},
+        {"closed", facts.closed}};
+}
+
+std::string facts_text(const FragmentFacts& facts)
+{
+    return counted(facts.triangles, "triangle") + ", area " + rounded(facts.area()) + ", volume " +
+           rounded(facts.volume) + (facts.closed ? ", closed" : ", not closed");
+}
+
+}  // namespace kerf::tools

@@ -1,0 +1,112 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "common/io/mesh_file.h"
+#include "tools/commands.h"
+#include "tools/text.h"
+
+namespace kerf::tools {
+
+namespace {
+
+struct InfoOptions
+{
+    std::string file;
+    bool json = false;
+};
+
+Json info_json(const io::LoadedMesh& loaded, const std::string& file)
+{
+    const MeshFacts& facts = loaded.facts;
+    const Repairs& repairs = loaded.repairs;
+    Json materials = Json::array(), streams = Json::array();
+    for (const Material& material : loaded.mesh.materials) materials.push_back(material.name);
+    for (const VertexStream& stream : loaded.mesh.streams)
+        streams.push_back(Json{{"name", stream.name}, {"width", stream.width}});
+    return {{"file", file},
+            {"triangles", facts.triangles},
+            {"vertices", facts.vertices},
+            {"welded_vertices", facts.welded_vertices},
+            {"closed", facts.closed()},
+            {"manifold", facts.manifold()},
+            {"oriented", facts.oriented()},
+            {"shells", facts.shells},
+            {"boundary_edges", facts.boundary_edges},
+            {"boundary_loops", facts.boundary_loops},
+            {"nonmanifold_edges", facts.nonmanifold_edges},
+            {"nonmanifold_points", facts.nonmanifold_points},
+            {"misoriented_edges", facts.misoriented_edges},
+            {"degenerate_triangles", facts.degenerate_triangles},
+            {"duplicate_triangles", facts.duplicate_triangles},
+            {"area", facts.area},
+            {"volume", facts.volume},
+            {"bounds",
+             {{"min", vector_json(glm::dvec3(facts.bounds.lo))}, {"max", vector_json(glm::dvec3(facts.bounds.hi))}}},
+            {"materials", std::move(materials)},
+            {"streams", std::move(streams)},
+            {"repairs",
+             {{"degenerate_triangles", repairs.degenerate_triangles},
+              {"duplicate_triangles", repairs.duplicate_triangles},
+              {"nonmanifold_edges", repairs.nonmanifold_edges},
+              {"nonmanifold_points", repairs.nonmanifold_points},
+              {"flipped_triangles", repairs.flipped_triangles},
+              {"unorientable_edges", repairs.unorientable_edges},
+              {"text", repairs.describe()}}}};
+}
+
+std::string info_text(const io::LoadedMesh& loaded, const std::string& file)
+{
+    const MeshFacts& facts = loaded.facts;
+    const auto line = [](const std::string& name, const std::string& value) {
+        return "  " + name + std::string(17 - name.size(), ' ') + value + "\n";
+    };
+    const auto yes_or = [](bool yes, const std::string& otherwise) { return yes ? "yes" : "no (" + otherwise + ")"; };
+
+    std::string text = file + "\n";
+    text += line("triangles", grouped(facts.triangles));
+    text += line("vertices", grouped(facts.vertices));
+    text += line("welded vertices", grouped(facts.welded_vertices));
+    text += line("closed", yes_or(facts.closed(), counted(facts.boundary_edges, "boundary edge") + " in " +
+                                                      counted(facts.boundary_loops, "loop")));
+    text += line("manifold", yes_or(facts.manifold(), counted(facts.nonmanifold_edges, "edge") + " and " +
+                                                          counted(facts.nonmanifold_points, "point") + " are not"));
+    text += line("oriented", yes_or(facts.oriented(), counted(facts.misoriented_edges, "edge") +
+                                                          " with both triangles in one direction"));
+    text += line("shells", grouped(facts.shells));
+    text += line("boundary loops", grouped(facts.boundary_loops));
+    text += line("area", rounded(facts.area));
+    text += line("volume", rounded(facts.volume));
+    text +=
+        line("bounds", vector_text(glm::dvec3(facts.bounds.lo)) + " to " + vector_text(glm::dvec3(facts.bounds.hi)));
+    text += line("repairs", loaded.repairs.none() ? "none" : loaded.repairs.describe());
+    return text;
+}
+
+void run(const InfoOptions& options)
+{
+    const io::LoadedMesh loaded = io::read_mesh(options.file);
+    if (options.json)
+        print(info_json(loaded, options.file));
+    else
+        print(info_text(loaded, options.file));
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& program)
+{
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = program.add_subcommand("info", "Say what a mesh file is like, and what would be repaired");
+    command->add_option("FILE", options->file, "Mesh: obj, ply, stl, off, gltf or glb")->required();
+    command->add_flag("--json", options->json, "Print JSON instead of text");
+    command->footer(
+        "Facts are those of the file, before anything is repaired; vertices are welded where their positions are "
+        "equal.\n\n"
+        "Examples:\n"
+        "  kerf info rook.obj\n"
+        "  kerf info scan.ply --json | jq .volume");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace kerf::tools

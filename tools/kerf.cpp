@@ -1,0 +1,64 @@
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "tools/commands.h"
+
+namespace {
+
+constexpr int kUnusable = 1;  ///< a file or a mesh cannot be used
+constexpr int kWrongUse = 2;
+
+/// One line: "kerf cut FILE --normal X,Y,Z --out PREFIX [OPTIONS]".
+std::string usage_of(const CLI::App& app, const CLI::App& program)
+{
+    if (&app == &program) return program.get_name() + " COMMAND [OPTIONS]";
+    std::string positionals, required;
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_positional())
+            positionals += " " + option->get_name(true);
+        else if (option->get_required())
+            required += " " + option->get_name() + " " + option->get_type_name();
+    }
+    return program.get_name() + " " + app.get_name() + positionals + required + " [OPTIONS]";
+}
+
+/// What was wrong with the command line, and how it should look.
+int report_wrong_use(const CLI::App& program, const CLI::ParseError& error)
+{
+    std::cerr << "kerf: " << error.what() << "\n";
+    const auto chosen = program.get_subcommands();
+    const CLI::App& app = chosen.empty() ? program : *chosen.front();
+    std::cerr << "Usage: " << usage_of(app, program) << "\nRun " << (chosen.empty() ? "kerf" : "kerf " + app.get_name())
+              << " --help for more.\n";
+    return kWrongUse;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App program("Kerf cuts triangle meshes by a plane.", "kerf");
+    program.set_version_flag("--version", "kerf " KERF_VERSION);
+    program.require_subcommand(1);
+    program.footer(
+        "Exit status: 0 done (a plane that misses is no error), 1 a file or mesh cannot be used, 2 wrong use.\n"
+        "Run kerf COMMAND --help for the options of a command.");
+    kerf::tools::add_info_command(program);
+    kerf::tools::add_cut_command(program);
+    kerf::tools::add_shape_command(program);
+
+    try {
+        program.parse(argc, argv);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        const bool is_help = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+        return is_help ? program.exit(error) : report_wrong_use(program, error);
+    } catch (const std::bad_alloc&) {
+        std::cerr << "kerf: there is not enough memory\n";
+    } catch (const std::exception& error) {
+        std::cerr << "kerf: " << error.what() << "\n";
+    }
+    return kUnusable;
+}

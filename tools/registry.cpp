@@ -1,0 +1,50 @@
+#include "tools/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "baseline/baseline.h"
+
+namespace kerf::tools {
+
+namespace {
+
+RegisteredBackend baseline_entry()
+{
+    using baseline::VertexLookup;
+    static constexpr std::array kLookups{VertexLookup::hash, VertexLookup::remap, VertexLookup::two_bucket_hash,
+                                         VertexLookup::scan};
+    RegisteredBackend entry;
+    entry.name = "baseline";
+    entry.description = "the report's loop over every triangle, and a fan over the section's mean point";
+    for (const VertexLookup lookup : kLookups) entry.lookups.emplace_back(name_of(lookup));
+    entry.make = [](const std::string& name) {
+        for (const VertexLookup lookup : kLookups)
+            if (name == name_of(lookup)) return baseline::make_backend(lookup);
+        return baseline::make_backend();
+    };
+    return entry;
+}
+
+}  // namespace
+
+const std::vector<RegisteredBackend>& registered_backends()
+{
+    static const std::vector<RegisteredBackend> all{baseline_entry()};
+    return all;
+}
+
+std::unique_ptr<Backend> make_backend(const std::string& name, const std::string& lookup)
+{
+    for (const RegisteredBackend& entry : registered_backends()) {
+        if (entry.name != name) continue;
+        const bool known = std::find(entry.lookups.begin(), entry.lookups.end(), lookup) != entry.lookups.end();
+        if (!lookup.empty() && !known)
+            throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup + "'");
+        return entry.make(lookup);
+    }
+    return nullptr;
+}
+
+}  // namespace kerf::tools

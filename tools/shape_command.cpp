@@ -1,0 +1,66 @@
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "common/assemble.h"
+#include "common/io/mesh_file.h"
+#include "common/shapes.h"
+#include "tools/commands.h"
+#include "tools/text.h"
+
+namespace kerf::tools {
+
+namespace {
+
+struct ShapeOptions
+{
+    std::string name;
+    std::uint64_t triangles = 10'000;
+    std::uint64_t seed = 1;
+    std::string out;
+};
+
+constexpr std::uint64_t kMostTriangles = 100'000'000;
+
+void run(const ShapeOptions& options)
+{
+    std::optional<TriangleSoup> soup = shapes::make(options.name, options.triangles, options.seed);
+    if (!soup) throw std::runtime_error("there is no shape called '" + options.name + "'");
+    const Assembled assembled = assemble(std::move(*soup));
+    if (!assembled.error.empty()) throw std::runtime_error(options.name + ": " + assembled.error);
+    io::write_mesh(options.out, assembled.mesh);
+    print(options.out + ": " + counted(assembled.mesh.triangles.size(), "triangle") + "\n");
+}
+
+std::string list_of_names()
+{
+    std::string list;
+    for (const std::string& name : shapes::names()) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+}  // namespace
+
+void add_shape_command(CLI::App& program)
+{
+    auto options = std::make_shared<ShapeOptions>();
+    CLI::App* command = program.add_subcommand("shape", "Write a generated shape");
+    command->add_option("NAME", options->name, "Which shape; see below")
+        ->required()
+        ->check(CLI::IsMember(shapes::names()).description(""));
+    command->add_option("-n,--triangles", options->triangles, "About how many triangles it should have")
+        ->check(CLI::Range(std::uint64_t{1}, kMostTriangles).description(""))
+        ->capture_default_str();
+    command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")->capture_default_str();
+    command->add_option("-o,--out", options->out, "File to write: obj, ply, stl or glb")->required();
+    command->footer("Shapes: " + list_of_names() +
+                    ".\n\n"
+                    "Examples:\n"
+                    "  kerf shape asteroid --triangles 100000 --seed 7 -o rock.ply\n"
+                    "  kerf shape menger_sponge --triangles 20000 -o sponge.glb");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace kerf::tools
