@@ -82,6 +82,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
         sum.triangles_touched += s.triangles_touched;
         sum.nodes_visited += s.nodes_visited;
         sum.bytes_to_upload += s.bytes_to_upload;
+        sum.vertex_comparisons += s.vertex_comparisons;
         for (std::size_t i = 0; i < kPhaseCount; ++i) sum.phases.ms[i] += s.phases.ms[i];
     }
     const auto n = double(cuts), triangles = double(mesh.triangles.size());
@@ -91,6 +92,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
     state.counters["ns_per_crossing"] = seconds * 1e9 / double(sum.crossing_triangles);
     state.counters["touched"] = double(sum.triangles_touched) / n;
     state.counters["nodes"] = double(sum.nodes_visited) / n;
+    state.counters["comparisons"] = double(sum.vertex_comparisons) / n;
     state.counters["upload_bytes"] = double(sum.bytes_to_upload) / n;
     for (std::size_t i = 0; i < kPhaseCount; ++i)
         if (sum.phases.ms[i] > 0)

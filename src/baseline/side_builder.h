@@ -30,6 +30,7 @@ public:
 
     IndexedMesh mesh;                        ///< what has been collected
     std::vector<std::uint32_t> fan_centres;  ///< vertices of `mesh`
+    std::uint64_t comparisons = 0;           ///< how often the lookup compared two vertices
 
     Side side() const { return side_; }
     const IndexedMesh& source() const { return source_; }

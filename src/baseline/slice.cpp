@@ -306,6 +306,7 @@ private:
                         [](const CrossingTriangle& c) { return c.split.next_code < 3 || c.split.previous_code < 3; });
 
         for (SideBuilder& b : builders_) {
+            slices_.statistics.vertex_comparisons += b.comparisons;
             Fragment fragment;
             fragment.noise = whole_.noise;
             fragment.fan_centres = std::move(b.fan_centres);

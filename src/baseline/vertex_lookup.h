@@ -68,10 +68,11 @@ class ScanLookup : public LookupByContent<ScanLookup>
 public:
     using LookupByContent::LookupByContent;
 
-    std::uint32_t find_or_insert(std::uint32_t candidate) const
+    std::uint32_t find_or_insert(std::uint32_t candidate)
     {
         std::uint32_t i = 0;
         while (!same_vertex(builder_.mesh, i, candidate)) ++i;
+        builder_.comparisons += i + 1;
         return i;
     }
 };
@@ -103,7 +104,7 @@ class DictionaryLookup : public LookupByContent<DictionaryLookup<Hash>>
 
 public:
     explicit DictionaryLookup(SideBuilder& builder)
-        : Base(builder), dictionary_(0, HashOfIndex{&builder.mesh}, SameVertex{&builder.mesh})
+        : Base(builder), dictionary_(0, HashOfIndex{&builder.mesh}, SameVertex{&builder})
     {
     }
 
@@ -122,8 +123,12 @@ private:
     };
     struct SameVertex
     {
-        const IndexedMesh* mesh;
-        bool operator()(std::uint32_t a, std::uint32_t b) const { return same_vertex(*mesh, a, b); }
+        SideBuilder* builder;
+        bool operator()(std::uint32_t a, std::uint32_t b) const
+        {
+            ++builder->comparisons;
+            return same_vertex(builder->mesh, a, b);
+        }
     };
 
     std::unordered_set<std::uint32_t, HashOfIndex, SameVertex> dictionary_;

@@ -68,6 +68,7 @@ struct CutStatistics
     std::uint64_t open_chains = 0;         ///< section polylines that end at the boundary of an open mesh
     std::uint64_t nodes_visited = 0;       ///< tree nodes looked at
     std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
+    std::uint64_t vertex_comparisons = 0;  ///< baseline: vertices compared while looking for duplicates
     std::uint64_t bytes_to_upload = 0;     ///< vertex and index bytes that the GPU does not have yet, both sides
     std::uint64_t bytes_grown = 0;         ///< reallocated because reserved room was used up
     PhaseTimes phases;
