@@ -2,7 +2,7 @@
 """Draws models/*.obj with their names onto one sheet: contact_sheet.py [PICTURE] [NAME ...].
 
 Needs the Debian packages python3-numpy, python3-pil and fonts-dejavu-core. A z-buffer, the normals of the files and
-the light of a soft sky: many distant lights, each with a shadow map. Several minutes are not unusual for all models.
+the light of a soft sky: many distant lights, each with a shadow map. All models take some three minutes.
 """
 import math
 import os
@@ -14,7 +14,7 @@ from PIL import Image, ImageDraw, ImageFont
 HERE = os.path.dirname(os.path.abspath(__file__))
 TILE = int(os.environ.get("TILE", "400"))  # pixels
 SAMPLES = 3  # a pixel's side, for antialiasing
-LIGHTS = int(os.environ.get("LIGHTS", "40"))
+LIGHTS = int(os.environ.get("LIGHTS", "48"))
 SHADOW_MAP = 640
 BACKGROUND = numpy.array([0.86, 0.88, 0.90])
 

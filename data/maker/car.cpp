@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <numbers>
 
+#include "maker/facets.h"
 #include "maker/lathe.h"
 #include "maker/models.h"
 #include "maker/panels.h"

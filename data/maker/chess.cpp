@@ -100,7 +100,7 @@ PolyMesh make_queen()
     Lathe lathe(mesh, kSegments, "ivory");
     Profile profile = foot(0.32, 2.1);
     profile.line(0.58, 2.2).line(0.62, 2.27).line(0.34, 2.38);  // collar
-    profile.curve({{0.38, 2.8}, {0.56, 3.15}}, 3);
+    profile.curve({{0.39, 2.8}, {0.6, 3.15}}, 3);
     const Ring bottom = lathe.ring(profile.points()[0].radius, 0.0, 0.0);
     lathe.fan(bottom, 0.05, false);
     const Ring neck = lathe.turn(bottom, profile);
@@ -109,11 +109,11 @@ PolyMesh make_queen()
     const auto zigzag = [&](double radius, double valley, double peak) {
         return [&lathe, radius, valley, peak](int i) { return lathe.at(radius, i % 2 == 0 ? peak : valley, i); };
     };
-    const Ring rim = lathe.ring(zigzag(0.66, 3.28, 3.46), neck.v + 0.3);
-    const Ring inside = lathe.ring(zigzag(0.5, 3.26, 3.42), neck.v + 0.46);
+    const Ring rim = lathe.ring(zigzag(0.71, 3.28, 3.46), neck.v + 0.3);
+    const Ring inside = lathe.ring(zigzag(0.55, 3.26, 3.42), neck.v + 0.46);
     lathe.band(neck, rim);
     for (std::size_t peak = 0; peak < kSegments; peak += 2) {
-        const int tip = mesh.add_point(lathe.at(0.62, 3.56, double(peak)));
+        const int tip = mesh.add_point(lathe.at(0.67, 3.58, double(peak)));
         const std::size_t after = (peak + 1) % kSegments, before = (peak + kSegments - 1) % kSegments;
         const auto add = [&](int a, int b) { mesh.add_facet({a, b, tip}, "ivory"); };
         add(rim.points[before], rim.points[peak]);
@@ -123,9 +123,9 @@ PolyMesh make_queen()
         add(inside.points[peak], inside.points[before]);
         add(inside.points[before], rim.points[before]);
     }
-    Profile crown(0.5, 3.3);
-    crown.line(0.42, 3.22).line(0.14, 3.36).arc(0.1, 3.62, 0.9, 3);  // bowl, dome, ball
-    lathe.fan(lathe.turn(inside, crown), 3.66, true);
+    Profile crown(0.55, 3.3);
+    crown.line(0.46, 3.2).line(0.14, 3.4).arc(0.1, 3.78, 0.95, 3);  // bowl, dome, ball
+    lathe.fan(lathe.turn(inside, crown), 3.83, true);
     mesh.fit(2.3);
     return mesh;
 }
@@ -136,15 +136,15 @@ PolyMesh make_king()
     Lathe lathe(mesh, 20, "ivory");
     Profile profile = foot(0.34, 2.2);
     profile.line(0.6, 2.3).line(0.64, 2.37).line(0.36, 2.5);  // collar
-    profile.curve({{0.42, 2.95}, {0.56, 3.35}}, 3).line(0.6, 3.45).line(0.52, 3.5).arc(0.18, 3.66, 0.2, 2);
+    profile.curve({{0.46, 2.9}, {0.65, 3.3}}, 3).line(0.69, 3.4).line(0.6, 3.46).arc(0.24, 3.66, 0.25, 2);
     const Ring bottom = lathe.ring(profile.points()[0].radius, 0.0, 0.0);
     lathe.fan(bottom, 0.05, false);
     const Ring top = lathe.turn(bottom, profile);
 
     // A cross pattee, 12 corners, from the stem's right foot round; front and back are joined by its sides.
     const std::array<Profile::Point, 6> right{
-        {{0.1, 3.66}, {0.05, 3.87}, {0.25, 3.8}, {0.25, 4.06}, {0.05, 3.97}, {0.13, 4.22}}};
-    constexpr double kHalfDepth = 0.075;
+        {{0.13, 3.66}, {0.065, 3.92}, {0.3, 3.83}, {0.3, 4.15}, {0.065, 4.06}, {0.16, 4.36}}};
+    constexpr double kHalfDepth = 0.09;
     std::vector<int> front, back;
     const auto add = [&](double x, double y) {
         front.push_back(mesh.add_point({x, y, kHalfDepth}));

@@ -39,12 +39,13 @@ void flip(std::vector<Triangle>& triangles, const std::vector<glm::dvec2>& point
         for (const auto& [edge, t] : owner) {
             const auto opposite = owner.find({edge.second, edge.first});
             if (opposite == owner.end()) continue;
+            const int a = edge.first, b = edge.second;
             const auto apex = [&](std::size_t triangle) {
                 for (const int p : triangles[triangle])
-                    if (p != edge.first && p != edge.second) return p;
+                    if (p != a && p != b) return p;
                 return -1;
             };
-            const int a = edge.first, b = edge.second, c = apex(t), d = apex(opposite->second);
+            const int c = apex(t), d = apex(opposite->second);
             if (in_circle(at(a), at(b), at(c), at(d)) <= kNoise) continue;
             if (area(at(c), at(a), at(d)) <= 0 || area(at(c), at(d), at(b)) <= 0) continue;
             triangles[t] = {c, a, d};

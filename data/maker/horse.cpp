@@ -4,9 +4,9 @@
 #include <array>
 
 #include "maker/delaunay.h"
+#include "maker/facets.h"
 #include "maker/lathe.h"
 #include "maker/models.h"
-#include "maker/panels.h"
 
 namespace kerf::maker {
 namespace {
