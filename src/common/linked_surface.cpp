@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace kerf {
 
@@ -113,13 +114,13 @@ public:
     void pair(const NonmanifoldEdge& edge)
     {
         sort_around(edge);
-        if (!alternates())
-            for (const Page& page : pages_) match_within(patch_[page.half_edge / 3]);
-        match_within(kAnyPatch);
+        std::vector<std::uint32_t> all(pages_.size());
+        std::iota(all.begin(), all.end(), 0u);
+        if (!alternates()) match_within_patches(all);
+        match(all);
     }
 
 private:
-    static constexpr std::uint32_t kAnyPatch = std::numeric_limits<std::uint32_t>::max();
     /// Triangles that stand in the same direction from the edge, in radians: coplanar triangles with float corners can
     /// be off by the rounding of their corners, a few 1e-7; thinner wedges of solid are rare and harmless.
     static constexpr double kSameAngle = 1e-6;
@@ -188,30 +189,45 @@ private:
         return true;
     }
 
-    /// Matches pages like brackets: one that opens a solid wedge with the next one that closes it. Twice around,
+    /// Matches pages of the same patch first.
+    void match_within_patches(std::vector<std::uint32_t> pages)
+    {
+        const auto patch_of = [&](std::uint32_t page) { return patch_[pages_[page].half_edge / 3]; };
+        std::stable_sort(pages.begin(), pages.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return patch_of(a) < patch_of(b); });
+        for (std::size_t first = 0; first < pages.size();) {
+            std::size_t last = first + 1;
+            while (last < pages.size() && patch_of(pages[last]) == patch_of(pages[first])) ++last;
+            match(std::span(pages).subspan(first, last - first));
+            first = last;
+        }
+    }
+
+    /// Matches some pages like brackets: one that opens a solid wedge with the next one that closes it. Twice around,
     /// because a wedge may reach over the start.
-    void match_within(std::uint32_t patch)
+    void match(std::span<const std::uint32_t> pages)
     {
         open_.clear();
-        for (std::size_t i = 0; i < 2 * pages_.size(); ++i) {
-            Page& page = pages_[i % pages_.size()];
-            if (page.matched || (patch != kAnyPatch && patch_[page.half_edge / 3] != patch)) continue;
-            if (!page.forward) {
-                if (i < pages_.size()) open_.push_back(i);
-            } else if (!open_.empty()) {
-                Page& opening = pages_[open_.back()];
-                open_.pop_back();
-                page.matched = opening.matched = true;
-                surface_.link(page.half_edge, opening.half_edge);
+        for (const bool first_round : {true, false})
+            for (const std::uint32_t index : pages) {
+                Page& page = pages_[index];
+                if (page.matched) continue;
+                if (!page.forward) {
+                    if (first_round) open_.push_back(index);
+                } else if (!open_.empty()) {
+                    Page& opening = pages_[open_.back()];
+                    open_.pop_back();
+                    page.matched = opening.matched = true;
+                    surface_.link(page.half_edge, opening.half_edge);
+                }
             }
-        }
     }
 
     LinkedSurface& surface_;
     std::span<const glm::vec3> positions_;
     std::span<const std::uint32_t> patch_;
     std::vector<Page> pages_;
-    std::vector<std::size_t> open_;
+    std::vector<std::uint32_t> open_;
 };
 
 }  // namespace
