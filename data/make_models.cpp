@@ -3,6 +3,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "maker/models.h"
@@ -19,19 +20,16 @@ int main(int argc, char** argv)
         try {
             const kerf::maker::PolyMesh mesh = model.make();
             const int triangles = kerf::maker::triangle_count(mesh);
+            if (triangles != model.triangles)
+                throw std::logic_error(std::to_string(triangles) + " triangles instead of " +
+                                       std::to_string(model.triangles));
+            const std::string text = kerf::maker::obj_text(mesh, std::string(model.name));
             const std::string path = std::string(argv[1]) + '/' + std::string(model.name) + ".obj";
             std::ofstream file(path, std::ios::binary);
-            file << kerf::maker::obj_text(mesh, std::string(model.name));
+            file << text;
             file.close();
-            if (!file) {
-                std::cerr << "cannot write " << path << '\n';
-                return 1;
-            }
-            std::cout << model.name << ": " << triangles << " triangles\n";
-            if (triangles != model.triangles) {
-                std::cerr << model.name << " must have " << model.triangles << " triangles\n";
-                ++failures;
-            }
+            if (!file) throw std::runtime_error("cannot write " + path);
+            std::cout << path << ": " << triangles << " triangles\n";
         } catch (const std::exception& error) {
             std::cerr << model.name << ": " << error.what() << '\n';
             ++failures;

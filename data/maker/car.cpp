@@ -167,113 +167,179 @@ void add_wheel(PolyMesh& mesh, const std::vector<int>& well, double axle_z)
     bridge(mesh, well, hole.points, "iron");
 }
 
+/// The body shell, built in steps that must run in the order in which they are declared.
+class Body
+{
+public:
+    explicit Body(PolyMesh& mesh) : mesh_(mesh), z_(stations()), columns_(z_.size() - 1) {}
+
+    void lay_grid();     ///< the right half, open at both ends and at the wheels
+    void hang_wheels();  ///< closes the wells' walls
+    void add_left_half();
+    void close_ends();
+    void fit_panels();  ///< windows, lights, doors and what else is sunk in or raised
+
+private:
+    using Facets = std::vector<std::size_t>;
+
+    bool has_well(std::size_t station) const { return grid_[station][kWellFoot] != grid_[station][kWellTop]; }
+    std::size_t column(double z) const;
+    Facets region(double from, double to, std::size_t low, std::size_t high) const;
+    Facets image_of(Facets right) const;
+    Facets with_image(Facets right) const;
+    std::size_t add_end_band(bool front, std::size_t from, std::size_t to);
+    void inset_on_each_side(const Facets& right, double margin, double depth, std::string_view material);
+    void boss_on_each_side(double z, std::size_t row, const std::array<double, 4>& foot,
+                           const std::vector<BossLayer>& layers, std::string_view material);
+
+    PolyMesh& mesh_;
+    std::vector<double> z_;                                 ///< of the stations
+    std::size_t columns_;                                   ///< between stations
+    std::vector<std::array<int, kRows>> grid_;              ///< point at [station][row]
+    std::vector<std::array<std::size_t, kRows>> facet_at_;  ///< facet at [column][row], up to the next row
+    std::size_t half_ = 0;                                  ///< how many facets the right half has
+    std::vector<int> image_;                                ///< of each point of the right half
+
+    struct End
+    {
+        std::size_t bumper;  ///< facet between the flank's and the shoulder's row
+        std::size_t edge;    ///< and from there to the belt's
+    };
+    End front_{}, rear_{};
+};
+
+void Body::lay_grid()
+{
+    for (const double z : z_) {
+        const auto points = section(z);
+        std::array<int, kRows> numbers{};
+        for (std::size_t r = 0; r < kRows; ++r)
+            numbers[r] = r == kWellTop && points[r] == points[r - 1] ? numbers[r - 1] : mesh_.add_point(points[r]);
+        grid_.push_back(numbers);
+    }
+    facet_at_.resize(columns_);
+    for (std::size_t c = 0; c < columns_; ++c)
+        for (std::size_t r = 0; r + 1 < kRows; ++r) {
+            if (r == kWellFoot) continue;
+            facet_at_[c][r] = mesh_.facets.size();
+            const bool below = r == kFloor || r == kWellTop;
+            mesh_.add_facet({grid_[c][r], grid_[c][r + 1], grid_[c + 1][r + 1], grid_[c + 1][r]},
+                            below ? "iron" : "body");
+        }
+}
+
+void Body::hang_wheels()
+{
+    for (std::size_t c = 0; c < columns_; ++c) {
+        if (has_well(c) || !has_well(c + 1)) continue;
+        std::size_t end = c + 1;
+        while (has_well(end)) ++end;
+        std::vector<int> wall;  // forwards along the arch, back along the floor
+        for (std::size_t s = c; s <= end; ++s) wall.push_back(grid_[s][kWellTop]);
+        for (std::size_t s = end - 1; s > c; --s) wall.push_back(grid_[s][kWellFoot]);
+        add_wheel(mesh_, wall, 0.5 * (z_[c] + z_[end]));
+    }
+}
+
+void Body::add_left_half()
+{
+    half_ = mesh_.facets.size();
+    image_ = mirror_x(mesh_);
+}
+
+/// A flat facet across the car's first or last station, from one row to another.
+std::size_t Body::add_end_band(bool front, std::size_t from, std::size_t to)
+{
+    const auto& station = front ? grid_.back() : grid_.front();
+    std::vector<int> loop;
+    for (std::size_t r = from; r <= to; ++r) loop.push_back(station[r]);
+    for (std::size_t r = to + 1; r-- > from;) loop.push_back(image_[std::size_t(station[r])]);
+    mesh_.add_facet(front ? loop : reversed(loop), "body");
+    return mesh_.facets.size() - 1;
+}
+
+void Body::close_ends()
+{
+    for (const bool front : {false, true}) {
+        End& end = front ? front_ : rear_;
+        add_end_band(front, kFloor, kFlank);
+        end.bumper = add_end_band(front, kFlank, kShoulder);
+        end.edge = add_end_band(front, kShoulder, kBelt);
+        add_end_band(front, kBelt, kRidge);
+    }
+}
+
+void Body::fit_panels()
+{
+    inset(mesh_, with_image(region(0.26, 0.96, kPillar, kRidge)), 0.03, 0.015, "glass");     // windscreen
+    inset(mesh_, with_image(region(-1.512, -0.74, kPillar, kRidge)), 0.04, 0.015, "glass");  // rear window
+    inset_on_each_side(region(-0.015, 0.62, kBelt, kRail), 0.035, 0.015, "glass");
+    inset_on_each_side(region(-0.74, -0.045, kBelt, kRail), 0.035, 0.015, "glass");
+    inset_on_each_side(region(1.9, 2.24, kShoulder, kBelt), 0.02, 0.012, "headlight");
+    inset_on_each_side(region(-2.26, -2.02, kShoulder, kBelt), 0.02, 0.012, "taillight");
+    inset_on_each_side(region(-0.045, -0.015, kSill, kBelt), 0.0, 0.012, "iron");  // between the doors
+    boss_on_each_side(0.62, kBelt, {0.12, 0.4, 0.25, 0.6}, {{1.0, 0.05}, {1.8, 0.07}, {1.6, 0.17}}, "body");  // mirrors
+    boss_on_each_side(-0.015, kFlank, {0.15, 0.75, 0.74, 0.86}, {{0.95, 0.03}}, "chrome");                    // handles
+    boss_on_each_side(-0.74, kFlank, {0.15, 0.58, 0.74, 0.86}, {{0.95, 0.03}}, "chrome");
+    inset(mesh_, {front_.bumper, front_.edge}, 0.035, 0.03, "iron");  // grille
+    inset(mesh_, {rear_.bumper}, 0.05, -0.008, "chrome");
+    boss(mesh_, rear_.edge, {0.36, 0.64, 0.2, 0.75}, {{1.0, 0.012}, {0.94, 0.018}}, "chrome");  // number plate
+}
+
+/// The column that begins at the station nearest to `z`.
+std::size_t Body::column(double z) const
+{
+    const auto nearer = [z](double a, double b) { return std::abs(a - z) < std::abs(b - z); };
+    return std::size_t(std::min_element(z_.begin(), z_.end(), nearer) - z_.begin());
+}
+
+Body::Facets Body::region(double from, double to, std::size_t low, std::size_t high) const
+{
+    Facets facets;
+    for (std::size_t c = column(from); c < column(to); ++c)
+        for (std::size_t r = low; r < high; ++r) facets.push_back(facet_at_[c][r]);
+    return facets;
+}
+
+Body::Facets Body::image_of(Facets right) const
+{
+    for (std::size_t& f : right) f += half_;
+    return right;
+}
+
+Body::Facets Body::with_image(Facets right) const
+{
+    const Facets left = image_of(right);
+    right.insert(right.end(), left.begin(), left.end());
+    return right;
+}
+
+void Body::inset_on_each_side(const Facets& right, double margin, double depth, std::string_view material)
+{
+    inset(mesh_, right, margin, depth, material);
+    inset(mesh_, image_of(right), margin, depth, material);
+}
+
+void Body::boss_on_each_side(double z, std::size_t row, const std::array<double, 4>& foot,
+                             const std::vector<BossLayer>& layers, std::string_view material)
+{
+    const std::size_t right = facet_at_[column(z)][row];
+    boss(mesh_, right, foot, layers, material);
+    // The image's corners run the other way: s from the other end.
+    boss(mesh_, right + half_, {1 - foot[1], 1 - foot[0], foot[2], foot[3]}, layers, material);
+}
+
 }  // namespace
 
 PolyMesh make_car()
 {
     PolyMesh mesh;
-    const std::vector<double> z = stations();
-    const std::size_t columns = z.size() - 1;
-    std::vector<std::array<int, kRows>> grid;
-    for (const double at : z) {
-        const auto points = section(at);
-        std::array<int, kRows> numbers{};
-        for (std::size_t r = 0; r < kRows; ++r)
-            numbers[r] = r == kWellTop && points[r] == points[r - 1] ? numbers[r - 1] : mesh.add_point(points[r]);
-        grid.push_back(numbers);
-    }
-    // facet_at[column][row]: the facet between this row and the next.
-    std::vector<std::array<std::size_t, kRows>> facet_at(columns);
-    for (std::size_t c = 0; c < columns; ++c)
-        for (std::size_t r = 0; r + 1 < kRows; ++r) {
-            if (r == kWellFoot) continue;
-            facet_at[c][r] = mesh.facets.size();
-            const bool below = r == kFloor || r == kWellTop;
-            mesh.add_facet({grid[c][r], grid[c][r + 1], grid[c + 1][r + 1], grid[c + 1][r]}, below ? "iron" : "body");
-        }
-    for (std::size_t c = 0; c < columns; ++c) {
-        // A well begins where its wall parts from the floor.
-        if (grid[c][kWellFoot] != grid[c][kWellTop] || grid[c + 1][kWellFoot] == grid[c + 1][kWellTop]) continue;
-        std::vector<int> well;
-        std::size_t end = c;
-        for (; well.empty() || grid[end][kWellFoot] != grid[end][kWellTop] || end == c; ++end)
-            well.push_back(grid[end][kWellTop]);
-        well.push_back(grid[end][kWellTop]);
-        for (std::size_t back = end - 1; back > c; --back) well.push_back(grid[back][kWellFoot]);
-        add_wheel(mesh, well, 0.5 * (z[c] + z[end]));
-    }
-    const std::size_t half = mesh.facets.size();
-    const auto first_image = int(mesh.points.size());
-    mirror_x(mesh);
-
-    // The ends of the grid lie in planes: bands from one side to the other, of the rows' points there.
-    std::vector<int> image(std::size_t(first_image), -1);
-    for (int p = 0, next = first_image; p < first_image; ++p)
-        image[std::size_t(p)] = mesh.points[std::size_t(p)].x == 0.0 ? p : next++;
-    const auto end_band = [&](std::size_t station, std::size_t from, std::size_t to, bool front) {
-        std::vector<int> loop;
-        const auto right = [&](std::size_t r) { return grid[station][r]; };
-        const auto left = [&](std::size_t r) { return image[std::size_t(grid[station][r])]; };
-        for (std::size_t r = from; r <= to; ++r) loop.push_back(right(r));
-        for (std::size_t r = to + 1; r-- > from;) loop.push_back(left(r));
-        mesh.add_facet(front ? loop : reversed(loop), "body");
-        return mesh.facets.size() - 1;
-    };
-    std::array<std::array<std::size_t, 4>, 2> ends{};
-    for (const bool front : {false, true}) {
-        const std::size_t station = front ? columns : 0;
-        std::vector<int> lower;
-        ends[front][0] = end_band(station, kFloor, kFlank, front);
-        ends[front][1] = end_band(station, kFlank, kShoulder, front);
-        ends[front][2] = end_band(station, kShoulder, kBelt, front);
-        ends[front][3] = end_band(station, kBelt, kRidge, front);
-    }
-
-    const auto column = [&](double at) {
-        return std::size_t(std::min_element(z.begin(), z.end(),
-                                            [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); }) -
-                           z.begin());
-    };
-    const auto region = [&](double from, double to, std::size_t low, std::size_t high) {
-        std::vector<std::size_t> facets;
-        for (std::size_t c = column(from); c < column(to); ++c)
-            for (std::size_t r = low; r < high; ++r) facets.push_back(facet_at[c][r]);
-        return facets;
-    };
-    const auto image_of = [&](std::vector<std::size_t> facets) {
-        for (std::size_t& f : facets) f += half;
-        return facets;
-    };
-    const auto both = [&](const std::vector<std::size_t>& right) {
-        std::vector<std::size_t> facets = right;
-        for (const std::size_t f : image_of(right)) facets.push_back(f);
-        return facets;
-    };
-    inset(mesh, both(region(0.26, 0.96, kPillar, kRidge)), 0.03, 0.015, "glass");     // windscreen
-    inset(mesh, both(region(-1.512, -0.74, kPillar, kRidge)), 0.04, 0.015, "glass");  // rear window
-    const auto on_each_side = [&](const std::vector<std::size_t>& right, double margin, double depth,
-                                  std::string_view material) {
-        inset(mesh, right, margin, depth, material);
-        inset(mesh, image_of(right), margin, depth, material);
-    };
-    on_each_side(region(-0.015, 0.62, kBelt, kRail), 0.035, 0.015, "glass");
-    on_each_side(region(-0.74, -0.045, kBelt, kRail), 0.035, 0.015, "glass");
-    on_each_side(region(1.9, 2.24, kShoulder, kBelt), 0.02, 0.012, "headlight");
-    on_each_side(region(-2.26, -2.02, kShoulder, kBelt), 0.02, 0.012, "taillight");
-    on_each_side(region(-0.045, -0.015, kSill, kBelt), 0.0, 0.012, "iron");  // between the doors
-    const auto boss_on_each_side = [&](double from, std::size_t row, const std::array<double, 4>& foot,
-                                       const std::vector<BossLayer>& layers, std::string_view material) {
-        const std::size_t right = facet_at[column(from)][row];
-        boss(mesh, right, foot, layers, material);
-        // The image's corners run the other way: s from the other end.
-        boss(mesh, right + half, {1 - foot[1], 1 - foot[0], foot[2], foot[3]}, layers, material);
-    };
-    boss_on_each_side(0.62, kBelt, {0.12, 0.4, 0.25, 0.6}, {{1.0, 0.05}, {1.8, 0.07}, {1.6, 0.17}}, "body");  // mirrors
-    boss_on_each_side(-0.015, kFlank, {0.15, 0.75, 0.74, 0.86}, {{0.95, 0.03}}, "chrome");                    // handles
-    boss_on_each_side(-0.74, kFlank, {0.15, 0.58, 0.74, 0.86}, {{0.95, 0.03}}, "chrome");
-    inset(mesh, {ends[1][1], ends[1][2]}, 0.035, 0.03, "iron");  // grille
-    inset(mesh, {ends[0][1]}, 0.05, -0.008, "chrome");
-    boss(mesh, ends[0][2], {0.36, 0.64, 0.2, 0.75}, {{1.0, 0.012}, {0.94, 0.018}}, "chrome");  // number plate
+    Body body(mesh);
+    body.lay_grid();
+    body.hang_wheels();
+    body.add_left_half();
+    body.close_ends();
+    body.fit_panels();
     fold_bent_facets(mesh, 1.0);
     mesh.fit(2.8);
     return mesh;

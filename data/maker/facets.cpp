@@ -93,7 +93,7 @@ void pair_triangles(PolyMesh& mesh, double degrees)
     mesh.facets = std::move(left);
 }
 
-void mirror_x(PolyMesh& mesh)
+std::vector<int> mirror_x(PolyMesh& mesh)
 {
     const std::size_t points = mesh.points.size(), facets = mesh.facets.size();
     std::vector<int> image(points);
@@ -108,6 +108,7 @@ void mirror_x(PolyMesh& mesh)
         std::reverse(facet.uvs.begin(), facet.uvs.end());
         mesh.facets.push_back(std::move(facet));
     }
+    return image;
 }
 
 }  // namespace kerf::maker

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "maker/poly_mesh.h"
 
 namespace kerf::maker {
@@ -13,7 +15,7 @@ void fold_bent_facets(PolyMesh& mesh, double degrees);
 void pair_triangles(PolyMesh& mesh, double degrees);
 
 /// Points shared by both sides lie at x = 0 exactly; all others get a mirror image, and so does every facet.
-/// Facet f's image is facet f + (number of facets before).
-void mirror_x(PolyMesh& mesh);
+/// Facet f's image is facet f + (number of facets before). Returns the image of each point.
+std::vector<int> mirror_x(PolyMesh& mesh);
 
 }  // namespace kerf::maker

@@ -51,7 +51,6 @@ public:
     {
     }
 
-    int segments() const { return segments_; }
     void use(std::string_view material) { material_ = material; }
     void smooth(int group) { smoothing_ = group; }
 
