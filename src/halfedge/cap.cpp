@@ -1,0 +1,189 @@
+#include "halfedge/cap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::halfedge {
+
+CapPlanner::CapPlanner()
+    : ways_{make_convex_triangulator(), make_constrained_triangulator(), make_topological_triangulator()}
+{
+}
+
+void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
+{
+    const glm::dvec3 size = glm::abs(plane.normal);
+    const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    axis_u_ = (dropped + 1) % 3;
+    axis_v_ = (dropped + 2) % 3;
+    if (plane.normal[dropped] < 0.0) std::swap(axis_u_, axis_v_);
+
+    std::vector<std::size_t> closed;
+    for (std::size_t i = 0; i < scratch.loops.size(); ++i)
+        if (scratch.loops[i].closed) closed.push_back(i);
+    std::stable_sort(closed.begin(), closed.end(),
+                     [&](std::size_t a, std::size_t b) { return scratch.loops[a].solid < scratch.loops[b].solid; });
+    for (std::size_t first = 0, last; first < closed.size(); first = last) {
+        const std::uint32_t solid = scratch.loops[closed[first]].solid;
+        for (last = first; last < closed.size() && scratch.loops[closed[last]].solid == solid;) ++last;
+        close_solid({closed.data() + first, last - first}, solid, scratch);
+    }
+}
+
+void CapPlanner::clear_outline()
+{
+    points_.clear();
+    positions_.clear();
+    starts_.clear();
+    global_.clear();
+    edge_.clear();
+}
+
+bool CapPlanner::append_loop(const Loop& loop, CutScratch& scratch)
+{
+    const auto projected = [&](std::size_t p) {
+        return glm::dvec2(scratch.loop_points[p][axis_u_], scratch.loop_points[p][axis_v_]);
+    };
+    const auto push = [&](std::size_t p) {
+        points_.push_back(projected(p));
+        positions_.push_back(scratch.loop_points[p]);
+        global_.push_back(static_cast<Index>(p));
+        edge_.push_back(kSeamLink + static_cast<Index>(p));
+    };
+    const auto pop = [&] {
+        points_.pop_back();
+        positions_.pop_back();
+        global_.pop_back();
+        edge_.pop_back();
+    };
+    const std::size_t first = points_.size();
+    starts_.push_back(static_cast<Index>(first));
+
+    // Start where two points follow one another that don't fall together.
+    std::size_t start = 0;
+    while (start < loop.count && projected(loop.first + start) == projected(loop.first + (start + 1) % loop.count))
+        ++start;
+    if (start == loop.count) return false;
+
+    // Takes the last point away: the triangle from the one before it over it to `next`.
+    const auto take_away = [&](std::size_t next) {
+        const Index t = static_cast<Index>(scratch.caps.size()), last = static_cast<Index>(points_.size() - 1);
+        scratch.caps.push_back({{global_[last - 1], global_[last], static_cast<Index>(next)}, {kNone, kNone, kNone}});
+        connect(3 * t, edge_[last - 1], scratch);
+        connect(3 * t + 1, edge_[last], scratch);
+        pop();
+        edge_.back() = 3 * t + 2;
+    };
+    for (std::size_t i = 0; i < loop.count; ++i) {
+        const std::size_t p = loop.first + (start + i) % loop.count;
+        if (i > 0 && points_.back() == projected(p)) take_away(p);
+        push(p);
+    }
+    while (points_.size() - first >= 2 && points_.back() == points_[first]) take_away(global_[first]);
+    return points_.size() - first >= 3;
+}
+
+void CapPlanner::connect(Index a, Index b, CutScratch& scratch)
+{
+    const bool a_is_seam = (a & kSeamLink) != 0, b_is_seam = (b & kSeamLink) != 0;
+    if (!a_is_seam) scratch.caps[a / 3].link[a % 3] = b;
+    if (!b_is_seam) scratch.caps[b / 3].link[b % 3] = a;
+    if (a_is_seam && b_is_seam)
+        scratch.cancelled.push_back({scratch.loop_seams[a - kSeamLink], scratch.loop_seams[b - kSeamLink]});
+}
+
+void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t solid, CutScratch& scratch)
+{
+    SolidCap cap{solid, scratch.caps.size(), 0};
+    clear_outline();
+    bool ordinary = true;
+    for (const std::size_t i : loops) ordinary = append_loop(scratch.loops[i], scratch) && ordinary;
+    starts_.push_back(static_cast<Index>(points_.size()));
+    const CapOutline outline{points_, positions_, starts_};
+    if (!ordinary || !(ways_[0]->triangulate(outline, mesh_) || ways_[1]->triangulate(outline, mesh_))) {
+        // The last resort sees the loops as they are.
+        scratch.caps.resize(cap.first);
+        clear_outline();
+        for (const std::size_t i : loops) {
+            const Loop& loop = scratch.loops[i];
+            starts_.push_back(static_cast<Index>(points_.size()));
+            for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) {
+                points_.emplace_back(scratch.loop_points[p][axis_u_], scratch.loop_points[p][axis_v_]);
+                positions_.push_back(scratch.loop_points[p]);
+                global_.push_back(static_cast<Index>(p));
+                edge_.push_back(kSeamLink + static_cast<Index>(p));
+            }
+        }
+        starts_.push_back(static_cast<Index>(points_.size()));
+        ways_[2]->triangulate({points_, positions_, starts_}, mesh_);
+    }
+
+    const Index offset = 3 * static_cast<Index>(scratch.caps.size());
+    const std::size_t first = scratch.caps.size();
+    for (const CapTriangle& t : mesh_.triangles)
+        scratch.caps.push_back(
+            {{global_[t.corner[0]], global_[t.corner[1]], global_[t.corner[2]]}, {kNone, kNone, kNone}});
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index link = mesh_.triangles[t].link[i];
+            const Index edge = static_cast<Index>(3 * (first + t) + i);
+            connect(edge, (link & kSeamLink) != 0 ? edge_[link - kSeamLink] : offset + link, scratch);
+        }
+    for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b], scratch);
+    scratch.caps_merge_points |= mesh_.merged_points;
+    cap.count = scratch.caps.size() - cap.first;
+    scratch.solid_caps.push_back(cap);
+    order_spatially(cap, scratch);
+}
+
+void CapPlanner::order_spatially(const SolidCap& cap, CutScratch& scratch)
+{
+    // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
+    glm::dvec2 lo = points_.empty() ? glm::dvec2(0.0) : points_[0], hi = lo;
+    for (const glm::dvec2& p : points_) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    const double longest = std::max(hi.x - lo.x, hi.y - lo.y);
+    const double scale = longest > 0.0 ? 1023.0 / (3.0 * longest) : 0.0;
+    const auto spread = [](std::uint32_t v) {
+        v = (v | (v << 8)) & 0x00ff00ffu;
+        v = (v | (v << 4)) & 0x0f0f0f0fu;
+        v = (v | (v << 2)) & 0x33333333u;
+        return (v | (v << 1)) & 0x55555555u;
+    };
+    keys_.clear();
+    for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) {
+        glm::dvec2 cell{0.0};
+        for (const Index corner : scratch.caps[t].corner)
+            cell += glm::dvec2(scratch.loop_points[corner][axis_u_], scratch.loop_points[corner][axis_v_]) - lo;
+        cell *= scale;
+        keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), static_cast<Index>(t));
+    }
+    // Two stable counting passes of ten bits.
+    sorted_.resize(keys_.size());
+    for (std::uint32_t shift = 0; shift < 20; shift += 10) {
+        std::array<std::uint32_t, 1025> start{};
+        for (const auto& [key, t] : keys_) ++start[((key >> shift) & 1023u) + 1];
+        for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+        for (const auto& item : keys_) sorted_[start[(item.first >> shift) & 1023u]++] = item;
+        keys_.swap(sorted_);
+    }
+    for (const auto& [key, t] : keys_) scratch.cap_order.push_back(t);
+}
+
+double section_area(const Plane& plane, const CutScratch& scratch)
+{
+    double area = 0.0;
+    for (const Loop& loop : scratch.loops) {
+        if (!loop.closed) continue;
+        const glm::vec3* p = &scratch.loop_points[loop.first];
+        glm::dvec3 sum{0.0};
+        for (std::size_t i = 1; i + 1 < loop.count; ++i)
+            sum += glm::cross(glm::dvec3(p[i]) - glm::dvec3(p[0]), glm::dvec3(p[i + 1]) - glm::dvec3(p[0]));
+        area += 0.5 * glm::dot(sum, plane.normal);
+    }
+    return area;
+}
+
+}  // namespace kerf::halfedge

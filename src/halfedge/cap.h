@@ -1,0 +1,41 @@
+#pragma once
+
+#include "halfedge/cap_triangulator.h"
+
+namespace kerf::halfedge {
+
+/// CAP: closes the loops of a section, solid by solid.
+class CapPlanner
+{
+public:
+    CapPlanner();
+
+    /// Fills `caps`, `solid_caps`, `cap_order` and, where seams cancel, `cancelled` from the closed loops in `scratch`.
+    /// O(k) for one convex loop, otherwise O(k log k). May throw std::bad_alloc.
+    void plan(const Plane& plane, CutScratch& scratch);
+
+private:
+    void close_solid(std::span<const std::size_t> loops, std::uint32_t solid, CutScratch& scratch);
+    /// Appends a loop to the outline. Points that only differ along the dropped axis fall on one another: a triangle of
+    /// no projected area takes the first of the two away. False when nothing would be left.
+    bool append_loop(const Loop& loop, CutScratch& scratch);
+    void clear_outline();
+    /// Joins two edges: of cap triangles, or seams.
+    static void connect(Index a, Index b, CutScratch& scratch);
+    void order_spatially(const SolidCap& cap, CutScratch& scratch);
+
+    std::array<std::unique_ptr<CapTriangulator>, 3> ways_;  ///< in the order in which they are tried
+    int axis_u_ = 0, axis_v_ = 1;  ///< coordinates that are kept; (u, v, plane normal) is right-handed
+    std::vector<glm::dvec2> points_;
+    std::vector<glm::vec3> positions_;
+    std::vector<Index> starts_;
+    std::vector<Index> global_;  ///< point in `loop_points` of each local point
+    std::vector<Index> edge_;    ///< what leaves each local point: kSeamLink + point, or an edge of a cap triangle
+    CapMesh mesh_;
+    std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;
+};
+
+/// Signed area of the closed loops, mesh units squared: positive where they run counter-clockwise around the normal.
+double section_area(const Plane& plane, const CutScratch& scratch);
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "halfedge/cut_plan.h"
+
+namespace kerf::halfedge {
+
+/// The loops of one solid, projected along a coordinate axis, which is exact: coordinates are those of the mesh. Outer
+/// loops run counter-clockwise. Seam i runs from point i to the next point of its loop.
+struct CapOutline
+{
+    std::span<const glm::dvec2> points;
+    std::span<const glm::vec3> positions;  ///< the same points in space: those that are one point are equal there too
+    std::span<const Index> loop_starts;    ///< first point of each loop, and the number of points at the end
+
+    Index successor(Index i, Index loop) const { return i + 1 == loop_starts[loop + 1] ? loop_starts[loop] : i + 1; }
+};
+
+/// Triangles over an outline. Corners are points of it, links are as in CapTriangle, by local numbers.
+struct CapMesh
+{
+    std::vector<CapTriangle> triangles;
+    /// Seams that run forth and back over the same edge with no cap between them.
+    std::vector<std::array<Index, 2>> cancelled;
+    /// Points with equal positions were taken for one, so corners don't name the right one of them.
+    bool merged_points = false;
+
+    void clear()
+    {
+        triangles.clear();
+        cancelled.clear();
+        merged_points = false;
+    }
+};
+
+/// A way to close sections. It covers the section as often as the loops wind around it, uses all points and adds none.
+/// Every seam is linked by exactly one triangle, or cancelled.
+class CapTriangulator
+{
+public:
+    virtual ~CapTriangulator() = default;
+
+    /// False when this way can't close the outline; `cap` is undefined then. May throw std::bad_alloc, nothing else.
+    virtual bool triangulate(const CapOutline& outline, CapMesh& cap) = 0;
+};
+
+/// One strictly convex loop, by halving it again and again: no point meets more than 2 log2(k) triangles, and a line
+/// crosses O(log k) of them. O(k).
+std::unique_ptr<CapTriangulator> make_convex_triangulator();
+
+/// Concave and nested loops: constrained Delaunay triangulation of spatially sorted points, then winding numbers by
+/// flooding from outside (CGAL). Refuses outlines that cross or touch themselves inside an edge. O(k log k).
+std::unique_ptr<CapTriangulator> make_constrained_triangulator();
+
+/// Any outline at all: each loop is halved by its order alone, wherever its points lie. Triangles may overlap and be
+/// turned over, but the cap is closed and its signed area is right. The last resort for self-intersecting input. O(k).
+std::unique_ptr<CapTriangulator> make_topological_triangulator();
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,250 @@
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "halfedge/cap_triangulator.h"
+
+// The only file that includes CGAL, whose triangulations are under the GPL.
+
+namespace kerf::halfedge {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+struct FaceInfo
+{
+    static constexpr int kUnknown = std::numeric_limits<int>::min();
+    int winding = kUnknown;
+    Index id = kNone;                                ///< order of the flood
+    Index first = kNone;                             ///< first cap triangle
+    std::array<Index, 3> seam{kNone, kNone, kNone};  ///< head of the list of seams along edge i
+};
+
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using FaceHandle = Triangulation::Face_handle;
+using VertexHandle = Triangulation::Vertex_handle;
+
+class ConstrainedTriangulator final : public CapTriangulator
+{
+public:
+    bool triangulate(const CapOutline& outline, CapMesh& cap) override
+    {
+        cap.clear();
+        try {
+            if (!insert_points(outline, cap) || triangulation_.dimension() < 2 || !insert_seams(outline)) {
+                triangulation_.clear();
+                return false;
+            }
+        } catch (const std::bad_alloc&) {
+            triangulation_.clear();
+            throw;
+        } catch (const std::exception&) {
+            // Seams that cross one another: Intersection_of_constraints_exception.
+            triangulation_.clear();
+            return false;
+        }
+        flood(cap);
+        link(cap);
+        triangulation_.clear();
+        return true;
+    }
+
+private:
+    /// False when points fall together that are two points in space.
+    bool insert_points(const CapOutline& outline, CapMesh& cap)
+    {
+        sort_along_hilbert_curve(outline.points);
+        vertices_.resize(outline.points.size());
+        FaceHandle hint;
+        for (const auto& [key, i] : order_) {
+            const std::size_t before = triangulation_.number_of_vertices();
+            const glm::dvec2& p = outline.points[i];
+            const VertexHandle v = triangulation_.insert(Kernel::Point_2(p.x, p.y), hint);
+            if (triangulation_.number_of_vertices() != before) {
+                v->info() = i;
+            } else {
+                if (outline.positions[v->info()] != outline.positions[i]) return false;
+                cap.merged_points = true;
+            }
+            vertices_[i] = v;
+            hint = v->face();
+        }
+        return true;
+    }
+
+    /// Insertion in loop order makes long cascades of flips; neighbours on a space-filling curve are found at once.
+    void sort_along_hilbert_curve(std::span<const glm::dvec2> points)
+    {
+        glm::dvec2 lo = points[0], hi = points[0];
+        for (const glm::dvec2& p : points) {
+            lo = glm::min(lo, p);
+            hi = glm::max(hi, p);
+        }
+        const double longest = std::max(hi.x - lo.x, hi.y - lo.y);
+        constexpr std::uint32_t kBits = 16;
+        const double scale = longest > 0.0 ? ((1u << kBits) - 1) / longest : 0.0;
+        order_.clear();
+        for (Index i = 0; i < points.size(); ++i) {
+            const glm::dvec2 cell = (points[i] - lo) * scale;
+            order_.emplace_back(hilbert_index(std::uint32_t(cell.x), std::uint32_t(cell.y), kBits), i);
+        }
+        std::sort(order_.begin(), order_.end());
+    }
+
+    static std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t bits)
+    {
+        std::uint32_t index = 0;
+        for (std::uint32_t s = 1u << (bits - 1); s > 0; s >>= 1) {
+            const std::uint32_t right = (x & s) != 0, up = (y & s) != 0;
+            index = 4 * index + ((3 * right) ^ up);
+            if (up != 0) continue;
+            if (right != 0) {
+                x = (2 * s - 1) - (x & (2 * s - 1));
+                y = (2 * s - 1) - (y & (2 * s - 1));
+            }
+            std::swap(x, y);
+        }
+        return index;
+    }
+
+    /// False when a seam passes through a point of the outline.
+    bool insert_seams(const CapOutline& outline)
+    {
+        for_each_seam(outline, [&](Index i, Index j) {
+            triangulation_.insert_constraint(vertices_[i], vertices_[j]);
+            return true;
+        });
+        seam_next_.assign(vertices_.size(), kNone);
+        return for_each_seam(outline, [&](Index i, Index j) {
+            FaceHandle f;
+            int edge;
+            if (!triangulation_.is_edge(vertices_[i], vertices_[j], f, edge)) return false;
+            seam_next_[i] = f->info().seam[std::size_t(edge)];
+            f->info().seam[std::size_t(edge)] = i;
+            const FaceHandle g = f->neighbor(edge);
+            g->info().seam[std::size_t(triangulation_.mirror_index(f, edge))] = i;
+            return true;
+        });
+    }
+
+    template <class Visit>
+    static bool for_each_seam(const CapOutline& outline, Visit visit)
+    {
+        for (Index loop = 0; loop + 1 < outline.loop_starts.size(); ++loop)
+            for (Index i = outline.loop_starts[loop]; i < outline.loop_starts[loop + 1]; ++i)
+                if (!visit(i, outline.successor(i, loop))) return false;
+        return true;
+    }
+
+    /// True when seam i runs with face f on its left along edge `edge`.
+    bool leaves_on_left(Index i, FaceHandle f, int edge) const { return vertices_[i] == f->vertex(f->ccw(edge)); }
+
+    void flood(CapMesh& cap)
+    {
+        queue_.clear();
+        const auto reach = [&](FaceHandle f, int winding) {
+            f->info().winding = winding;
+            f->info().id = static_cast<Index>(queue_.size());
+            queue_.push_back(f);
+        };
+        reach(triangulation_.infinite_face(), 0);
+        for (std::size_t at = 0; at < queue_.size(); ++at) {
+            const FaceHandle f = queue_[at];
+            const int winding = f->info().winding;
+            if (winding != 0) {
+                f->info().first = static_cast<Index>(cap.triangles.size());
+                const Index a = f->vertex(0)->info(), b = f->vertex(1)->info(), c = f->vertex(2)->info();
+                for (int copy = 0; copy < std::abs(winding); ++copy)
+                    if (winding > 0)
+                        cap.triangles.push_back({{a, b, c}, {kNone, kNone, kNone}});
+                    else
+                        cap.triangles.push_back({{a, c, b}, {kNone, kNone, kNone}});
+            }
+            for (int edge = 0; edge < 3; ++edge) {
+                const FaceHandle g = f->neighbor(edge);
+                if (g->info().winding != FaceInfo::kUnknown) continue;
+                int across = winding;
+                for (Index i = f->info().seam[std::size_t(edge)]; i != kNone; i = seam_next_[i])
+                    across += leaves_on_left(i, f, edge) ? -1 : 1;
+                reach(g, across);
+            }
+        }
+    }
+
+    /// Pairs the half-edges along each edge: those of cap triangles on both sides and the seams' own.
+    void link(CapMesh& cap)
+    {
+        for (const FaceHandle f : queue_)
+            for (int edge = 0; edge < 3; ++edge) {
+                const FaceHandle g = f->neighbor(edge);
+                if (f->info().id > g->info().id) continue;
+                const Index seam = f->info().seam[std::size_t(edge)];
+                if (f->info().winding == 0 && g->info().winding == 0 && seam == kNone) continue;
+                // `along` holds what runs with f on its left, `against` what runs with g on its left; a seam counts as
+                // the surface's half-edge, which runs against it.
+                along_.clear();
+                against_.clear();
+                for (Index i = seam; i != kNone; i = seam_next_[i])
+                    if (leaves_on_left(i, f, edge)) against_.push_back(kSeamLink + i);
+                append_copies(f, edge, along_, against_);
+                append_copies(g, triangulation_.mirror_index(f, edge), against_, along_);
+                for (Index i = seam; i != kNone; i = seam_next_[i])
+                    if (!leaves_on_left(i, f, edge)) along_.push_back(kSeamLink + i);
+                for (std::size_t i = 0; i < along_.size() && i < against_.size(); ++i)
+                    connect(along_[i], against_[i], cap);
+            }
+    }
+
+    static void append_copies(FaceHandle f, int edge, std::vector<Index>& left, std::vector<Index>& right)
+    {
+        // Edge `edge` of a face runs from corner edge + 1; in a triangle turned over it is another one.
+        static constexpr std::array<Index, 3> kUpright{1, 2, 0}, kTurned{1, 0, 2};
+        const int winding = f->info().winding;
+        for (int copy = 0; copy < std::abs(winding); ++copy) {
+            const Index t = 3 * (f->info().first + static_cast<Index>(copy));
+            if (winding > 0)
+                left.push_back(t + kUpright[std::size_t(edge)]);
+            else
+                right.push_back(t + kTurned[std::size_t(edge)]);
+        }
+    }
+
+    static void connect(Index a, Index b, CapMesh& cap)
+    {
+        const bool a_is_seam = (a & kSeamLink) != 0, b_is_seam = (b & kSeamLink) != 0;
+        if (!a_is_seam) cap.triangles[a / 3].link[a % 3] = b;
+        if (!b_is_seam) cap.triangles[b / 3].link[b % 3] = a;
+        if (a_is_seam && b_is_seam) {
+            cap.cancelled.push_back({a - kSeamLink, b - kSeamLink});
+            cap.merged_points = true;
+        }
+    }
+
+    Triangulation triangulation_;
+    std::vector<std::pair<std::uint32_t, Index>> order_;  // place on the curve, point
+    std::vector<VertexHandle> vertices_;
+    std::vector<Index> seam_next_;
+    std::vector<FaceHandle> queue_;
+    std::vector<Index> along_, against_;
+};
+
+}  // namespace
+
+std::unique_ptr<CapTriangulator> make_constrained_triangulator()
+{
+    return std::make_unique<ConstrainedTriangulator>();
+}
+
+}  // namespace kerf::halfedge

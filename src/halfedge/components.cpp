@@ -1,0 +1,360 @@
+#include "halfedge/components.h"
+
+#include <algorithm>
+
+#include "halfedge/export.h"
+
+namespace kerf::halfedge {
+
+namespace {
+
+bool disjoint(const Box& a, const Box& b)
+{
+    return a.hi.x < b.lo.x || b.hi.x < a.lo.x || a.hi.y < b.lo.y || b.hi.y < a.lo.y || a.hi.z < b.lo.z ||
+           b.hi.z < a.lo.z;
+}
+
+}  // namespace
+
+void Components::separate(Universe& universe, CutScratch& scratch)
+{
+    u_ = &universe;
+    s_ = &scratch;
+    loose_.assign(scratch.targets.size(), {});
+    crossing_mark_.assign(scratch.crossings.size(), {kNone, kNone});
+    in_plane_edges_.clear();
+    for (const InPlaneEdge& e : scratch.in_plane) in_plane_edges_.insert(e.negative_halfedge / 2);
+    for (auto& glued : glued_) glued.clear();
+    for (const auto& [a, b] : scratch.cancelled)
+        for (const Side side : {Side::negative, Side::positive}) {
+            const Index f = scratch.face_of_seam(a, side), g = scratch.face_of_seam(b, side);
+            glued_[static_cast<std::size_t>(side)].emplace(f, g);
+            glued_[static_cast<std::size_t>(side)].emplace(g, f);
+        }
+    for (Index i = 0; i < scratch.cut_shells.size(); ++i) {
+        const CutShell& shell = scratch.cut_shells[i];
+        // One curve on a connected shell: nothing to search.
+        if (shell.connected && shell.loops <= 1) continue;
+        search_shell(i);
+    }
+}
+
+// ----- searching -----
+
+void Components::search_shell(Index shell)
+{
+    searches_.clear();
+    // Stamps above those of the crossing triangles.
+    mark_base_ = u_->stamp_base + s_->crossings.size() + s_->extra_stamps;
+    const bool connected = s_->cut_shells[shell].connected;
+    for (const Loop& loop : s_->loops) {
+        if (loop.shell != shell) continue;
+        for (std::size_t i = 0; i < loop.count; ++i)
+            for (const Side side : {Side::negative, Side::positive}) {
+                // A seam whose triangle keeps nothing on this side tells nothing: its neighbours on the loop do.
+                const Index face = s_->face_of_seam(s_->loop_seams[loop.first + i], side);
+                start(face, side);
+            }
+    }
+    if (!connected) seed_whole_shell(shell);
+
+    for (const Side side : {Side::negative, Side::positive}) {
+        // A search that has met another one is advanced as part of it; all take the same number of steps a round.
+        for (bool more = true; more;) {
+            Index alive_groups = active(side);
+            more = alive_groups > (connected ? 1u : 0u);
+            for (Index i = 0; more && i < searches_.size(); ++i)
+                if (searches_[i].side == side) advance(i);
+        }
+    }
+    assign_targets(shell);
+    retarget(shell);
+    s_->extra_stamps += searches_.size();
+}
+
+Index Components::crossing_of(Index face) const
+{
+    const std::uint64_t stamp = u_->stamp_of_face[face];
+    return stamp >= u_->stamp_base && stamp - u_->stamp_base < s_->crossings.size()
+               ? static_cast<Index>(stamp - u_->stamp_base)
+               : kNone;
+}
+
+void Components::start(Index face, Side side)
+{
+    const Index crossing = crossing_of(face);
+    const std::uint64_t stamp = u_->stamp_of_face[face];
+    const bool reached = crossing != kNone ? crossing_mark_[crossing][static_cast<std::size_t>(side)] != kNone
+                                           : stamp >= mark_base_ && stamp - mark_base_ < searches_.size();
+    if (reached) return;
+    Search search;
+    search.side = side;
+    search.parent = static_cast<Index>(searches_.size());
+    searches_.push_back(std::move(search));
+    reach(face, static_cast<Index>(searches_.size() - 1));
+    // Follow the section first: one search for each curve instead of one for each of its triangles.
+    while (searches_.back().next < searches_.back().faces.size()) {
+        const Index at = searches_.back().faces[searches_.back().next];
+        ++searches_.back().next;
+        for_each_neighbour(at, side, [&](Index neighbour) {
+            if (crossing_of(neighbour) != kNone) reach(neighbour, static_cast<Index>(searches_.size() - 1));
+        });
+    }
+    searches_.back().next = 0;
+}
+
+void Components::reach(Index face, Index search)
+{
+    const Index crossing = crossing_of(face);
+    const Side side = searches_[search].side;
+    if (crossing != kNone) {
+        Index& mark = crossing_mark_[crossing][static_cast<std::size_t>(side)];
+        if (mark != kNone) return meet(mark, search);
+        mark = search;
+    } else {
+        Index& stamp = u_->stamp_of_face[face];
+        if (stamp >= mark_base_ && stamp - mark_base_ < searches_.size())
+            return meet(static_cast<Index>(stamp - mark_base_), search);
+        stamp = static_cast<Index>(mark_base_ + search);
+    }
+    searches_[search].faces.push_back(face);
+}
+
+Index Components::find(Index search)
+{
+    while (searches_[search].parent != search)
+        search = searches_[search].parent = searches_[searches_[search].parent].parent;
+    return search;
+}
+
+void Components::meet(Index a, Index b)
+{
+    a = find(a);
+    b = find(b);
+    if (a != b) searches_[std::max(a, b)].parent = std::min(a, b);
+}
+
+void Components::advance(Index search)
+{
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps && searches_[search].next < searches_[search].faces.size(); ++i) {
+        const Index face = searches_[search].faces[searches_[search].next++];
+        for_each_neighbour(face, searches_[search].side, [&](Index neighbour) { reach(neighbour, search); });
+    }
+}
+
+/// Number of groups on a side that still have something to look at.
+Index Components::active(Side side) const
+{
+    Index count = 0;
+    std::vector<Index> roots;
+    for (Index i = 0; i < searches_.size(); ++i) {
+        if (searches_[i].side != side || searches_[i].next == searches_[i].faces.size()) continue;
+        Index root = i;
+        while (searches_[root].parent != root) root = searches_[root].parent;
+        if (std::find(roots.begin(), roots.end(), root) != roots.end()) continue;
+        roots.push_back(root);
+        ++count;
+        if (count > 1) break;
+    }
+    return count;
+}
+
+template <class Visit>
+void Components::for_each_neighbour(Index face, Side side, Visit visit) const
+{
+    const auto across = [&](Index h) {
+        const Index neighbour = u_->mesh.face(h ^ 1u);
+        if (neighbour == kNone || (!in_plane_edges_.empty() && in_plane_edges_.count(h / 2) > 0)) return;
+        visit(neighbour);
+    };
+    const Index number = crossing_of(face);
+    if (number == kNone) {
+        Index h = u_->mesh.halfedge_of_face(face);
+        for (int i = 0; i < 3; ++i, h = u_->mesh.next(h)) across(h);
+    } else {
+        // Edges of which this side keeps something; pieces that vanish conduct as well, since their rims are glued.
+        const Crossing& c = s_->crossings[number];
+        const bool near = side == c.split.lone_side;
+        const auto keeps = [&](Index cut, bool end_is_lone) { return cut != kNone || end_is_lone != near; };
+        const auto lone = static_cast<std::size_t>(c.lone()), next = static_cast<std::size_t>(c.next()),
+                   previous = static_cast<std::size_t>(c.previous());
+        if (keeps(c.n_cut(), c.split.next_code == c.lone())) across(c.halfedge[lone]);
+        if (keeps(c.p_cut(), c.split.previous_code == c.lone())) across(c.halfedge[previous]);
+        if (!near) across(c.halfedge[next]);
+    }
+    const auto& glued = glued_[static_cast<std::size_t>(side)];
+    if (glued.empty()) return;
+    const auto [first, last] = glued.equal_range(face);
+    for (auto it = first; it != last; ++it) visit(it->second);
+}
+
+void Components::seed_whole_shell(Index shell)
+{
+    const CutShell& cut = s_->cut_shells[shell];
+    for (std::size_t i = cut.first_op; i < cut.first_op + cut.op_count; ++i) {
+        const TreeOp op = s_->ops[i];
+        if (op.kind == TreeOp::Kind::whole) {
+            for_each_slot(*u_, op.node,
+                          [&](Index slot) { start(u_->face_of_slot[slot], s_->targets[op.argument].side); });
+        } else if (op.kind == TreeOp::Kind::leaf) {
+            const Node& node = u_->tree.nodes[op.node];
+            for (Index e = 0; e < node.count; ++e) {
+                const Index entry = s_->entries[op.argument + e], face = u_->face_of_slot[node.first + e];
+                if (entry >= kCrossingEntry) {
+                    start(face, Side::negative);
+                    start(face, Side::positive);
+                } else {
+                    start(face, s_->targets[entry].side);
+                }
+            }
+        }
+        // Flood as we go, so that a search is started once for each part and not for each triangle.
+        for (Index search = 0; search < searches_.size(); ++search)
+            while (searches_[search].next < searches_[search].faces.size()) advance(search);
+    }
+}
+
+// ----- targets -----
+
+void Components::assign_targets(Index shell)
+{
+    for (const Side side : {Side::negative, Side::positive}) {
+        // The largest part keeps the target: the one that is not finished, or else the one with the most faces.
+        Index largest = kNone;
+        std::vector<std::size_t> size(searches_.size(), 0);
+        std::vector<bool> unfinished(searches_.size(), false);
+        for (Index i = 0; i < searches_.size(); ++i) {
+            if (searches_[i].side != side) continue;
+            const Index root = find(i);
+            size[root] += searches_[i].faces.size();
+            if (searches_[i].next < searches_[i].faces.size()) unfinished[root] = true;
+        }
+        const auto better = [&](Index a, Index b) {
+            if (unfinished[a] != unfinished[b]) return bool(unfinished[a]);
+            return size[a] > size[b];
+        };
+        for (Index i = 0; i < searches_.size(); ++i)
+            if (searches_[i].side == side && find(i) == i && (largest == kNone || better(i, largest))) largest = i;
+
+        Box& small = small_parts_[static_cast<std::size_t>(side)];
+        small = Box();
+        for (Index i = 0; i < searches_.size(); ++i) {
+            if (searches_[i].side != side) continue;
+            Search& search = searches_[i];
+            const Index root = find(i);
+            if (root == i && i != largest) {
+                Target t;
+                t.side = side;
+                t.shell = shell;
+                search.target = static_cast<Index>(s_->targets.size());
+                s_->targets.push_back(t);
+                loose_.emplace_back();
+            } else if (root == i) {
+                search.target = 2 * shell + static_cast<Index>(side);
+            }
+            search.target = searches_[root].target;
+            if (!s_->cut_shells[shell].connected) measure(search);
+            if (root == largest) continue;
+            for (const Index face : search.faces) {
+                Index h = u_->mesh.halfedge_of_face(face);
+                for (int corner = 0; corner < 3; ++corner, h = u_->mesh.next(h))
+                    small.add(u_->mesh.point(u_->mesh.to(h)));
+            }
+        }
+    }
+}
+
+void Components::measure(Search& search)
+{
+    LoosePart& part = loose_[search.target];
+    MassMoments moments;
+    for (const Index face : search.faces) {
+        std::array<glm::vec3, 3> p;
+        Index h = u_->mesh.halfedge_of_face(face);
+        for (std::size_t i = 0; i < 3; ++i, h = u_->mesh.next(h)) p[i] = u_->mesh.point(u_->mesh.from(h));
+        moments.add(u_->reference, p[0], p[1], p[2]);
+        part.sample = p[0];
+    }
+    part.volume6 += moments.volume6;
+}
+
+/// Rewrites the program of a shell: subtrees that reach into the small parts are opened.
+void Components::retarget(Index shell)
+{
+    CutShell& cut = s_->cut_shells[shell];
+    const auto default_target = [&](Side side) { return 2 * shell + static_cast<Index>(side); };
+    for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
+        for (const Side side : {Side::negative, Side::positive}) {
+            const Index search = crossing_mark_[i][static_cast<std::size_t>(side)];
+            if (search != kNone) s_->crossings[i].target[static_cast<std::size_t>(side)] = searches_[search].target;
+        }
+    const auto target_of = [&](Index face, Side side) {
+        const std::uint64_t stamp = u_->stamp_of_face[face];
+        return stamp >= mark_base_ && stamp - mark_base_ < searches_.size()
+                   ? searches_[static_cast<Index>(stamp - mark_base_)].target
+                   : default_target(side);
+    };
+    for (InPlaneEdge& e : s_->in_plane)
+        if (e.shell == shell)
+            e.target = {target_of(e.negative_face, Side::negative), target_of(e.positive_face, Side::positive)};
+
+    ops_.assign(s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
+                s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op + cut.op_count));
+    // The program moves to the end of the list.
+    cut.first_op = s_->ops.size();
+    for (const TreeOp& op : ops_) {
+        if (op.kind == TreeOp::Kind::join) {
+            s_->ops.push_back(op);
+            continue;
+        }
+        if (op.kind == TreeOp::Kind::leaf) {
+            const Node& node = u_->tree.nodes[op.node];
+            for (Index e = 0; e < node.count; ++e) {
+                Index& entry = s_->entries[op.argument + e];
+                if (entry < kCrossingEntry)
+                    entry = target_of(u_->face_of_slot[node.first + e], s_->targets[entry].side);
+            }
+            s_->ops.push_back(op);
+            continue;
+        }
+        const Side side = s_->targets[op.argument].side;
+        stack_.assign(1, {op.node, false});
+        while (!stack_.empty()) {
+            const auto [n, children_done] = stack_.back();
+            stack_.pop_back();
+            if (children_done) {
+                s_->ops.push_back({TreeOp::Kind::join, n, kNone});
+                continue;
+            }
+            const Node& node = u_->tree.nodes[n];
+            if (disjoint(node.box, small_parts_[static_cast<std::size_t>(side)])) {
+                s_->ops.push_back({TreeOp::Kind::whole, n, default_target(side)});
+                continue;
+            }
+            ++s_->nodes_visited;
+            if (!node.is_leaf()) {
+                stack_.push_back({n, true});
+                stack_.push_back({node.right, false});
+                stack_.push_back({node.left, false});
+                continue;
+            }
+            const Index first_entry = static_cast<Index>(s_->entries.size());
+            bool uniform = true;
+            for (Index e = 0; e < node.count; ++e) {
+                s_->entries.push_back(target_of(u_->face_of_slot[node.first + e], side));
+                uniform = uniform && s_->entries.back() == s_->entries[first_entry];
+            }
+            if (uniform) {
+                s_->ops.push_back({TreeOp::Kind::whole, n, s_->entries[first_entry]});
+                s_->entries.resize(first_entry);
+                s_->triangles_read += node.count;
+            } else {
+                s_->ops.push_back({TreeOp::Kind::leaf, n, first_entry});
+            }
+        }
+    }
+    cut.op_count = s_->ops.size() - cut.first_op;
+}
+
+}  // namespace kerf::halfedge

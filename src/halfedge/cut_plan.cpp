@@ -1,0 +1,60 @@
+#include "halfedge/cut_plan.h"
+
+#include <limits>
+
+#include "halfedge/cap.h"
+#include "halfedge/components.h"
+#include "halfedge/rebuild.h"
+#include "halfedge/stitch.h"
+
+namespace kerf::halfedge {
+
+CutScratch::CutScratch()
+    : cap_planner(std::make_unique<CapPlanner>()),
+      components(std::make_unique<Components>()),
+      stitcher(std::make_unique<Stitcher>()),
+      rebuilder(std::make_unique<Rebuilder>())
+{
+}
+
+CutScratch::~CutScratch() = default;
+
+void CutScratch::begin(Universe& u)
+{
+    // Stamps of earlier cuts lie below the base. Starting again from 1 once in 2^31 crossing triangles costs O(n).
+    u.stamp_base += crossings.size() + extra_stamps;
+    if (u.stamp_base >= std::numeric_limits<Index>::max() / 2) {
+        std::fill(u.stamp_of_face.begin(), u.stamp_of_face.end(), Index(0));
+        u.stamp_base = 1;
+    }
+    clear();
+}
+
+void CutScratch::clear()
+{
+    ops.clear();
+    entries.clear();
+    crossings.clear();
+    in_plane.clear();
+    cut_shells.clear();
+    nodes_visited = 0;
+    triangles_read = 0;
+    extra_stamps = 0;
+    cut_points.clear();
+    boundary_cuts.clear();
+    new_vertices = 0;
+    irregular = false;
+    loop_seams.clear();
+    loop_points.clear();
+    loops.clear();
+    cancelled.clear();
+    caps.clear();
+    solid_caps.clear();
+    cap_order.clear();
+    caps_merge_points = false;
+    targets.clear();
+    bundles.clear();
+    cap_bundle.clear();
+}
+
+}  // namespace kerf::halfedge

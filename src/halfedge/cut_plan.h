@@ -1,0 +1,230 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "common/cut.h"
+#include "common/cut_geometry.h"
+#include "halfedge/universe.h"
+
+// What a cut is planned in. All vectors keep their memory from cut to cut.
+
+namespace kerf::halfedge {
+
+/// A triangle with corners strictly on both sides.
+struct Crossing
+{
+    Index slot = kNone, face = kNone, group = kNone;
+    Index shell = 0;              ///< which of the cut shells
+    std::array<Index, 3> corner;  ///< its vertices
+    std::array<double, 3> distance;
+    std::array<Index, 3> halfedge;  ///< halfedge[i] leaves corner i; before the cut
+    std::array<Index, 3> point;     ///< vertices of the half-edge mesh at the corners; before the cut
+    TriangleSplit split;
+    bool walked = false;
+    std::array<Index, 2> target{};  ///< by side, where its pieces go
+
+    // The section runs through the triangle from its entry edge (positive to negative corner) to its exit edge
+    // (negative to positive), as seen in the positive side's surface. kNone: it runs through an end point of that edge,
+    // which stays whole.
+    Index entry_cut = kNone, exit_cut = kNone;
+    Index entry_vertex = kNone, exit_vertex = kNone;  ///< vertices at the cut points, where pieces need them
+
+    bool lone_positive() const { return split.lone_side == Side::positive; }
+    // In split_triangle()'s terms: N lies on the edge lone -> next, P on previous -> lone.
+    Index& n_cut() { return lone_positive() ? entry_cut : exit_cut; }
+    Index& p_cut() { return lone_positive() ? exit_cut : entry_cut; }
+    Index n_cut() const { return lone_positive() ? entry_cut : exit_cut; }
+    Index p_cut() const { return lone_positive() ? exit_cut : entry_cut; }
+    Index n_vertex() const { return lone_positive() ? entry_vertex : exit_vertex; }
+    Index p_vertex() const { return lone_positive() ? exit_vertex : entry_vertex; }
+    int lone() const { return split.lone; }
+    int next() const { return (split.lone + 1) % 3; }
+    int previous() const { return (split.lone + 2) % 3; }
+};
+
+/// An existing edge in the plane between a face kept on the negative and one kept on the positive side.
+struct InPlaneEdge
+{
+    Index negative_halfedge = kNone, positive_halfedge = kNone;
+    Index negative_face = kNone, positive_face = kNone;
+    Index group = kNone;
+    Index shell = 0;
+    Index start_vertex = kNone;     ///< where the positive half-edge starts
+    std::array<Index, 2> target{};  ///< by side, where its faces go
+};
+
+/// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.
+struct TreeOp
+{
+    enum class Kind : std::uint8_t
+    {
+        whole,  ///< hand over subtree `node` to target `argument`
+        leaf,   ///< rewrite leaf `node`; its entries start at `argument`
+        join,   ///< combine the results of the two children of inner node `node`
+    };
+    Kind kind;
+    Index node;
+    Index argument;
+};
+
+/// Where a triangle of a rewritten leaf goes: a target, or kCrossingEntry + number of the crossing triangle.
+inline constexpr Index kCrossingEntry = Index(1) << 31;
+
+/// A shell that the plane cuts, and its program.
+struct CutShell
+{
+    Index shell = 0;  ///< index in the object
+    std::uint32_t solid = 0;
+    bool connected = true;  ///< as Shell
+    std::size_t first_op = 0, op_count = 0;
+    std::size_t first_crossing = 0, crossing_count = 0;
+    std::uint32_t loops = 0;  ///< closed loops and chains on it
+};
+
+/// A connected part of one side of a cut shell: where triangles go. Targets 2 i and 2 i + 1 are the negative and the
+/// positive side of cut shell i; if a side falls apart there are more behind them.
+struct Target
+{
+    Side side = Side::negative;
+    Index shell = 0;           ///< of the cut shells
+    Index bundle = 0;          ///< what it is joined with
+    std::uint32_t count = 0;   ///< rewritten triangles
+    std::uint32_t cursor = 0;  ///< next slot to write
+    std::uint32_t leaves = 0;  ///< rewritten leaves that it has a part in
+    Index root = kNone;
+};
+
+/// Targets that one cap joins: a shell of a fragment.
+struct Bundle
+{
+    Side side = Side::negative;
+    std::uint32_t solid = 0;
+    Index shell = 0;     ///< the first of the cut shells in it
+    Index fragment = 0;  ///< index in the side's fragments
+    bool connected = true;
+    Index root = kNone;
+    Index cap_group = kNone;
+    std::uint32_t cap_count = 0, cap_first = 0, cap_cursor = 0;
+};
+
+/// An outline edge is a *seam*: seam i < crossings is the section edge of crossing triangle i, the ones after it are
+/// the in-plane edges.
+using SeamIndex = Index;
+
+/// A closed loop of seams, or a chain that ends at boundary.
+struct Loop
+{
+    std::size_t first = 0, count = 0;  ///< in `loop_seams` and `loop_points`: seam i starts at point i
+    std::uint32_t solid = 0;
+    Index shell = 0;  ///< of the cut shells
+    bool closed = true;
+    glm::vec3 end{0.0f};  ///< chains: the end of the last seam
+};
+
+/// A crossed edge on the boundary of the mesh.
+struct BoundaryCut
+{
+    Index halfedge = kNone;  ///< the boundary half-edge
+    Index cut = kNone;
+    Index positive_end = kNone, negative_end = kNone;  ///< its vertices
+};
+
+/// A cap triangle in terms of loop points, counter-clockwise seen from the positive side. `link[i]` belongs to the edge
+/// from corner i to corner i + 1: another edge (3 * triangle + edge), or kSeamLink + index in `loop_seams`.
+inline constexpr Index kSeamLink = Index(1) << 31;
+struct CapTriangle
+{
+    std::array<Index, 3> corner;
+    std::array<Index, 3> link;
+};
+
+/// The caps of one solid.
+struct SolidCap
+{
+    std::uint32_t solid = 0;
+    std::size_t first = 0, count = 0;  ///< triangles
+};
+
+class CapPlanner;
+class Components;
+class Stitcher;
+class Rebuilder;
+
+struct CutScratch
+{
+    // FIND
+    std::vector<TreeOp> ops;
+    std::vector<Index> entries;
+    std::vector<Crossing> crossings;
+    std::vector<InPlaneEdge> in_plane;
+    std::vector<CutShell> cut_shells;
+    std::uint64_t nodes_visited = 0;
+    std::uint64_t triangles_read = 0;  ///< in leaves that were opened and handed over whole
+    std::vector<std::pair<Index, bool>> stack;
+
+    std::uint64_t extra_stamps = 0;  ///< stamps used beyond those of the crossing triangles
+
+    // WALK
+    std::vector<glm::vec3> cut_points;  ///< position of each cut edge's point
+    std::vector<Index> chain;
+    std::vector<BoundaryCut> boundary_cuts;
+    std::size_t new_vertices = 0;  ///< written behind the universe's vertices so far
+    bool irregular = false;        ///< some cut points coincide with vertices or each other, or edges lie in the plane
+    std::vector<Index> loop_seams;
+    std::vector<glm::vec3> loop_points;
+    std::vector<Loop> loops;
+    std::vector<std::array<SeamIndex, 2>> cancelled;  ///< pairs of seams that run forth and back over the same points
+
+    // CAP
+    std::vector<CapTriangle> caps;
+    std::vector<SolidCap> solid_caps;
+    std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a solid
+    bool caps_merge_points = false;
+
+    // What goes where
+    std::vector<Target> targets;
+    std::vector<Bundle> bundles;
+    std::vector<std::array<Index, 2>> cap_bundle;  ///< of each cap triangle, by side
+
+    // The steps that keep memory of their own
+    std::unique_ptr<CapPlanner> cap_planner;
+    std::unique_ptr<Components> components;
+    std::unique_ptr<Stitcher> stitcher;
+    std::unique_ptr<Rebuilder> rebuilder;
+
+    CutScratch();
+    ~CutScratch();
+    /// Forgets the last cut.
+    void begin(Universe& universe);
+
+    /// The face at a seam on one side, as it is before the cut.
+    Index face_of_seam(SeamIndex seam, Side side) const
+    {
+        if (seam < crossings.size()) return crossings[seam].face;
+        const InPlaneEdge& e = in_plane[seam - crossings.size()];
+        return side == Side::negative ? e.negative_face : e.positive_face;
+    }
+    /// Where what is left of it on that side goes.
+    Index target_of_seam(SeamIndex seam, Side side) const
+    {
+        const auto at = static_cast<std::size_t>(side);
+        return seam < crossings.size() ? crossings[seam].target[at] : in_plane[seam - crossings.size()].target[at];
+    }
+
+private:
+    void clear();
+};
+
+/// FIND for one shell: appends its program, crossing triangles and in-plane edges. `shell_index` numbers the cut
+/// shells; targets are 2 * shell_index + side. Returns which sides keep whole triangles; crossing triangles count for
+/// both.
+std::array<bool, 2> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch);
+
+/// SPLIT and WALK: splits the crossing triangles, makes the new vertices and links the outline into loops and chains.
+void split_crossings(const Universe& universe, CutScratch& scratch);
+void walk_section(Universe& universe, CutScratch& scratch);
+
+}  // namespace kerf::halfedge

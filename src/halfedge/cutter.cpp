@@ -1,0 +1,210 @@
+#include "halfedge/cutter.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "halfedge/cap.h"
+#include "halfedge/components.h"
+#include "halfedge/cut_plan.h"
+#include "halfedge/fragment.h"
+#include "halfedge/rebuild.h"
+#include "halfedge/stitch.h"
+
+namespace kerf::halfedge {
+
+namespace {
+
+/// Adds the time since the last call to a phase.
+class PhaseClock
+{
+public:
+    explicit PhaseClock(PhaseTimes& phases) : phases_(phases) {}
+
+    void done(Phase phase)
+    {
+        const auto now = Clock::now();
+        phases_[phase] += std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    PhaseTimes& phases_;
+    Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace
+
+CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
+{
+    Universe& u = *universe_;
+    CutScratch& s = *u.scratch;
+    CutResult result;
+    CutStatistics& statistics = result.statistics;
+    for (const Shell& shell : shells_) statistics.triangles += u.tree.nodes[shell.root].count;
+    PhaseClock clock(statistics.phases);
+
+    if (misses(plane)) {
+        clock.done(Phase::find);
+        return result;
+    }
+    s.begin(u);
+    find_shells(plane);
+    statistics.nodes_visited = s.nodes_visited;
+    clock.done(Phase::find);
+
+    // New vertices are written behind the others as the walk makes them: two for each crossing triangle at most, and
+    // two for each point of the outline.
+    const std::size_t seams = s.crossings.size() + s.in_plane.size();
+    statistics.bytes_grown += u.vertices.make_room(2 * s.crossings.size() + 2 * seams);
+    for (Stream& stream : u.streams)
+        statistics.bytes_grown += stream.values.make_room((2 * s.crossings.size() + 2 * seams) * stream.width);
+    clock.done(Phase::growth);
+
+    split_crossings(u, s);
+    clock.done(Phase::split);
+    walk_section(u, s);
+    clock.done(Phase::walk);
+
+    for (const Loop& loop : s.loops) ++(loop.closed ? statistics.section_loops : statistics.open_chains);
+    result.section_area = section_area(plane, s);
+    if (options.build_caps) s.cap_planner->plan(plane, s);
+    clock.done(Phase::cap);
+
+    for (Index i = 0; i < s.cut_shells.size(); ++i)
+        for (const Side side : {Side::negative, Side::positive}) {
+            Target t;
+            t.side = side;
+            t.shell = i;
+            s.targets.push_back(t);
+        }
+    s.cap_bundle.resize(s.caps.size());
+    if (options.split_components) {
+        s.components->separate(u, s);
+        pieces_ = plan_pieces(u, plane, whole_, *s.components, s);
+    } else {
+        pieces_ = plan_sides(whole_, s);
+    }
+    name_cap_groups(options);
+    make_fragments();
+    if (fragments_[0].empty() || fragments_[1].empty()) return result;
+    clock.done(Phase::components);
+
+    statistics.bytes_grown += s.stitcher->plan(u, s);
+    statistics.bytes_grown += s.rebuilder->plan(u, s);
+    clock.done(Phase::growth);
+
+    result.negative.reserve(fragments_[0].size());
+    result.positive.reserve(fragments_[1].size());
+
+    // From here on nothing can fail.
+    s.stitcher->run(u, s);
+    clock.done(Phase::split);
+    s.rebuilder->run(u, plane, *s.stitcher, s);
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t i = 0; i < whole_[side].size(); ++i)
+            fragments_[side][pieces_.whole_fragment[side][i]]->shells_.push_back(whole_[side][i]);
+    for (const Bundle& b : s.bundles)
+        if (b.root != kNone)
+            fragments_[static_cast<std::size_t>(b.side)][b.fragment]->shells_.push_back({b.root, b.solid, b.connected});
+    const auto hand_over = [](auto& fragments, auto& to) {
+        for (auto& fragment : fragments)
+            if (!fragment->shells_.empty()) to.push_back(std::move(fragment));
+    };
+    hand_over(fragments_[0], result.negative);
+    hand_over(fragments_[1], result.positive);
+    clock.done(Phase::rebuild);
+
+    statistics.crossing_triangles = s.crossings.size();
+    statistics.triangles_touched = s.entries.size() + s.triangles_read + 2 * s.crossings.size() + 2 * s.caps.size();
+    statistics.bytes_to_upload =
+        s.rebuilder->new_vertices() * sizeof(Vertex) + s.rebuilder->new_slots() * sizeof(Triangle);
+    result.status = statistics.open_chains > 0 ? Status::open_section : Status::cut;
+    return result;
+}
+
+bool Cutter::misses(const Plane& plane) const
+{
+    const Universe& u = *universe_;
+    const auto reaches = [&](int sign) {
+        return std::any_of(shells_.begin(), shells_.end(), [&](const Shell& shell) {
+            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign);
+        });
+    };
+    return !reaches(1) || !reaches(-1);
+}
+
+void Cutter::find_shells(const Plane& plane)
+{
+    Universe& u = *universe_;
+    CutScratch& s = *u.scratch;
+    for (Index i = 0; i < shells_.size(); ++i) {
+        CutShell cut;
+        cut.shell = i;
+        cut.solid = shells_[i].solid;
+        cut.connected = shells_[i].connected;
+        cut.first_op = s.ops.size();
+        cut.first_crossing = s.crossings.size();
+        const std::array<bool, 2> present = find(u, shells_[i].root, plane, static_cast<Index>(s.cut_shells.size()), s);
+        if (present[0] && present[1]) {
+            cut.op_count = s.ops.size() - cut.first_op;
+            cut.crossing_count = s.crossings.size() - cut.first_crossing;
+            s.cut_shells.push_back(cut);
+        } else {
+            s.ops.resize(cut.first_op);
+            whole_[present[1] ? 1 : 0].push_back(shells_[i]);
+        }
+    }
+}
+
+void Cutter::name_cap_groups(const CutOptions& options)
+{
+    Universe& u = *universe_;
+    CutScratch& s = *u.scratch;
+    if (s.caps.empty()) return;
+    std::uint32_t material = options.cap_material;
+    if (material >= u.materials.size()) {
+        if (u.cap_material == kDefaultCapMaterial) {
+            u.materials.push_back({"cap", glm::vec4(1.0f), {}});
+            u.cap_material = static_cast<std::uint32_t>(u.materials.size() - 1);
+        }
+        material = u.cap_material;
+    }
+    for (Bundle& b : s.bundles)
+        if (b.cap_count > 0) b.cap_group = u.group({material, b.solid, TriangleKind::cap});
+}
+
+void Cutter::make_fragments()
+{
+    const CutScratch& s = *universe_->scratch;
+    for (const Side side : {Side::negative, Side::positive}) {
+        const auto at = static_cast<std::size_t>(side);
+        const Index count = pieces_.fragment_count[at];
+        std::vector<std::size_t> shells(count, 0);
+        for (const Index fragment : pieces_.whole_fragment[at]) ++shells[fragment];
+        for (const Bundle& b : s.bundles)
+            if (b.side == side) ++shells[b.fragment];
+        for (Index i = 0; i < count; ++i) fragments_[at].push_back(std::make_unique<Fragment>(universe_, shells[i]));
+        if (count == 0) continue;
+
+        // Every fragment gets the loops that bound it. A loop bounds several only where loops touch.
+        for (const Loop& loop : s.loops) {
+            SectionLoop copy;
+            copy.closed = loop.closed;
+            const auto first = s.loop_points.begin() + static_cast<std::ptrdiff_t>(loop.first);
+            copy.points.assign(first, first + static_cast<std::ptrdiff_t>(loop.count));
+            if (!loop.closed) copy.points.push_back(loop.end);
+            Index last = kNone;
+            for (std::size_t i = loop.first; i < loop.first + loop.count; ++i) {
+                const Index fragment = s.bundles[s.targets[s.target_of_seam(s.loop_seams[i], side)].bundle].fragment;
+                if (fragment == last) continue;
+                auto& loops = fragments_[at][fragment]->loops_;
+                if (last != kNone && !loops.empty() && loops.back().points == copy.points) continue;
+                last = fragment;
+                loops.push_back(copy);
+            }
+        }
+    }
+}
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/cut.h"
+#include "halfedge/piece_plan.h"
+#include "halfedge/universe.h"
+
+namespace kerf::halfedge {
+
+class Fragment;
+
+/// One cut of one object, from FIND to the fragments.
+class Cutter
+{
+public:
+    Cutter(const std::shared_ptr<Universe>& universe, const std::vector<Shell>& shells)
+        : universe_(universe), shells_(shells)
+    {
+    }
+
+    CutResult cut(const Plane& plane, const CutOptions& options);
+
+private:
+    bool misses(const Plane& plane) const;
+    void find_shells(const Plane& plane);
+    void name_cap_groups(const CutOptions& options);
+    void make_fragments();
+
+    const std::shared_ptr<Universe>& universe_;
+    const std::vector<Shell>& shells_;
+    std::array<std::vector<Shell>, 2> whole_;  ///< shells that the plane does not cut, by side
+    PiecePlan pieces_;
+    std::array<std::vector<std::unique_ptr<Fragment>>, 2> fragments_;
+};
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,162 @@
+#include "halfedge/cut_plan.h"
+
+// FIND: which subtrees lie wholly on one side, and which triangles cross the plane. O(s log(n / s)) nodes for s leaves
+// whose box meets the plane.
+
+namespace kerf::halfedge {
+
+namespace {
+
+/// The side that a face which does not cross is kept on.
+Side kept_side(const Plane& plane, const std::array<glm::vec3, 3>& p, const std::array<double, 3>& d)
+{
+    switch (classify(d[0], d[1], d[2])) {
+        case TriangleClass::negative:
+            return Side::negative;
+        case TriangleClass::in_plane:
+            return coplanar_side(plane, p[0], p[1], p[2]);
+        case TriangleClass::positive:
+        case TriangleClass::crossing:
+            break;
+    }
+    return Side::positive;
+}
+
+class Finder
+{
+public:
+    Finder(Universe& universe, const Plane& plane, Index shell, CutScratch& scratch)
+        : u_(universe), plane_(plane), shell_(shell), s_(scratch)
+    {
+    }
+
+    std::array<bool, 2> run(Index root)
+    {
+        s_.stack.assign(1, {root, false});
+        while (!s_.stack.empty()) {
+            const auto [n, children_done] = s_.stack.back();
+            s_.stack.pop_back();
+            if (children_done) {
+                s_.ops.push_back({TreeOp::Kind::join, n, kNone});
+                continue;
+            }
+            ++s_.nodes_visited;
+            const Node& node = u_.tree.nodes[n];
+            const auto [lo, hi] = plane_.distance_range(node.box);
+            // A box that touches the plane may hold faces in the plane, so only > and < decide.
+            if (lo > 0.0) {
+                whole(n, Side::positive);
+            } else if (hi < 0.0) {
+                whole(n, Side::negative);
+            } else if (node.is_leaf()) {
+                open_leaf(n, node);
+            } else {
+                s_.stack.push_back({n, true});
+                s_.stack.push_back({node.right, false});
+                s_.stack.push_back({node.left, false});
+            }
+        }
+        return present_;
+    }
+
+private:
+    Index target(Side side) const { return 2 * shell_ + static_cast<Index>(side); }
+
+    void whole(Index n, Side side)
+    {
+        present_[static_cast<std::size_t>(side)] = true;
+        s_.ops.push_back({TreeOp::Kind::whole, n, target(side)});
+    }
+
+    void open_leaf(Index n, const Node& node)
+    {
+        const std::size_t first_entry = s_.entries.size();
+        std::array<std::uint32_t, 2> kept{};
+        std::uint32_t crossing = 0;
+        for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+            const Triangle& t = u_.slots[slot];
+            const std::array<glm::vec3, 3> p{u_.vertices[t[0]].position, u_.vertices[t[1]].position,
+                                             u_.vertices[t[2]].position};
+            const std::array<double, 3> d{plane_.signed_distance(p[0]), plane_.signed_distance(p[1]),
+                                          plane_.signed_distance(p[2])};
+            if (classify(d[0], d[1], d[2]) == TriangleClass::crossing) {
+                s_.entries.push_back(kCrossingEntry + static_cast<Index>(s_.crossings.size()));
+                add_crossing(slot, node.group, t, d);
+                ++crossing;
+                continue;
+            }
+            const Side side = kept_side(plane_, p, d);
+            ++kept[static_cast<std::size_t>(side)];
+            s_.entries.push_back(target(side));
+            if (side == Side::negative && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
+                add_in_plane_edges(u_.face_of_slot[slot], t, d, node.group);
+        }
+        if (crossing == 0 && (kept[0] == 0 || kept[1] == 0)) {
+            s_.entries.resize(first_entry);
+            whole(n, kept[0] == 0 ? Side::positive : Side::negative);
+            s_.triangles_read += node.count;
+        } else {
+            s_.ops.push_back({TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)});
+            for (std::size_t side = 0; side < 2; ++side) present_[side] |= crossing > 0 || kept[side] > 0;
+        }
+    }
+
+    void add_crossing(Index slot, Index group, const Triangle& t, const std::array<double, 3>& d)
+    {
+        Crossing& c = s_.crossings.emplace_back();
+        c.slot = slot;
+        c.face = u_.face_of_slot[slot];
+        c.group = group;
+        c.shell = shell_;
+        c.target = {target(Side::negative), target(Side::positive)};
+        c.corner = t;
+        c.distance = d;
+        u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + s_.crossings.size() - 1);
+    }
+
+    /// Edges in the plane between this face, which is kept on the negative side, and one kept on the positive side.
+    void add_in_plane_edges(Index face, const Triangle& t, const std::array<double, 3>& d, Index group)
+    {
+        Index h = u_.mesh.halfedge_of_face(face);
+        for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
+            if (d[i] != 0.0 || d[(i + 1) % 3] != 0.0) continue;
+            const Index neighbour = u_.mesh.face(h ^ 1u);
+            if (neighbour == kNone || side_of_face(neighbour) == Side::negative) continue;
+            s_.in_plane.push_back({h,
+                                   h ^ 1u,
+                                   face,
+                                   neighbour,
+                                   group,
+                                   shell_,
+                                   t[(i + 1) % 3],
+                                   {target(Side::negative), target(Side::positive)}});
+        }
+    }
+
+    Side side_of_face(Index face) const
+    {
+        std::array<glm::vec3, 3> p;
+        std::array<double, 3> d;
+        Index h = u_.mesh.halfedge_of_face(face);
+        for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
+            p[i] = u_.mesh.point(u_.mesh.from(h));
+            d[i] = plane_.signed_distance(p[i]);
+        }
+        return kept_side(plane_, p, d);
+    }
+
+    Universe& u_;
+    const Plane& plane_;
+    const Index shell_;
+    CutScratch& s_;
+    std::array<bool, 2> present_{};
+};
+
+}  // namespace
+
+std::array<bool, 2> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch)
+{
+    return Finder(universe, plane, shell_index, scratch).run(root);
+}
+
+}  // namespace kerf::halfedge

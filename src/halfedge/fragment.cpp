@@ -1,0 +1,158 @@
+#include "halfedge/fragment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "halfedge/cutter.h"
+#include "halfedge/export.h"
+
+namespace kerf::halfedge {
+
+Fragment::Fragment(Prepared prepared) : universe_(std::move(prepared.universe)), shells_(std::move(prepared.shells)) {}
+
+Fragment::Fragment(std::shared_ptr<Universe> universe, std::size_t shells) : universe_(std::move(universe))
+{
+    shells_.reserve(shells);
+}
+
+std::unique_ptr<Cuttable> Fragment::clone() const
+{
+    auto copy = std::make_unique<Fragment>(Prepared{std::make_shared<Universe>(*universe_), shells_});
+    copy->loops_ = loops_;
+    return copy;
+}
+
+std::vector<Index> Fragment::roots() const
+{
+    std::vector<Index> roots;
+    roots.reserve(shells_.size());
+    for (const Shell& shell : shells_) roots.push_back(shell.root);
+    return roots;
+}
+
+std::uint64_t Fragment::triangle_count() const
+{
+    std::uint64_t count = 0;
+    for (const Shell& shell : shells_) count += universe_->tree.nodes[shell.root].count;
+    return count;
+}
+
+Box Fragment::bounds() const
+{
+    Box box;
+    for (const Shell& shell : shells_) box.add(universe_->tree.nodes[shell.root].box);
+    return box;
+}
+
+DrawView Fragment::draw_view() const
+{
+    const Universe& u = *universe_;
+    std::vector<TriangleTree::Run> runs;
+    for (const Shell& shell : shells_) u.tree.append_runs(shell.root, runs);
+    const auto rank = [&](const TriangleTree::Run& run) {
+        const Group& g = u.groups[run.group];
+        return std::tuple(g.kind, g.material, run.first);
+    };
+    const auto before = [&](const auto& a, const auto& b) { return rank(a) < rank(b); };
+    if (!std::is_sorted(runs.begin(), runs.end(), before)) std::sort(runs.begin(), runs.end(), before);
+
+    DrawView view;
+    view.buffers = &u;
+    view.vertices = {u.vertices.data(), u.vertices.size()};
+    view.indices = {u.slots.empty() ? nullptr : u.slots[0].data(), 3 * u.slots.size()};
+    view.materials = u.materials;
+    view.ranges.reserve(runs.size());
+    for (const TriangleTree::Run& run : runs) {
+        const Group& g = u.groups[run.group];
+        if (!view.ranges.empty()) {
+            DrawRange& last = view.ranges.back();
+            if (last.kind == g.kind && last.material == g.material &&
+                last.first_index + last.index_count == 3 * run.first) {
+                last.index_count += 3 * run.count;
+                continue;
+            }
+        }
+        view.ranges.push_back({3 * run.first, 3 * run.count, g.material, g.kind});
+    }
+    const auto append = [](std::vector<ByteRange>& ranges, std::uint64_t from, std::uint64_t to, std::uint64_t size) {
+        if (from < to) ranges.push_back({from * size, (to - from) * size});
+    };
+    append(view.new_vertex_bytes, u.uploaded_vertices, u.vertices.size(), sizeof(Vertex));
+    append(view.new_index_bytes, u.uploaded_slots, u.slots.size(), sizeof(Triangle));
+    return view;
+}
+
+void Fragment::mark_uploaded()
+{
+    universe_->uploaded_vertices = universe_->vertices.size();
+    universe_->uploaded_slots = universe_->slots.size();
+}
+
+MassProperties Fragment::mass_properties() const
+{
+    const Universe& u = *universe_;
+    // A small fragment far from the universe's centre loses digits to cancellation; it is cheap to sum it anew.
+    constexpr std::uint64_t kFew = 4096;
+    const bool few = triangle_count() <= kFew;
+    const glm::dvec3 reference = few ? bounds().centre() : u.reference;
+    MassMoments moments;
+    for (const Shell& shell : shells_) {
+        if (few)
+            for_each_slot(u, shell.root, [&](Index slot) {
+                const Triangle& t = u.slots[slot];
+                moments.add(reference, u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position);
+            });
+        else
+            moments.add(u.tree.moments[shell.root]);
+    }
+    return moments.properties(reference);
+}
+
+CollisionProxy Fragment::collision_proxy(ProxyKind kind) const
+{
+    const Universe& u = *universe_;
+    const Box box = bounds();
+    switch (kind) {
+        case ProxyKind::box: {
+            CollisionProxy proxy;
+            proxy.kind = kind;
+            proxy.box = box;
+            return proxy;
+        }
+        case ProxyKind::bounded_hull:
+            return bounded_hull(box, support_points(u.tree, u.geometry(), roots()));
+        case ProxyKind::sphere:
+        case ProxyKind::full_hull:
+        case ProxyKind::every_vertex:
+            break;
+    }
+    return kerf::collision_proxy(kind, used_vertices());
+}
+
+std::vector<Vertex> Fragment::used_vertices() const
+{
+    const Universe& u = *universe_;
+    std::vector<bool> seen(u.vertices.size());
+    std::vector<Vertex> vertices;
+    for (const Shell& shell : shells_)
+        for_each_slot(u, shell.root, [&](Index slot) {
+            for (const Index v : u.slots[slot]) {
+                if (seen[v]) continue;
+                seen[v] = true;
+                vertices.push_back(u.vertices[v]);
+            }
+        });
+    return vertices;
+}
+
+IndexedMesh Fragment::to_indexed_mesh() const
+{
+    return export_mesh(*universe_, shells_);
+}
+
+CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
+{
+    return Cutter(universe_, shells_).cut(plane, options);
+}
+
+}  // namespace kerf::halfedge

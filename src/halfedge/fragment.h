@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/cut.h"
+#include "halfedge/universe.h"
+
+namespace kerf::halfedge {
+
+/// An object of the half-edge back end: roots in a universe that it shares with its relatives.
+class Fragment final : public Cuttable
+{
+public:
+    explicit Fragment(Prepared prepared);
+    /// An empty fragment, to be filled without failing: has room for `shells`.
+    Fragment(std::shared_ptr<Universe> universe, std::size_t shells);
+
+    std::unique_ptr<Cuttable> clone() const override;
+    std::uint64_t triangle_count() const override;
+    Box bounds() const override;
+    DrawView draw_view() const override;
+    void mark_uploaded() override;
+    MassProperties mass_properties() const override;
+    CollisionProxy collision_proxy(ProxyKind kind) const override;
+    std::span<const SectionLoop> section_loops() const override { return loops_; }
+    IndexedMesh to_indexed_mesh() const override;
+
+    const Universe& universe() const { return *universe_; }
+    const std::vector<Shell>& shells() const { return shells_; }
+
+private:
+    CutResult cut_by(const Plane& plane, const CutOptions& options) override;
+
+    std::vector<Index> roots() const;
+    /// Each vertex that the fragment uses, once. O(n).
+    std::vector<Vertex> used_vertices() const;
+
+    std::shared_ptr<Universe> universe_;
+    std::vector<Shell> shells_;
+    std::vector<SectionLoop> loops_;
+
+    friend class Cutter;
+};
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/box.h"
+#include "common/collision_proxy.h"
+#include "common/mass_properties.h"
+#include "common/plane.h"
+#include "halfedge/append_buffer.h"
+#include "halfedge/surface_mesh.h"
+
+// A persistent binary tree over runs of triangles. Nodes never change once they are made, so fragments share them: a
+// cut makes new nodes only where the plane passes and refers to all others.
+
+namespace kerf::halfedge {
+
+/// Triangles per leaf: more make less tree, fewer make less to rewrite around the section. The optimum is flat.
+inline constexpr std::uint32_t kLeafTriangles = 32;
+/// A rewritten leaf is divided from here on, and small rewritten neighbours are joined up to here.
+inline constexpr std::uint32_t kMaxLeafTriangles = 48;
+
+/// Group of a subtree whose triangles differ in their group or don't lie in one run.
+inline constexpr Index kMixed = kNone;
+
+struct Node
+{
+    Box box;
+    Index left = kNone, right = kNone;  ///< kNone: a leaf
+    std::uint32_t first = 0;            ///< first slot of the run; meaningless when mixed
+    std::uint32_t count = 0;            ///< triangles in the subtree
+    Index group = kMixed;               ///< the group of all triangles, if they lie in one run of slots
+
+    bool is_leaf() const { return left == kNone; }
+};
+
+/// Largest support_value() over a subtree for each of the fixed directions.
+struct alignas(16) Support
+{
+    std::array<float, kSupportDirections> best;
+
+    static Support none();
+    void add(const glm::vec3& p);
+    void add(const Support& other);
+};
+
+/// What a leaf is computed from: the universe's arrays.
+struct TreeGeometry
+{
+    const Vertex* vertices = nullptr;
+    const Triangle* slots = nullptr;
+    glm::dvec3 reference{0.0};  ///< what mass moments are summed about
+};
+
+/// Sums over any set of triangles, as nodes hold them.
+struct Summary
+{
+    Box box;
+    MassMoments moments;
+    Support support = Support::none();
+
+    void add(const TreeGeometry& geometry, const Triangle& triangle);
+};
+
+/// The pool of nodes of a universe.
+struct TriangleTree
+{
+    AppendBuffer<Node> nodes;
+    AppendBuffer<MassMoments> moments;
+    AppendBuffer<Support> supports;
+
+    /// The following need room in the pool (reserve(), make_room()) and can't fail.
+
+    /// A leaf over `count` slots from `first`, all of one group.
+    Index make_leaf(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group);
+    /// A subtree over a run of slots of one group, in leaves of at most kLeafTriangles.
+    Index make_run(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group);
+    /// The parent of two subtrees; either may be kNone, then it is the other one.
+    Index join(Index left, Index right);
+    /// Makes leaf `left` hold the triangles of leaf `right` too, which follow its own. Only for nodes that no fragment
+    /// refers to yet.
+    Index merge_leaves(Index left, Index right);
+
+    /// Upper bound on the nodes that make_run() needs.
+    static std::size_t nodes_for_run(std::size_t count)
+    {
+        return count == 0 ? 0 : 2 * ((count - 1) / (kLeafTriangles / 2) + 1);
+    }
+
+    void reserve(std::size_t count);
+    std::size_t make_room(std::size_t count);
+    std::size_t bytes_reserved() const;
+
+    /// Maximal runs of slots of one group under `root`, in tree order.
+    struct Run
+    {
+        std::uint32_t first, count;
+        Index group;
+    };
+    void append_runs(Index root, std::vector<Run>& runs) const;
+};
+
+/// True when some vertex under `root` has a signed distance > `limit` (sign = +1) or < -limit (sign = -1). O(log n) on
+/// ordinary shapes: the side that reaches farther is searched first.
+bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
+                    double limit, int sign);
+
+/// For each support direction the extreme vertex under `roots`, as support_points() defines it.
+std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
+                                                         std::span<const Index> roots);
+
+}  // namespace kerf::halfedge
