@@ -1,6 +1,9 @@
 #include "support/backends.h"
 
 #include "baseline/baseline.h"
+#ifdef KERF_HAS_HALFEDGE
+#include "halfedge/halfedge.h"
+#endif
 
 namespace kerf::test {
 
@@ -12,6 +15,9 @@ const std::vector<NamedBackend>& backends()
         {"baseline_two_bucket_hash", [] { return baseline::make_backend(VertexLookup::two_bucket_hash); }},
         {"baseline_hash", [] { return baseline::make_backend(VertexLookup::hash); }},
         {"baseline_remap", [] { return baseline::make_backend(VertexLookup::remap); }},
+#ifdef KERF_HAS_HALFEDGE
+        {"halfedge", [] { return halfedge::make_backend(); }},
+#endif
     };
     return all;
 }
