@@ -1,6 +1,6 @@
+#include <cctype>
 #include <cmath>
 #include <map>
-#include <regex>
 #include <sstream>
 
 #include "tools/program.h"
@@ -92,10 +92,11 @@ std::vector<std::string> cells_of(const std::string& line)
 std::vector<std::uint64_t> numbers_in(std::string text)
 {
     std::erase(text, ',');
+    for (char& c : text)
+        if (std::isdigit(static_cast<unsigned char>(c)) == 0) c = ' ';
+    std::istringstream words(text);
     std::vector<std::uint64_t> numbers;
-    const std::regex number("[0-9]+");
-    for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
-        numbers.push_back(std::stoull(it->str()));
+    for (std::uint64_t number = 0; words >> number;) numbers.push_back(number);
     return numbers;
 }
 
