@@ -74,6 +74,55 @@ void cancel_opposite_edges(std::vector<SectionEdge>& edges)
     std::erase_if(edges, [](const SectionEdge& edge) { return edge.from == kNone; });
 }
 
+/// The two vertices of an edge in the plane.
+std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane& edge)
+{
+    const Triangle& t = mesh.triangles[edge.triangle];
+    return {t[edge.corner], t[(edge.corner + 1u) % 3]};
+}
+
+/// The edges, as they run on the positive side, that have a triangle of either side. By count: pieces of earlier cuts
+/// can touch along an edge, so that more than two triangles meet there. Edges that run forth and back on one side bound
+/// nothing there; each of the rest pairs with one reverse on the other side.
+std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
+                                                std::span<const EdgeInPlane> positive)
+{
+    if (negative.empty() || positive.empty()) return {};
+    PairTable row;  // by the edge's points, the smaller one first
+    row.reset(negative.size() + positive.size());
+    std::vector<std::array<std::int32_t, 2>>
+        surplus;  // for each row and side: edges that ascend less those that do not
+    const auto row_of = [&](const EdgeInPlane& edge, std::int32_t& direction) {
+        const auto [a, b] = ends_of(mesh, edge);
+        const std::uint32_t p = mesh.points[a], q = mesh.points[b];
+        direction = p < q ? 1 : -1;
+        std::uint32_t& index = row(std::min(p, q), std::max(p, q));
+        if (index == PairTable::kNone) {
+            index = static_cast<std::uint32_t>(surplus.size());
+            surplus.push_back({0, 0});
+        }
+        return index;
+    };
+    std::int32_t direction = 0;
+    for (const EdgeInPlane& edge : negative) {
+        const std::uint32_t i = row_of(edge, direction);
+        surplus[i][0] += direction;
+    }
+    for (const EdgeInPlane& edge : positive) {
+        const std::uint32_t i = row_of(edge, direction);
+        surplus[i][1] += direction;
+    }
+    std::vector<EdgeInPlane> result;
+    for (const EdgeInPlane& edge : positive) {
+        auto& [below, above] = surplus[row_of(edge, direction)];
+        if (above * direction <= 0 || below * direction >= 0) continue;
+        above -= direction;
+        below += direction;
+        result.push_back(edge);
+    }
+    return result;
+}
+
 }  // namespace
 
 Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
@@ -98,27 +147,10 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
     }
     if (some_coincide) cancel_opposite_edges(section.edges);
 
-    if (!in_plane_of_negative.empty() && !in_plane_of_positive.empty()) {
-        const auto ends = [&](const EdgeInPlane& edge) {
-            const Triangle& t = mesh.triangles[edge.triangle];
-            return std::pair{t[edge.corner], t[(edge.corner + 1u) % 3]};
-        };
-        PairTable positive_edges;
-        positive_edges.reset(in_plane_of_positive.size());
-        for (std::uint32_t i = 0; i < in_plane_of_positive.size(); ++i) {
-            const auto [a, b] = ends(in_plane_of_positive[i]);
-            positive_edges(mesh.points[a], mesh.points[b]) = i;
-        }
-        for (const EdgeInPlane& edge : in_plane_of_negative) {
-            const auto [a, b] = ends(edge);
-            const std::uint32_t i = positive_edges.find(mesh.points[b], mesh.points[a]);
-            if (i == kNone) continue;
-            const EdgeInPlane& above = in_plane_of_positive[i];
-            const auto [from, to] = ends(above);
-            section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, above.triangle,
-                                     above.corner, static_cast<std::uint8_t>((above.corner + 1u) % 3),
-                                     mesh.groups[above.group].solid});
-        }
+    for (const EdgeInPlane& edge : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
+        const auto [from, to] = ends_of(mesh, edge);
+        section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
+                                 static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid});
     }
     return section;
 }
