@@ -1,6 +1,7 @@
 #include "baseline/fan.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 namespace kerf::baseline {
@@ -13,8 +14,39 @@ glm::vec3 section_centre(const Section& section)
     return centre + 0.0f;  // -0 does not occur in a mesh
 }
 
+namespace {
+
+bool has_point_at(const Section& section, const SectionPath& path, const glm::vec3& position)
+{
+    return std::any_of(path.edges.begin(), path.edges.end(), [&](std::uint32_t e) {
+        return same_position(section.points[section.edges[e].from].position, position);
+    });
+}
+
+/// The place near `centre` where no point of the path is: within the plane, as far as `step`, the unit in the last
+/// place of the mesh's largest coordinate, allows.
+glm::vec3 clear_of_rim(const Section& section, const SectionPath& path, const glm::vec3& centre, const Plane& plane,
+                       double step)
+{
+    // Along the two axes that the normal is least inclined to, in growing squares.
+    const glm::dvec3 size = glm::abs(plane.normal);
+    const int across = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    const int u = (across + 1) % 3, v = (across + 2) % 3;
+    glm::vec3 place = centre;
+    for (int reach = 0;; ++reach)
+        for (int i = -reach; i <= reach; ++i)
+            for (int j = -reach; j <= reach; ++j) {
+                if (std::max(std::abs(i), std::abs(j)) != reach) continue;
+                place[u] = static_cast<float>(double(centre[u]) + i * step) + 0.0f;
+                place[v] = static_cast<float>(double(centre[v]) + j * step) + 0.0f;
+                if (!has_point_at(section, path, place)) return place;
+            }
+}
+
+}  // namespace
+
 void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
-                    std::span<const SectionPath> paths, const glm::vec3& centre, const Plane& plane,
+                    std::span<const SectionPath> paths, const glm::vec3& centre, double step, const Plane& plane,
                     std::uint32_t material)
 {
     IndexedMesh& mesh = builder.mesh;
@@ -37,7 +69,6 @@ void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& s
         // The rim: one vertex for each point of the loop.
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         const auto count = static_cast<std::uint32_t>(path.edges.size());
-        std::uint32_t apex = kNone;  // a rim vertex that lies exactly at the centre takes its place
         for (const std::uint32_t e : path.edges) {
             const SectionEdge& edge = section.edges[e];
             const SectionPoint& point = section.points[edge.from];
@@ -45,28 +76,24 @@ void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& s
                 builder.append_streams(crossings.triangles[edge.crossing], edge.from_corner);
             else
                 builder.append_streams_of(builder.source().triangles[edge.triangle][edge.from_corner]);
-            if (same_position(point.position, centre)) apex = static_cast<std::uint32_t>(mesh.vertices.size());
             mesh.points.push_back(point.existing != kNone ? builder.point_of_existing(point.existing)
                                                           : builder.point_of_cut(crossings, point.cut_point));
             mesh.vertices.push_back(cap_vertex(point.position));
         }
-        if (apex == kNone) {
-            apex = static_cast<std::uint32_t>(mesh.vertices.size());
-            for (VertexStream& stream : mesh.streams)
-                for (std::uint32_t w = 0; w < stream.width; ++w) {
-                    double sum = 0.0;
-                    for (std::uint32_t i = 0; i < count; ++i)
-                        sum += double(stream.values[std::size_t(first + i) * stream.width + w]);
-                    stream.values.push_back(static_cast<float>(sum / count));
-                }
-            mesh.points.push_back(builder.new_point());
-            mesh.vertices.push_back(cap_vertex(centre));
-            builder.fan_centres.push_back(apex);
-        }
+        const auto apex = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (VertexStream& stream : mesh.streams)
+            for (std::uint32_t w = 0; w < stream.width; ++w) {
+                double sum = 0.0;
+                for (std::uint32_t i = 0; i < count; ++i)
+                    sum += double(stream.values[std::size_t(first + i) * stream.width + w]);
+                stream.values.push_back(static_cast<float>(sum / count));
+            }
+        mesh.points.push_back(builder.new_point());
+        mesh.vertices.push_back(cap_vertex(clear_of_rim(section, path, centre, plane, step)));
+        builder.fan_centres.push_back(apex);
 
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t from = first + i, to = first + (i + 1) % count;
-            if (from == apex || to == apex) continue;
             // The negative side's cap holds the edge as the positive side's surface does, the positive side's its
             // reverse.
             if (builder.side() == Side::negative)

@@ -12,10 +12,13 @@ glm::vec3 section_centre(const Section& section);
 
 /// Closes one side with the report's fan (section 3.2.3): a triangle from the section's centre to each edge of each
 /// closed path, with vertices of their own whose normal is the plane's, flipped for the positive side, and planar uv.
-/// Each path gets its own copy of the centre, so that paths that bound different pieces share nothing. Right where the
-/// section is star-shaped around the centre; that is what is being compared. Caps are grouped by solid. O(k).
+/// Each path gets its own copy of the centre, so that paths that bound different pieces share nothing. Where the centre
+/// falls on a point of the path, that copy moves aside by `step`, the unit in the last place of the mesh's largest
+/// coordinate: a fan from the rim could run along edges that the surface has already, or meet its apex's place again
+/// where the rim touches itself. Right where the section is star-shaped around the centre; that is what is being
+/// compared. Caps are grouped by solid. O(k).
 void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
-                    std::span<const SectionPath> paths, const glm::vec3& centre, const Plane& plane,
+                    std::span<const SectionPath> paths, const glm::vec3& centre, double step, const Plane& plane,
                     std::uint32_t material);
 
 }  // namespace kerf::baseline

@@ -274,10 +274,11 @@ private:
         materials_ = mesh_.materials;
         const std::uint32_t material = cap_material(options_, materials_);
         const glm::vec3 centre = section_centre(section_);
+        const double step = whole_.noise / kNoiseInUnits;
         if (!options_.split_components) {
             if (options_.build_caps)
                 for (SideBuilder& b : builders_)
-                    close_with_fan(b, crossings_, section_, paths, centre, plane_, material);
+                    close_with_fan(b, crossings_, section_, paths, centre, step, plane_, material);
             statistics.phases[Phase::cap] += watch.lap();
             return;
         }
@@ -288,7 +289,8 @@ private:
             // On each side edges of one part follow one another: where loops touch, the other way round would join
             // pieces.
             const std::vector<SectionPath> paths_of_side = link_paths(section_, parts.part_of_edge);
-            if (options_.build_caps) close_with_fan(b, crossings_, section_, paths_of_side, centre, plane_, material);
+            if (options_.build_caps)
+                close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
             statistics.phases[Phase::cap] += watch.lap();
             piece_of_triangle_[static_cast<std::size_t>(b.side())] =
                 find_pieces(b, section_, parts, paths_of_side, plane_);

@@ -38,9 +38,8 @@ PlaneFrame PlaneFrame::of(const glm::dvec3& normal)
 
 double plane_noise(float largest_coordinate)
 {
-    constexpr double kUnitsInTheLastPlace = 4.0;
     const float above = std::nextafter(largest_coordinate, std::numeric_limits<float>::infinity());
-    return kUnitsInTheLastPlace * (double(above) - double(largest_coordinate));
+    return kNoiseInUnits * (double(above) - double(largest_coordinate));
 }
 
 }  // namespace kerf

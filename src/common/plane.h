@@ -54,9 +54,12 @@ struct PlaneFrame
     static PlaneFrame of(const glm::dvec3& normal);
 };
 
-/// How far from the plane a side must reach to be a fragment: 4 units in the last place of the mesh's largest
-/// coordinate, in mesh units. Cut points are rounded to float, so a cap wanders from its plane by about one such unit;
-/// a second cut by the same plane must find nothing. `largest_coordinate` is that of the mesh before any cut
+/// plane_noise() in units in the last place.
+inline constexpr double kNoiseInUnits = 4.0;
+
+/// How far from the plane a side must reach to be a fragment: kNoiseInUnits units in the last place of the mesh's
+/// largest coordinate, in mesh units. Cut points are rounded to float, so a cap wanders from its plane by about one
+/// such unit; a second cut by the same plane must find nothing. `largest_coordinate` is that of the mesh before any cut
 /// (Box::largest_coordinate).
 double plane_noise(float largest_coordinate);
 
