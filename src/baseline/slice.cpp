@@ -91,6 +91,9 @@ public:
         split_crossing_triangles(mesh_, plane_, crossings_);
         add_pieces();
         phases[Phase::split] += watch.lap();
+        // All of a side can vanish: a spike so thin that its cut points are one.
+        for (const SideBuilder& b : builders_)
+            if (b.mesh.triangles.empty()) return std::move(slices_);
         section_ = find_section(mesh_, crossings_, edges_in_plane_[0], edges_in_plane_[1]);
         close_sections(watch);
         finish();
@@ -302,10 +305,11 @@ private:
     {
         slices_.status = slices_.statistics.open_chains == 0 ? Status::cut : Status::open_section;
         slices_.statistics.crossing_triangles = crossings_.triangles.size();
-        // A vertex may be left without a triangle where cut points fell on corners: then a piece vanished.
+        // A vertex may be left without a triangle where cut points fell on corners or on one another: a piece vanished.
         const bool some_snapped =
-            std::any_of(crossings_.triangles.begin(), crossings_.triangles.end(),
-                        [](const CrossingTriangle& c) { return c.split.next_code < 3 || c.split.previous_code < 3; });
+            std::any_of(crossings_.triangles.begin(), crossings_.triangles.end(), [](const CrossingTriangle& c) {
+                return c.split.next_code < 3 || c.split.previous_code != TriangleSplit::kCutPrevious;
+            });
 
         for (SideBuilder& b : builders_) {
             slices_.statistics.vertex_comparisons += b.comparisons;
