@@ -1,0 +1,74 @@
+#include "baseline/fragment.h"
+
+#include <gtest/gtest.h>
+
+#include "baseline/slices.h"
+#include "support/referee.h"
+
+namespace kerf::baseline {
+namespace {
+
+using test::closed_shape;
+
+TEST(Fragment, ASmallPieceGivesSpareRoomBack)
+{
+    Fragment fragment = fragment_of(closed_shape("cube"));
+    const auto before = referee::bytes_of(fragment.mesh);
+    fragment.mesh.vertices.reserve(100 * fragment.mesh.vertices.size());
+    fragment.mesh.points.reserve(100 * fragment.mesh.points.size());
+    fragment.mesh.triangles.reserve(100 * fragment.mesh.triangles.size());
+    fragment.mesh.sources.reserve(100 * fragment.mesh.sources.size());
+    fragment.release_spare_room();
+    EXPECT_EQ(fragment.mesh.vertices.capacity(), fragment.mesh.vertices.size());
+    EXPECT_EQ(fragment.mesh.points.capacity(), fragment.mesh.points.size());
+    EXPECT_EQ(fragment.mesh.triangles.capacity(), fragment.mesh.triangles.size());
+    EXPECT_EQ(fragment.mesh.sources.capacity(), fragment.mesh.sources.size());
+    EXPECT_EQ(referee::bytes_of(fragment.mesh), before);
+}
+
+TEST(Fragment, ALargePieceIsNotMoved)
+{
+    Fragment fragment = fragment_of(closed_shape("cube"));
+    fragment.mesh.vertices.reserve(2 * fragment.mesh.vertices.size());
+    const Vertex* const place = fragment.mesh.vertices.data();
+    fragment.release_spare_room();
+    EXPECT_EQ(fragment.mesh.vertices.data(), place);
+}
+
+TEST(Fragment, BoundsAreThoseOfItsVertices)
+{
+    const Fragment fragment = fragment_of(closed_shape("cube"));
+    EXPECT_EQ(fragment.bounds().lo, glm::vec3(-0.5f));
+    EXPECT_EQ(fragment.bounds().hi, glm::vec3(0.5f));
+}
+
+TEST(Pivot, IsTheMeanOfTheVerticesAndGoesToScratch)
+{
+    const IndexedMesh& mesh = closed_shape("asteroid");
+    const auto before = referee::bytes_of(mesh);
+    Buffer<Vertex> scratch;
+    const glm::vec3 pivot = rewrite_around_pivot(mesh, scratch);
+    glm::dvec3 mean{0}, rest{0};
+    for (const Vertex& v : mesh.vertices) mean += glm::dvec3(v.position) / double(mesh.vertices.size());
+    for (const Vertex& v : scratch) rest += glm::dvec3(v.position) / double(mesh.vertices.size());
+    EXPECT_NEAR(glm::length(glm::dvec3(pivot) - mean), 0, 1e-6);
+    EXPECT_NEAR(glm::length(rest), 0, 1e-6);
+    ASSERT_EQ(scratch.size(), mesh.vertices.size());
+    EXPECT_EQ(scratch[0].normal, mesh.vertices[0].normal);
+    EXPECT_EQ(referee::bytes_of(mesh), before);
+}
+
+TEST(Pivot, RewritingIsTimedAndChangesNoFragment)
+{
+    const Plane plane{{0, 0, 1}, 0.1};
+    const auto plain = make_backend(VertexLookup::hash), pivots = make_backend(VertexLookup::hash, true);
+    const CutResult a = cut(plain->prepare(closed_shape("asteroid")).object, plane),
+                    b = cut(pivots->prepare(closed_shape("asteroid")).object, plane);
+    EXPECT_EQ(a.statistics.phases[Phase::pivot], 0.0);
+    EXPECT_GT(b.statistics.phases[Phase::pivot], 0.0);
+    EXPECT_EQ(referee::bytes_of(a.positive.at(0)->to_indexed_mesh()),
+              referee::bytes_of(b.positive.at(0)->to_indexed_mesh()));
+}
+
+}  // namespace
+}  // namespace kerf::baseline
