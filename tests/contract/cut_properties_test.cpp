@@ -1,0 +1,390 @@
+// Properties of cut(), over random shapes, places and planes, for every back end.
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "common/cut.h"
+#include "common/shapes.h"
+#include "support/backends.h"
+#include "support/fixtures.h"
+#include "support/referee.h"
+
+namespace kerf {
+namespace {
+
+using test::Random;
+
+using Fragments = std::vector<std::unique_ptr<Cuttable>>;
+
+/// Sums over the parts agree with the whole within this share of it.
+constexpr double kSumTolerance = 1e-6;
+
+/// A mesh somewhere in space and a plane worth cutting it by.
+struct Case
+{
+    std::string name;
+    IndexedMesh mesh;
+    Plane plane;
+    std::uint64_t seed;
+
+    double noise() const { return plane_noise(mesh.bounds().largest_coordinate()); }
+};
+
+/// Uniform in [0, bound), whatever size RapidCheck is at.
+std::uint32_t below(std::uint32_t bound)
+{
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::uint32_t>(0, bound));
+}
+
+/// Turns and moves a mesh: not at all, by quarter turns, or anyhow. Vertices of one point stay bit-equal, because each
+/// position is mapped by itself.
+void place(IndexedMesh& mesh, Random& random)
+{
+    const std::uint32_t kind = random.below(3);
+    if (kind == 0) return;
+    glm::dvec3 x = random.direction(), y = glm::normalize(glm::cross(x, random.direction())), z = glm::cross(x, y);
+    if (kind == 1) {
+        x = {0, 1, 0};
+        y = {0, 0, -1};
+        z = {-1, 0, 0};
+    }
+    const glm::dvec3 offset =
+        kind == 1 ? glm::dvec3(random.below(5), -1.0, 0.5) : 3.0 * random.uniform() * random.direction();
+    const auto turned = [&](const glm::vec3& v) {
+        return glm::dvec3(glm::dot(x, glm::dvec3(v)), glm::dot(y, glm::dvec3(v)), glm::dot(z, glm::dvec3(v)));
+    };
+    for (Vertex& v : mesh.vertices) {
+        v.position = glm::vec3(turned(v.position) + offset) + 0.0f;
+        v.normal = glm::vec3(glm::normalize(turned(v.normal)));
+    }
+}
+
+/// A random plane; most go through vertices, along edges or in faces.
+Plane some_plane(const IndexedMesh& mesh, Random& random)
+{
+    const std::vector<test::NamedPlane> planes = test::planes_for(mesh, 1, random.next());
+    return planes[random.below(static_cast<std::uint32_t>(planes.size()))].plane;
+}
+
+Case make_case(std::string name, IndexedMesh mesh, std::uint64_t seed)
+{
+    Random random(seed);
+    Case result{std::move(name), std::move(mesh), {}, seed};
+    place(result.mesh, random);
+    result.plane = some_plane(result.mesh, random);
+    return result;
+}
+
+/// A fixture, or a generated shape with a random number of triangles.
+Case any_case()
+{
+    const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
+    if (below(2) == 0) {
+        const auto& fixtures = test::closed_shapes();
+        const test::NamedMesh& fixture = fixtures[below(static_cast<std::uint32_t>(fixtures.size()))];
+        return make_case(fixture.name, fixture.mesh, seed);
+    }
+    const auto& names = shapes::names();
+    const std::string& name = names[below(static_cast<std::uint32_t>(names.size()))];
+    return make_case(name, test::assembled(*shapes::make(name, 12 + below(200), seed)), seed);
+}
+
+class CutProperties : public testing::TestWithParam<test::NamedBackend>
+{
+protected:
+    std::unique_ptr<Cuttable> prepare(const IndexedMesh& mesh) const
+    {
+        PrepareResult result = backend_->prepare(mesh);
+        RC_ASSERT(result.status == Status::cut);
+        return std::move(result.object);
+    }
+
+    CutResult cut_of(const Case& c, const CutOptions& options = {}) const
+    {
+        return cut(prepare(c.mesh), c.plane, options);
+    }
+
+    std::unique_ptr<Backend> backend_ = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(All, CutProperties, testing::ValuesIn(test::backends()),
+                         [](const auto& back_end) { return back_end.param.name; });
+
+double volume_of(const Fragments& fragments)
+{
+    double sum = 0;
+    for (const auto& f : fragments) sum += referee::volume(f->to_indexed_mesh());
+    return sum;
+}
+
+std::vector<std::vector<std::uint32_t>> bytes_of(const Fragments& fragments)
+{
+    std::vector<std::vector<std::uint32_t>> result;
+    for (const auto& f : fragments) result.push_back(referee::bytes_of(f->to_indexed_mesh()));
+    return result;
+}
+
+/// Closed, without collapsed triangles, and on its side of the plane.
+void assert_sound(const Fragments& fragments, const Plane& plane, bool is_positive, double noise)
+{
+    for (const auto& fragment : fragments) {
+        const IndexedMesh mesh = fragment->to_indexed_mesh();
+        RC_ASSERT(check(mesh) == "");
+        RC_ASSERT(!mesh.triangles.empty());
+        RC_ASSERT(referee::open_edges(mesh) == 0u);
+        RC_ASSERT(referee::open_edges_by_position(mesh) == 0u);
+        RC_ASSERT(referee::triangles_with_equal_corners(mesh) == 0u);
+        RC_ASSERT(referee::overhang(mesh, plane, is_positive) <= noise);
+    }
+}
+
+TEST_P(CutProperties, SidesAreClosedAndAddUp)
+{
+    EXPECT_TRUE(rc::check([this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        const CutResult result = cut_of(c);
+        RC_CLASSIFY(result.status == Status::missed, "missed");
+        if (result.status == Status::missed) return;
+        RC_ASSERT(result.status == Status::cut);
+        assert_sound(result.positive, c.plane, true, c.noise());
+        assert_sound(result.negative, c.plane, false, c.noise());
+        const double area = referee::area(c.mesh);
+        const double volume = referee::volume(c.mesh);
+        RC_ASSERT(std::abs(volume_of(result.positive) + volume_of(result.negative) - volume) <=
+                  kSumTolerance * std::abs(volume) + c.noise() * area);
+        double surface = 0;
+        for (const Fragments* side : {&result.positive, &result.negative})
+            for (const auto& f : *side) surface += referee::area(f->to_indexed_mesh(), TriangleKind::surface);
+        RC_ASSERT(std::abs(surface - area) <= 1e-5 * area);
+    }));
+}
+
+TEST_P(CutProperties, FlippingThePlaneSwapsTheSides)
+{
+    EXPECT_TRUE(rc::check([this] {
+        Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        const CutResult one = cut_of(c);
+        c.plane = c.plane.flipped();
+        const CutResult other = cut_of(c);
+        RC_ASSERT(one.status == other.status);
+        RC_ASSERT(referee::canonical_surface(one.positive) == referee::canonical_surface(other.negative));
+        RC_ASSERT(referee::canonical_surface(one.negative) == referee::canonical_surface(other.positive));
+        RC_ASSERT(std::abs(one.section_area - other.section_area) <= 1e-9 * (1 + referee::area(c.mesh)));
+    }));
+}
+
+TEST_P(CutProperties, TheSameCutGivesTheSameBytes)
+{
+    EXPECT_TRUE(rc::check([this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        CutOptions options;
+        options.split_components = below(2) == 1;
+        const auto object = prepare(c.mesh);
+        const CutResult one = cut(object->clone(), c.plane, options), other = cut_of(c, options);
+        RC_ASSERT(bytes_of(one.positive) == bytes_of(other.positive));
+        RC_ASSERT(bytes_of(one.negative) == bytes_of(other.negative));
+    }));
+}
+
+TEST_P(CutProperties, FragmentsMissThePlaneThatMadeThem)
+{
+    EXPECT_TRUE(rc::check([this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        CutResult result = cut_of(c);
+        for (Fragments* side : {&result.positive, &result.negative})
+            for (auto& fragment : *side) RC_ASSERT(cut(std::move(fragment), c.plane).status == Status::missed);
+    }));
+}
+
+TEST_P(CutProperties, ScaleByAPowerOfTwoChangesNothingButTheScale)
+{
+    EXPECT_TRUE(rc::check([this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        Case scaled = c;
+        const int exponent = static_cast<int>(below(41)) - 20;
+        const float scale = std::ldexp(1.0f, exponent);
+        for (Vertex& v : scaled.mesh.vertices) v.position *= scale;
+        scaled.plane.offset *= double(scale);
+
+        const CutResult one = cut_of(c), other = cut_of(scaled);
+        RC_ASSERT(one.status == other.status);
+        RC_ASSERT(one.section_area * double(scale) * double(scale) == other.section_area);
+        for (const auto& [a, b] : {std::pair{&one.positive, &other.positive}, {&one.negative, &other.negative}}) {
+            RC_ASSERT(a->size() == b->size());
+            for (std::size_t i = 0; i < a->size(); ++i) {
+                const IndexedMesh p = (*a)[i]->to_indexed_mesh(), q = (*b)[i]->to_indexed_mesh();
+                RC_ASSERT(p.triangles == q.triangles);
+                RC_ASSERT(p.points == q.points);
+                RC_ASSERT(p.sources == q.sources);
+                for (std::size_t v = 0; v < p.vertices.size(); ++v) {
+                    RC_ASSERT(p.vertices[v].position * scale == q.vertices[v].position);
+                    RC_ASSERT(p.vertices[v].normal == q.vertices[v].normal);
+                }
+            }
+        }
+    }));
+}
+
+TEST_P(CutProperties, FragmentsOfAChainOfCutsAddUpToTheWhole)
+{
+    EXPECT_TRUE(rc::check([this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        Random random(c.seed);
+        CutOptions options;
+        options.split_components = below(2) == 1;
+        Fragments objects;
+        objects.push_back(prepare(c.mesh));
+        for (int generation = 0; generation < 3; ++generation) {
+            // One plane for all: caps of earlier cuts decide nothing, and planes through vertices meet several objects.
+            const Plane plane = some_plane(
+                generation == 0 ? c.mesh
+                                : objects[below(static_cast<std::uint32_t>(objects.size()))]->to_indexed_mesh(),
+                random);
+            Fragments next;
+            for (auto& object : objects) {
+                CutResult result = cut(std::move(object), plane, options);
+                RC_ASSERT(result.status == Status::cut || result.status == Status::missed);
+                assert_sound(result.positive, plane, true, c.noise());
+                assert_sound(result.negative, plane, false, c.noise());
+                if (result.object) next.push_back(std::move(result.object));
+                for (Fragments* side : {&result.positive, &result.negative})
+                    std::move(side->begin(), side->end(), std::back_inserter(next));
+            }
+            objects = std::move(next);
+            const double volume = referee::volume(c.mesh);
+            RC_ASSERT(std::abs(volume_of(objects) - volume) <=
+                      kSumTolerance * std::abs(volume) + c.noise() * referee::area(c.mesh));
+        }
+    }));
+}
+
+// Pieces
+// ---------------------------------------------------------------------------------------------------------------
+
+/// The surface of a mesh as comparable triangles, taken apart by flooding over shared edges (point ids). A referee of
+/// its own: an ordered map of edges and relabelling until nothing changes. Where rounding has brought four triangles to
+/// one edge, it does not say which of them belong together, so neither does the referee.
+std::vector<std::vector<referee::SurfaceTriangle>> edge_components(const IndexedMesh& mesh)
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> at_edge;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = mesh.points[mesh.triangles[t][i]], b = mesh.points[mesh.triangles[t][(i + 1) % 3]];
+            at_edge[std::minmax(a, b)].push_back(t);
+        }
+    std::vector<std::size_t> label(mesh.triangles.size());
+    std::iota(label.begin(), label.end(), std::size_t(0));
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const auto& [edge, triangles] : at_edge) {
+            if (triangles.size() > 2) continue;
+            std::size_t least = label[triangles.front()];
+            for (const std::size_t t : triangles) least = std::min(least, label[t]);
+            for (const std::size_t t : triangles) {
+                changed |= label[t] != least;
+                label[t] = least;
+            }
+        }
+    }
+    std::map<std::size_t, IndexedMesh> parts;
+    for (const TriangleGroup& group : mesh.groups)
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
+            IndexedMesh& part = parts[label[t]];
+            if (part.vertices.empty()) {
+                part.vertices = mesh.vertices;
+                part.points = mesh.points;
+                part.streams = mesh.streams;
+                part.materials = mesh.materials;
+            }
+            part.groups.push_back(
+                {static_cast<std::uint32_t>(part.triangles.size()), 1, group.material, group.solid, group.kind});
+            part.triangles.push_back(mesh.triangles[t]);
+            part.sources.push_back(mesh.sources[t]);
+        }
+    std::vector<std::vector<referee::SurfaceTriangle>> result;
+    for (const auto& [root, part] : parts) result.push_back(referee::canonical_surface(part));
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+std::vector<std::vector<referee::SurfaceTriangle>> surfaces_of(const Fragments& pieces)
+{
+    std::vector<std::vector<referee::SurfaceTriangle>> result;
+    for (const auto& piece : pieces) result.push_back(referee::canonical_surface(piece->to_indexed_mesh()));
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+CutOptions in_pieces()
+{
+    CutOptions options;
+    options.split_components = true;
+    return options;
+}
+
+CutOptions without_caps()
+{
+    CutOptions options;
+    options.build_caps = false;
+    return options;
+}
+
+TEST_P(CutProperties, PiecesWithoutHolesAreWhatHangsTogetherByEdges)
+{
+    // Shapes in which no plane has a section with holes, so that pieces are exactly what flooding finds.
+    const std::vector<std::string> names{"comb", "cone", "cylinder", "icosphere", "l_step", "two_legs"};
+    EXPECT_TRUE(rc::check([&, this] {
+        const std::string& name = names[below(static_cast<std::uint32_t>(names.size()))];
+        const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
+        const Case c = make_case(name, test::assembled(*shapes::make(name, 12 + below(150), seed)), seed);
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        const CutResult pieces = cut_of(c, in_pieces()), sides = cut_of(c, without_caps());
+        RC_ASSERT(pieces.status == sides.status);
+        if (sides.status == Status::missed) return;
+        RC_CLASSIFY(pieces.positive.size() + pieces.negative.size() > 2, "fell apart");
+        RC_ASSERT(surfaces_of(pieces.positive) == edge_components(sides.positive.front()->to_indexed_mesh()));
+        RC_ASSERT(surfaces_of(pieces.negative) == edge_components(sides.negative.front()->to_indexed_mesh()));
+    }));
+}
+
+TEST_P(CutProperties, PiecesAreClosedAndKeepTogetherWhatHangsTogether)
+{
+    EXPECT_TRUE(rc::check([this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        const CutResult pieces = cut_of(c, in_pieces()), sides = cut_of(c, without_caps());
+        RC_ASSERT(pieces.status == sides.status);
+        if (sides.status == Status::missed) return;
+        assert_sound(pieces.positive, c.plane, true, c.noise());
+        assert_sound(pieces.negative, c.plane, false, c.noise());
+        const double volume = referee::volume(c.mesh);
+        RC_ASSERT(std::abs(volume_of(pieces.positive) + volume_of(pieces.negative) - volume) <=
+                  kSumTolerance * std::abs(volume) + c.noise() * referee::area(c.mesh));
+        for (const auto& [whole, parts] :
+             {std::pair{&sides.positive, &pieces.positive}, {&sides.negative, &pieces.negative}}) {
+            const auto homes = surfaces_of(*parts);
+            for (const auto& component : edge_components(whole->front()->to_indexed_mesh())) {
+                const bool has_home = std::any_of(homes.begin(), homes.end(), [&](const auto& home) {
+                    return std::includes(home.begin(), home.end(), component.begin(), component.end());
+                });
+                RC_ASSERT(has_home);
+            }
+        }
+    }));
+}
+
+}  // namespace
+}  // namespace kerf
