@@ -1,0 +1,210 @@
+// A cap uses every seam of the outline once, and covers it as often as the loops wind around it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "halfedge/cap_triangulator.h"
+#include "support/fixtures.h"
+
+namespace kerf::halfedge {
+namespace {
+
+struct Outline
+{
+    std::vector<glm::dvec2> points;
+    std::vector<glm::vec3> positions;
+    std::vector<Index> starts;
+
+    void add(const std::vector<glm::dvec2>& loop)
+    {
+        if (starts.empty()) starts.push_back(0);
+        for (const glm::dvec2& p : loop) {
+            points.push_back(p);
+            positions.emplace_back(p.x, p.y, 0.0f);
+        }
+        starts.push_back(static_cast<Index>(points.size()));
+    }
+    CapOutline view() const { return {points, positions, starts}; }
+
+    double area() const
+    {
+        double twice = 0;
+        for (std::size_t l = 0; l + 1 < starts.size(); ++l)
+            for (Index i = starts[l]; i < starts[l + 1]; ++i) {
+                const glm::dvec2 &a = points[i], &b = points[view().successor(i, static_cast<Index>(l))];
+                twice += a.x * b.y - b.x * a.y;
+            }
+        return twice / 2;
+    }
+};
+
+double area_of(const Outline& outline, const CapTriangle& t)
+{
+    const glm::dvec2 &a = outline.points[t.corner[0]], &b = outline.points[t.corner[1]],
+                     &c = outline.points[t.corner[2]];
+    return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+}
+
+/// Links are mutual, and each seam is linked once or cancelled.
+void expect_linked(const Outline& outline, const CapMesh& cap)
+{
+    std::vector<int> uses(outline.points.size(), 0);
+    for (Index t = 0; t < cap.triangles.size(); ++t)
+        for (Index i = 0; i < 3; ++i) {
+            const Index link = cap.triangles[t].link[i];
+            ASSERT_NE(link, kNone);
+            if ((link & kSeamLink) != 0)
+                ++uses[link - kSeamLink];
+            else
+                EXPECT_EQ(cap.triangles[link / 3].link[link % 3], 3 * t + i);
+        }
+    for (const auto& [a, b] : cap.cancelled) {
+        ++uses[a];
+        ++uses[b];
+    }
+    EXPECT_EQ(uses, std::vector<int>(uses.size(), 1));
+}
+
+double signed_area(const Outline& outline, const CapMesh& cap)
+{
+    double sum = 0;
+    for (const CapTriangle& t : cap.triangles) sum += area_of(outline, t);
+    return sum;
+}
+
+double unsigned_area(const Outline& outline, const CapMesh& cap)
+{
+    double sum = 0;
+    for (const CapTriangle& t : cap.triangles) sum += std::abs(area_of(outline, t));
+    return sum;
+}
+
+std::vector<glm::dvec2> star(std::size_t points, double outer, double inner, glm::dvec2 centre = {0, 0})
+{
+    std::vector<glm::dvec2> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double angle = 2 * std::numbers::pi * double(i) / double(points), r = i % 2 == 0 ? outer : inner;
+        loop.emplace_back(float(centre.x + r * std::cos(angle)), float(centre.y + r * std::sin(angle)));
+    }
+    return loop;
+}
+
+std::vector<glm::dvec2> reversed(std::vector<glm::dvec2> loop)
+{
+    return {loop.rbegin(), loop.rend()};
+}
+
+TEST(ConvexTriangulator, CoversAConvexLoopWithoutAFan)
+{
+    constexpr std::size_t kPoints = 1000;
+    Outline outline;
+    outline.add(star(kPoints, 1, 1));
+    CapMesh cap;
+    ASSERT_TRUE(make_convex_triangulator()->triangulate(outline.view(), cap));
+    EXPECT_EQ(cap.triangles.size(), kPoints - 2);
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    std::vector<std::size_t> valence(kPoints, 0);
+    for (const CapTriangle& t : cap.triangles)
+        for (const Index corner : t.corner) ++valence[corner];
+    EXPECT_LE(*std::max_element(valence.begin(), valence.end()), 2 * std::ceil(std::log2(kPoints)));
+}
+
+TEST(ConvexTriangulator, RefusesWhatIsNotStrictlyConvex)
+{
+    CapMesh cap;
+    Outline concave, collinear, twice_around, two_loops;
+    concave.add(star(10, 1, 0.5));
+    collinear.add({{0, 0}, {1, 0}, {2, 0}, {2, 2}});
+    auto ring = star(8, 1, 1);
+    ring.insert(ring.end(), ring.begin(), ring.begin() + 8);
+    twice_around.add(ring);
+    two_loops.add(star(8, 1, 1));
+    two_loops.add(star(8, 1, 1, {4, 0}));
+    for (const Outline* outline : {&concave, &collinear, &twice_around, &two_loops})
+        EXPECT_FALSE(make_convex_triangulator()->triangulate(outline->view(), cap));
+}
+
+TEST(ConstrainedTriangulator, CoversConcaveAndNestedLoopsOnce)
+{
+    Outline outline;
+    outline.add(star(40, 4, 3));
+    outline.add(reversed(star(12, 2, 1.5)));  // a hole
+    outline.add(star(8, 1, 0.7));             // an island in it
+    outline.add(star(6, 1, 1, {10, 0}));      // beside it
+    CapMesh cap;
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-9);
+}
+
+TEST(ConstrainedTriangulator, CoversTwiceWhatIsWoundAroundTwice)
+{
+    Outline outline;
+    outline.add(star(20, 3, 2.5));
+    outline.add(star(8, 1, 1));
+    CapMesh cap;
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+}
+
+TEST(ConstrainedTriangulator, LetsLoopsTouchInPointsAndEdges)
+{
+    Outline outline;
+    outline.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    outline.add({{1, 1}, {2, 1}, {2, 2}, {1, 2}});  // touches in a corner
+    outline.add({{1, 0}, {2, 0}, {2, 1}, {1, 1}});  // touches in two edges
+    CapMesh cap;
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 3.0, 1e-12);
+    EXPECT_TRUE(cap.merged_points);
+}
+
+TEST(ConstrainedTriangulator, RefusesLoopsThatCrossOrRunThroughAPoint)
+{
+    CapMesh cap;
+    Outline crossing, through;
+    crossing.add({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+    through.add({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    through.add({{2, 0}, {3, 1}, {2, 2}, {1, 1}});
+    const auto triangulator = make_constrained_triangulator();
+    EXPECT_FALSE(triangulator->triangulate(crossing.view(), cap));
+    EXPECT_FALSE(triangulator->triangulate(through.view(), cap));
+    // And is fit for use afterwards.
+    Outline good;
+    good.add(star(10, 2, 1));
+    ASSERT_TRUE(triangulator->triangulate(good.view(), cap));
+    EXPECT_NEAR(unsigned_area(good, cap), good.area(), 1e-12);
+}
+
+TEST(TopologicalTriangulator, ClosesAnythingWithTheRightSignedArea)
+{
+    test::Random random(1);
+    for (int n = 3; n < 60; ++n) {
+        std::vector<glm::dvec2> loop;
+        // On a coarse grid, so that points fall together; consecutive ones never do.
+        while (loop.size() < std::size_t(n)) {
+            const glm::dvec2 p(random.below(4), random.below(4));
+            if (!loop.empty() && (loop.back() == p || (loop.size() + 1 == std::size_t(n) && loop.front() == p)))
+                continue;
+            loop.push_back(p);
+        }
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_topological_triangulator()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+        for (const CapTriangle& t : cap.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_NE(outline.points[t.corner[i]], outline.points[t.corner[(i + 1) % 3]]);
+    }
+}
+
+}  // namespace
+}  // namespace kerf::halfedge

@@ -1,0 +1,97 @@
+// The proof that a cut costs what its section costs: exact counters, and what it asks of memory.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/shapes.h"
+#include "halfedge/allocation_counter.h"
+#include "halfedge/fragment.h"
+#include "halfedge/halfedge.h"
+#include "support/fixtures.h"
+
+namespace kerf::halfedge {
+namespace {
+
+// Limits of the issue, per crossing triangle.
+constexpr double kTriangles = 40, kBytes = 400, kNodes = 12;
+constexpr double kExponent = 0.56;
+
+struct Sample
+{
+    double triangles = 0, touched = 0, bytes = 0, nodes = 0;
+};
+
+Sample measure(std::uint64_t triangles)
+{
+    const auto object = std::move(make_backend()->prepare(test::assembled(shapes::asteroid(triangles, 1))).object);
+    test::Random random(9);
+    Sample sum;
+    sum.triangles = double(object->triangle_count());
+    for (int i = 0; i < 5; ++i) {
+        const Plane plane = *Plane::through(0.1 * random.direction(), random.direction());
+        const CutResult result = cut(object->clone(), plane);
+        EXPECT_EQ(result.status, Status::cut);
+        const CutStatistics& s = result.statistics;
+        const double k = double(s.crossing_triangles);
+        EXPECT_LE(double(s.triangles_touched), kTriangles * k);
+        EXPECT_LE(double(s.bytes_to_upload), kBytes * k);
+        EXPECT_LE(double(s.nodes_visited), kNodes * k);
+        EXPECT_EQ(s.bytes_grown, 0u);
+        sum.touched += double(s.triangles_touched);
+        sum.bytes += double(s.bytes_to_upload);
+        sum.nodes += double(s.nodes_visited);
+    }
+    return sum;
+}
+
+TEST(Growth, CountersGrowAsTheSectionDoes)
+{
+    const Sample small = measure(10'000), large = measure(400'000);
+    const double decades = std::log(large.triangles / small.triangles);
+    EXPECT_LE(std::log(large.touched / small.touched) / decades, kExponent);
+    EXPECT_LE(std::log(large.bytes / small.bytes) / decades, kExponent);
+    EXPECT_LE(std::log(large.nodes / small.nodes) / decades, kExponent);
+}
+
+TEST(Growth, ACutAllocatesInProportionToItsSection)
+{
+    // At most this many bytes for each crossing triangle, and no single request that is in proportion to the mesh.
+    constexpr double kAllocated = 4000;
+    for (const std::uint64_t n : {20'000u, 320'000u}) {
+        auto object = std::move(make_backend()->prepare(test::assembled(shapes::asteroid(n, 1))).object);
+        const Plane plane = *Plane::through({0.01, 0.02, 0.03}, {1, 2, 3});
+        test::reset_largest_allocation();
+        const std::size_t before = test::allocated_bytes();
+        const CutResult result = cut(std::move(object), plane);
+        const double k = double(result.statistics.crossing_triangles);
+        EXPECT_LE(double(test::allocated_bytes() - before), kAllocated * k) << n;
+        EXPECT_LE(double(test::largest_allocation()), 1000 * k) << n;
+    }
+}
+
+TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
+{
+    auto object = std::move(make_backend()->prepare(test::assembled(shapes::asteroid(20'000, 1))).object);
+    test::Random random(2);
+    std::vector<std::unique_ptr<Cuttable>> objects;
+    objects.push_back(std::move(object));
+    std::uint64_t grown = 0, first_grown_at = 0, crossings = 0;
+    while (grown == 0 && !objects.empty()) {
+        auto next = std::move(objects.back());
+        objects.pop_back();
+        if (next->triangle_count() < 1000) continue;
+        CutResult result = cut(std::move(next), *Plane::through({0, 0, 0}, random.direction()));
+        crossings += result.statistics.crossing_triangles;
+        grown += result.statistics.bytes_grown;
+        first_grown_at = crossings;
+        for (auto* side : {&result.negative, &result.positive})
+            for (auto& fragment : *side) objects.push_back(std::move(fragment));
+    }
+    EXPECT_GT(grown, 0u);
+    // Room for the stated number of crossing triangles was there.
+    EXPECT_GE(double(first_grown_at), 0.5 * double(reserved_crossings(20'000)));
+}
+
+}  // namespace
+}  // namespace kerf::halfedge

@@ -1,0 +1,38 @@
+// What the tree says about a subtree is what a loop over its triangles says.
+
+#include <gtest/gtest.h>
+
+#include "halfedge/fragment.h"
+#include "halfedge/halfedge.h"
+#include "support/fixtures.h"
+
+namespace kerf::halfedge {
+namespace {
+
+TEST(TriangleTree, BoundsMassAndProxyAreThoseOfTheMesh)
+{
+    for (const auto& shape : test::closed_shapes()) {
+        const auto object = std::move(make_backend()->prepare(shape.mesh).object);
+        for (const auto& plane : test::planes_for(shape.mesh, 2, 5)) {
+            const CutResult result = cut(object->clone(), plane.plane);
+            for (const auto* side : {&result.positive, &result.negative})
+                for (const auto& fragment : *side) {
+                    SCOPED_TRACE(shape.name + ", plane " + plane.name);
+                    const IndexedMesh mesh = fragment->to_indexed_mesh();
+                    const Box box = mesh.bounds(), have = fragment->bounds();
+                    EXPECT_EQ(have.lo, box.lo);
+                    EXPECT_EQ(have.hi, box.hi);
+                    EXPECT_EQ(fragment->triangle_count(), mesh.triangles.size());
+                    const MassProperties expected = mass_properties(mesh), mass = fragment->mass_properties();
+                    EXPECT_NEAR(mass.volume, expected.volume, 1e-12 + 1e-9 * std::abs(expected.volume));
+                    const CollisionProxy proxy = fragment->collision_proxy(ProxyKind::bounded_hull),
+                                         loop = collision_proxy(ProxyKind::bounded_hull, mesh.vertices);
+                    EXPECT_EQ(proxy.points, loop.points);
+                    EXPECT_EQ(proxy.faces, loop.faces);
+                }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kerf::halfedge
