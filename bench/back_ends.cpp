@@ -1,6 +1,9 @@
 #include "bench/back_ends.h"
 
 #include "baseline/baseline.h"
+#ifdef KERF_HAS_HALFEDGE
+#include "halfedge/halfedge.h"
+#endif
 
 namespace kerf::bench {
 
@@ -13,6 +16,9 @@ const std::vector<TimedBackend>& back_ends()
         {baseline::make_backend(VertexLookup::two_bucket_hash), kQuadraticLimit},
         {baseline::make_backend(VertexLookup::hash), kNoLimit},
         {baseline::make_backend(VertexLookup::remap), kNoLimit},
+#ifdef KERF_HAS_HALFEDGE
+        {halfedge::make_backend(), kNoLimit},
+#endif
     };
     return all;
 }

@@ -10,6 +10,7 @@
 namespace kerf::bench {
 void register_model_benchmarks();
 void register_scale_benchmarks();
+void register_chain_benchmarks();
 }  // namespace kerf::bench
 
 int main(int argc, char** argv)
@@ -23,6 +24,7 @@ int main(int argc, char** argv)
     try {
         kerf::bench::register_model_benchmarks();
         kerf::bench::register_scale_benchmarks();
+        kerf::bench::register_chain_benchmarks();
         benchmark::Initialize(&argc, argv);
         if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
         benchmark::RunSpecifiedBenchmarks();

@@ -11,28 +11,14 @@
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/cpu_stopwatch.h"
-#include "common/shapes.h"
+#include "bench/timed_shapes.h"
 
 namespace kerf::bench {
 
 namespace {
 
 constexpr std::uint32_t kPlanes = 10;
-constexpr std::uint64_t kPlaneSeed = 99, kShapeSeed = 1;
-
-/// The last shape made: benchmarks of one size follow one another, and the large ones should not all stay in memory.
-const IndexedMesh& shape_of(const std::string& name, std::uint64_t triangles)
-{
-    static std::pair<std::string, std::uint64_t> key;
-    static IndexedMesh mesh;
-    if (key != std::pair{name, triangles}) {
-        TriangleSoup soup = shapes::asteroid(triangles, kShapeSeed);
-        if (name == "shuffled") soup = shapes::shuffled(std::move(soup), kShapeSeed);
-        mesh = assemble(std::move(soup)).mesh;
-        key = {name, triangles};
-    }
-    return mesh;
-}
+constexpr std::uint64_t kPlaneSeed = 99;
 
 enum class Extent
 {
@@ -43,7 +29,7 @@ enum class Extent
 void cut_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size,
                Extent extent)
 {
-    const IndexedMesh& mesh = shape_of(shape, size);
+    const IndexedMesh& mesh = timed_shape(shape, size);
     const auto planes = planes_through_the_middle(mesh.bounds(), kPlanes, kPlaneSeed);
     PrepareResult prepared = backend.prepare(mesh);
     if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());

@@ -1,0 +1,149 @@
+//   Recut/<back end>/<shape>/<triangles>    100 cuts in a chain: always the largest fragment, through its centre of
+//   mass Prepare/<back end>/<shape>/<triangles>  making a mesh ready for cutting, and the memory that it takes from
+//   then on
+
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/back_ends.h"
+#include "bench/checked_cut.h"
+#include "bench/cpu_stopwatch.h"
+#include "bench/timed_shapes.h"
+
+namespace kerf::bench {
+
+namespace {
+
+constexpr std::uint32_t kCutsInAChain = 100;
+constexpr std::uint64_t kPlaneSeed = 7;
+
+struct Piece
+{
+    std::unique_ptr<Cuttable> object;
+    MassProperties mass;
+};
+
+/// What one chain of cuts took and left behind.
+struct Chain
+{
+    double seconds = 0.0, worst_cut = 0.0, worst_per_crossing = 0.0, volume = 0.0;
+    std::size_t crossing = 0, most_ranges = 0;
+    std::string error;
+};
+
+Chain cut_in_a_chain(std::unique_ptr<Cuttable> object, std::span<const glm::dvec3> normals)
+{
+    Chain chain;
+    std::vector<Piece> pieces;
+    const MassProperties whole = object->mass_properties();
+    pieces.push_back({std::move(object), whole});
+    for (const glm::dvec3& normal : normals) {
+        const auto largest = std::max_element(
+            pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.mass.volume < b.mass.volume; });
+        const Plane plane = *Plane::through(largest->mass.centre, normal);
+        CpuStopwatch watch;
+        CutResult result = cut(std::move(largest->object), plane);
+        const double seconds = watch.lap();
+        if (result.status != Status::cut) {
+            chain.error = "a cut of the chain gave status " + std::string(name_of(result.status));
+            return chain;
+        }
+        pieces.erase(largest);
+        for (auto* side : {&result.positive, &result.negative})
+            for (auto& fragment : *side) {
+                const MassProperties mass = fragment->mass_properties();
+                chain.most_ranges = std::max(chain.most_ranges, fragment->draw_view().ranges.size());
+                pieces.push_back({std::move(fragment), mass});
+            }
+        const auto k = result.statistics.crossing_triangles;
+        chain.seconds += seconds;
+        chain.worst_cut = std::max(chain.worst_cut, seconds);
+        chain.crossing += k;
+        if (k > 0) chain.worst_per_crossing = std::max(chain.worst_per_crossing, seconds / double(k));
+    }
+    for (const Piece& piece : pieces) chain.volume += piece.mass.volume;
+    constexpr double kShare = 1e-6;  // what rounding cut points to float may change
+    if (!(std::abs(chain.volume - whole.volume) <= kShare * std::abs(whole.volume)))
+        chain.error = "the volumes of the pieces do not add up";
+    return chain;
+}
+
+void recut(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
+{
+    const IndexedMesh& mesh = timed_shape(shape, size);
+    std::vector<glm::dvec3> normals;
+    for (const Plane& plane : planes_through_the_middle(mesh.bounds(), kCutsInAChain, kPlaneSeed))
+        normals.push_back(plane.normal);
+    const PrepareResult prepared = backend.prepare(mesh);
+    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
+
+    Chain chain;
+    for (auto _ : state) {
+        chain = cut_in_a_chain(prepared.object->clone(), normals);
+        if (!chain.error.empty()) return state.SkipWithError(chain.error.c_str());
+        state.SetIterationTime(chain.seconds);
+    }
+    state.counters["triangles"] = double(mesh.triangles.size());
+    state.counters["cut_ms"] = chain.seconds * 1e3 / kCutsInAChain;
+    state.counters["worst_cut_ms"] = chain.worst_cut * 1e3;
+    state.counters["ns_per_crossing"] = chain.seconds * 1e9 / double(chain.crossing);
+    state.counters["worst_ns_per_crossing"] = chain.worst_per_crossing * 1e9;
+    state.counters["most_draw_ranges"] = double(chain.most_ranges);
+}
+
+/// Bytes that the program has allocated and not freed.
+double allocated_bytes()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return double(info.uordblks) + double(info.hblkhd);
+}
+
+void prepare_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
+{
+    const IndexedMesh& mesh = timed_shape(shape, size);
+    double seconds = 0.0, bytes = 0.0;
+    for (auto _ : state) {
+        const double before = allocated_bytes();
+        IndexedMesh copy = mesh;
+        CpuStopwatch watch;
+        PrepareResult result = backend.prepare(std::move(copy));
+        const double iteration = watch.lap();
+        copy = {};
+        if (!result.object) return state.SkipWithError(result.reason.c_str());
+        bytes = allocated_bytes() - before;
+        state.SetIterationTime(iteration);
+        seconds += iteration;
+    }
+    const auto triangles = double(mesh.triangles.size());
+    state.counters["triangles"] = triangles;
+    state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
+    state.counters["bytes_per_triangle"] = bytes / triangles;
+}
+
+}  // namespace
+
+void register_chain_benchmarks()
+{
+    for (const std::uint64_t size : {10'000ull, 100'000ull, 1'000'000ull})
+        for (const TimedBackend& back_end : back_ends()) {
+            const std::string tail = back_end.backend->name() + "/asteroid/" + std::to_string(size);
+            // A chain of a hundred cuts with a lookup that is quadratic, or hashes every vertex, says nothing new.
+            if (back_end.backend->name() == "baseline/remap" || back_end.backend->name() == "halfedge") {
+                benchmark::RegisterBenchmark(
+                    ("Recut/" + tail).c_str(),
+                    [&back_end, size](benchmark::State& s) { recut(s, *back_end.backend, "asteroid", size); })
+                    ->UseManualTime()
+                    ->Unit(benchmark::kMillisecond);
+                benchmark::RegisterBenchmark(
+                    ("Prepare/" + tail).c_str(),
+                    [&back_end, size](benchmark::State& s) { prepare_shape(s, *back_end.backend, "asteroid", size); })
+                    ->UseManualTime()
+                    ->Unit(benchmark::kMillisecond);
+            }
+        }
+}
+
+}  // namespace kerf::bench
