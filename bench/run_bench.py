@@ -19,6 +19,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 LOOKUPS = ["scan", "two_bucket_hash", "hash", "remap"]
+SIZES = [1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000, 4_000_000, 16_000_000]
 PROXIES = ["every_vertex", "full_hull", "bounded_hull", "box", "sphere"]
 
 
@@ -28,6 +29,7 @@ def parse_arguments():
                         help="the built kerf_bench")
     parser.add_argument("--out", type=Path, default=HERE.parent / "build/bench/results.json", help="where the JSON goes")
     parser.add_argument("--quick", action="store_true", help="one repetition and no mesh above 100 000 triangles")
+    parser.add_argument("--full", action="store_true", help="meshes up to 16 million triangles; takes several minutes and 16 GiB")
     parser.add_argument("--show", type=Path, metavar="JSON", help="run nothing: print the tables of an earlier run")
     return parser.parse_args()
 
@@ -102,7 +104,8 @@ def print_table(header, rows):
 
 
 def print_models(table):
-    backends = sorted({name.split("/", 1)[1].rsplit("/", 1)[0] for name in table if name.startswith("Cut/")},
+    backends = sorted({name.split("/", 1)[1].rsplit("/", 1)[0] for name in table
+                       if name.startswith("Cut/")},
                       key=lambda name: (LOOKUPS + ["halfedge"]).index(name.split("/")[-1]))
     rows, spread = [], []
     for report in report_rows():
@@ -174,6 +177,81 @@ def print_scaling(table):
             print("ms per cut by triangles; exponents e fitted to time ~ triangles^e, and to the vertex comparisons.\n")
             print_table(["back end"] + [f"{size:,}".replace(",", " ") for size in sizes] +
                         ["e 1k-30k", "of comparisons", "e from 10k", "ns/triangle at 1M"], rows)
+            print_crossovers(cells)
+
+
+def crossover(cells, slower, faster):
+    """Triangles from which on `faster` takes less time than `slower`, by interpolation between sizes; None if it never does."""
+    sizes = sorted(size for backend, size in cells if backend == faster and (slower, size) in cells)
+    ratios = [(cells[(faster, size)]["triangles"][0],
+               cells[(faster, size)]["real_time"][0] / cells[(slower, size)]["real_time"][0]) for size in sizes]
+    result = None
+    for (n0, r0), (n1, r1) in reversed(list(zip(ratios, ratios[1:]))):
+        if r1 >= 1:
+            return result
+        if r0 >= 1:
+            share = math.log(r0) / (math.log(r0) - math.log(r1))
+            return math.exp(math.log(n0) + share * (math.log(n1) - math.log(n0)))
+        result = n0
+    return result
+
+
+def print_crossovers(cells):
+    for slower in ("baseline/hash", "baseline/remap"):
+        if not any(backend == "halfedge" for backend, _ in cells):
+            return
+        size = crossover(cells, slower, "halfedge")
+        smallest = min(size for _, size in cells)
+        if size is None:
+            print(f"halfedge is not faster than {slower} at the largest size.")
+        elif size <= 1.2 * smallest:
+            print(f"halfedge is faster than {slower} at every size measured.")
+        else:
+            print(f"halfedge is faster than {slower} from about {size:,.0f} triangles on.".replace(",", " "))
+    print()
+
+
+def print_crossing_costs(table):
+    rows = []
+    for name, counters in table.items():
+        parts = name.split("/")
+        if parts[0] != "Scale" or parts[1] != "halfedge" or parts[-2] != "asteroid":
+            continue
+        k = counters["crossing"][0]
+        phases = {key[3:]: value[0] for key, value in counters.items() if key.startswith("ms_")}
+        rows.append([parts[-1], f"{k:.0f}", f"{counters['ns_per_crossing'][0]:.0f}",
+                     f"{counters['touched'][0] / k:.1f}", f"{counters['nodes'][0] / k:.2f}",
+                     f"{counters['upload_bytes'][0] / k:.0f}",
+                     ", ".join(f"{phase} {ms * 1e6 / k:.0f}" for phase, ms in sorted(phases.items(), key=lambda p: -p[1])
+                               if ms * 1e6 / k >= 5)])
+    if not rows:
+        return
+    rows.sort(key=lambda row: int(row[0]))
+    print("The half-edge back end's whole chain by what the plane crosses (k triangles), asteroid in coherent order:")
+    print("time, triangle records touched, tree nodes visited and bytes to upload for each crossing triangle; phases are wall-clock.\n")
+    print_table(["triangles", "k", "ns/k", "touched/k", "nodes/k", "bytes/k", "ns/k by phase"], rows)
+    for counter in ("touched", "nodes", "upload_bytes", "crossing"):
+        points = [(c["triangles"][0], c[counter][0]) for name, c in table.items()
+                  if re.match(r"Scale/halfedge/asteroid/", name) and c["triangles"][0] >= 9_000]
+        if len(points) >= 3:
+            print("  exponent of %s in the number of triangles, from 10 000 up: %.3f ± %.3f" %
+                  ((counter,) + fitted_exponent(points)))
+    print()
+
+
+def print_chains(table):
+    rows = [[name.split("/", 1)[1], milliseconds(c["cut_ms"][0]), milliseconds(c["worst_cut_ms"][0]),
+             f"{c['ns_per_crossing'][0]:.0f}", f"{c['most_draw_ranges'][0]:.0f}"]
+            for name, c in table.items() if name.startswith("Recut/")]
+    if rows:
+        print("A chain of 100 cuts, always the largest piece through its centre of mass: ms per cut, draw ranges of a piece.\n")
+        print_table(["", "mean cut", "worst cut", "ns per crossing triangle", "most ranges"], rows)
+    rows = [[name.split("/", 1)[1], milliseconds(c["real_time"][0]), f"{c['ns_per_triangle'][0]:.0f}",
+             f"{c['bytes_per_triangle'][0]:.0f}"]
+            for name, c in table.items() if name.startswith("Prepare/") and "bytes_per_triangle" in c]
+    if rows:
+        print("Preparing a mesh, and the memory it takes from then on.\n")
+        print_table(["", "ms", "ns/triangle", "bytes/triangle"], rows)
 
 
 def print_notes():
@@ -199,10 +277,13 @@ def main():
         arguments.out.parent.mkdir(parents=True, exist_ok=True)
         partial = arguments.out.with_suffix(".partial.json")
         repetitions = 1 if arguments.quick else 3
-        results = run_one(arguments.program, "^(Cut|Proxy|Prepare)/", repetitions, 0.01, "Models", partial)
-        sizes = "(1000|3000|10000|30000|100000)" if arguments.quick else "(1000|3000|10000|30000|100000|300000|1000000)"
-        scaling = run_one(arguments.program, f"^(Scale|Geometry)/.*/{sizes}/manual_time$", repetitions, 0.05, "Growth", partial)
-        results["benchmarks"] += scaling["benchmarks"]
+        results = run_one(arguments.program, "^Cut/|^Proxy/|^Prepare/.*/[a-z]+/manual_time$", repetitions, 0.01, "Models",
+                          partial)
+        most = 100_000 if arguments.quick else 16_000_000 if arguments.full else 4_000_000
+        sizes = "|".join(str(size) for size in SIZES if size <= most)
+        for pattern, min_time, title in ((f"^(Scale|Geometry)/.*/({sizes})/manual_time$", 0.05, "Growth"),
+                                         (f"^(Recut|Prepare)/.*/({sizes})/manual_time$", 0.01, "Chains")):
+            results["benchmarks"] += run_one(arguments.program, pattern, repetitions, min_time, title, partial)["benchmarks"]
         with open(partial, "w") as file:
             json.dump(results, file, indent=1)
         os.replace(partial, arguments.out)
@@ -211,6 +292,8 @@ def main():
     print_models(table)
     print_scaling(table)
     print_notes()
+    print_crossing_costs(table)
+    print_chains(table)
     print_machine(results)
     if not arguments.show:
         print(f"All numbers: {os.path.relpath(arguments.out)}")
