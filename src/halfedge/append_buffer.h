@@ -82,6 +82,7 @@ public:
     /// Sets the size within the capacity; new elements keep whatever bytes are there.
     void set_size(std::size_t size) { size_ = size; }
 
+    /// Needs room for one more.
     void push(const T& value) { data_[size_++] = value; }
 
     std::size_t bytes_reserved() const { return capacity_ * sizeof(T); }

@@ -6,7 +6,8 @@
 namespace kerf::halfedge {
 
 CapPlanner::CapPlanner()
-    : ways_{make_convex_triangulator(), make_constrained_triangulator(), make_topological_triangulator()}
+    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_constrained_triangulator()},
+      last_resort_(make_topological_triangulator())
 {
 }
 
@@ -100,7 +101,8 @@ void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t s
     for (const std::size_t i : loops) ordinary = append_loop(scratch.loops[i], scratch) && ordinary;
     starts_.push_back(static_cast<Index>(points_.size()));
     const CapOutline outline{points_, positions_, starts_};
-    if (!ordinary || !(ways_[0]->triangulate(outline, mesh_) || ways_[1]->triangulate(outline, mesh_))) {
+    const auto closes = [&](const auto& way) { return way->triangulate(outline, mesh_); };
+    if (!ordinary || std::none_of(ways_.begin(), ways_.end(), closes)) {
         // The last resort sees the loops as they are.
         scratch.caps.resize(cap.first);
         clear_outline();
@@ -115,7 +117,7 @@ void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t s
             }
         }
         starts_.push_back(static_cast<Index>(points_.size()));
-        ways_[2]->triangulate({points_, positions_, starts_}, mesh_);
+        last_resort_->triangulate({points_, positions_, starts_}, mesh_);
     }
 
     const Index offset = 3 * static_cast<Index>(scratch.caps.size());

@@ -25,6 +25,7 @@ private:
     void order_spatially(const SolidCap& cap, CutScratch& scratch);
 
     std::array<std::unique_ptr<CapTriangulator>, 3> ways_;  ///< in the order in which they are tried
+    std::unique_ptr<CapTriangulator> last_resort_;
     int axis_u_ = 0, axis_v_ = 1;  ///< coordinates that are kept; (u, v, plane normal) is right-handed
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;

@@ -19,6 +19,34 @@ CutScratch::CutScratch()
 
 CutScratch::~CutScratch() = default;
 
+namespace {
+
+template <class T>
+void reserve_touched(std::vector<T>& vector, std::size_t count)
+{
+    if (vector.capacity() >= count) return;
+    vector.resize(count);
+    vector.clear();
+}
+
+}  // namespace
+
+void CutScratch::reserve(std::size_t k)
+{
+    // Leaves that the plane meets hold about sixteen triangles for each one that crosses.
+    reserve_touched(ops, 3 * k);
+    reserve_touched(entries, 20 * k);
+    reserve_touched(crossings, k);
+    reserve_touched(stack, 128);
+    reserve_touched(cut_points, k);
+    reserve_touched(chain, k);
+    reserve_touched(loop_seams, k);
+    reserve_touched(loop_points, k);
+    reserve_touched(caps, k);
+    reserve_touched(cap_order, k);
+    reserve_touched(cap_bundle, k);
+}
+
 void CutScratch::begin(Universe& u)
 {
     // Stamps of earlier cuts lie below the base. Starting again from 1 once in 2^31 crossing triangles costs O(n).

@@ -197,6 +197,8 @@ struct CutScratch
 
     CutScratch();
     ~CutScratch();
+    /// Makes room for a cut that crosses so many triangles, and touches it.
+    void reserve(std::size_t crossings);
     /// Forgets the last cut.
     void begin(Universe& universe);
 

@@ -94,7 +94,7 @@ MassProperties Fragment::mass_properties() const
     // A small fragment far from the universe's centre loses digits to cancellation; it is cheap to sum it anew.
     constexpr std::uint64_t kFew = 4096;
     const bool few = triangle_count() <= kFew;
-    const glm::dvec3 reference = few ? bounds().centre() : u.reference;
+    const glm::dvec3 reference = few ? mass_reference(bounds()) : u.reference;
     MassMoments moments;
     for (const Shell& shell : shells_) {
         if (few)

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/mass_properties.h"
 #include "common/plane.h"
 #include "halfedge/cut_plan.h"
 #include "halfedge/universe.h"
@@ -215,6 +216,7 @@ Universe::Universe(const Universe& other)
       noise(other.noise),
       scratch(std::make_unique<CutScratch>())
 {
+    scratch->reserve(crossings_of_one_cut(other.slots.size()));
 }
 
 Index Universe::group(const Group& wanted)
@@ -240,6 +242,11 @@ std::size_t reserved_crossings(std::size_t triangles)
     return 256 + static_cast<std::size_t>(24.0 * std::sqrt(static_cast<double>(triangles)));
 }
 
+std::size_t crossings_of_one_cut(std::size_t triangles)
+{
+    return 64 + static_cast<std::size_t>(4.0 * std::sqrt(static_cast<double>(triangles)));
+}
+
 void reserve_for_cuts(Universe& u, std::size_t crossings)
 {
     // Per crossing triangle: what a regular cut adds to connectivity exactly; what it rewrites about.
@@ -259,7 +266,7 @@ Prepared prepare_universe(IndexedMesh mesh)
     Universe& u = *prepared.universe;
     const std::size_t n = mesh.triangles.size();
     const Box bounds = mesh.bounds();
-    u.reference = bounds.centre();
+    u.reference = mass_reference(bounds);
     u.noise = plane_noise(bounds.largest_coordinate());
     u.materials = std::move(mesh.materials);
 
@@ -353,6 +360,7 @@ Prepared prepare_universe(IndexedMesh mesh)
     });
 
     reserve_for_cuts(u, crossings);
+    u.scratch->reserve(crossings_of_one_cut(n));
     return prepared;
 }
 

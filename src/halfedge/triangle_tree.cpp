@@ -1,5 +1,8 @@
 #include "halfedge/triangle_tree.h"
 
+#include <algorithm>
+#include <cassert>
+#include <cstring>
 #include <limits>
 
 #include "common/cut_geometry.h"
@@ -8,25 +11,106 @@ namespace kerf::halfedge {
 
 namespace {
 
-/// The directions as structure of arrays, so that one vertex meets four of them at a time.
-struct Directions
+constexpr std::size_t kLines = kSupportDirections / 2;  // directions come in opposite pairs, i and i + kLines
+constexpr std::size_t kLanes = 4;
+
+// Four floats: what every x86-64 and every 64-bit ARM computes in one step.
+using Four = float __attribute__((vector_size(16)));
+
+/// One of each pair of directions, four at a time.
+struct Lines
 {
-    alignas(16) std::array<float, kSupportDirections> x, y, z;
+    std::array<Four, kLines / kLanes> x, y, z;
 };
 
-const Directions& directions()
+const Lines& lines()
 {
-    static const Directions table = [] {
-        Directions d;
-        for (std::size_t i = 0; i < kSupportDirections; ++i) {
-            d.x[i] = support_directions()[i].x;
-            d.y[i] = support_directions()[i].y;
-            d.z[i] = support_directions()[i].z;
+    static const Lines table = [] {
+        Lines l;
+        for (std::size_t i = 0; i < kLines; ++i) {
+            const glm::vec3& d = support_directions()[i];
+            assert(support_directions()[i + kLines] == -d);
+            l.x[i / kLanes][i % kLanes] = d.x;
+            l.y[i / kLanes][i % kLanes] = d.y;
+            l.z[i / kLanes][i % kLanes] = d.z;
         }
-        return d;
+        return l;
     }();
     return table;
 }
+
+Four load(const float* p)
+{
+    Four four;
+    std::memcpy(&four, p, sizeof four);
+    return four;
+}
+
+void store(float* p, const Four& four)
+{
+    std::memcpy(p, &four, sizeof four);
+}
+
+// Written so that it is one instruction.
+Four larger(Four a, Four b)
+{
+    return a > b ? a : b;
+}
+
+/// Maxima over vertices, in registers.
+class SupportSum
+{
+public:
+    SupportSum()
+    {
+        for (std::size_t i = 0; i < kLines / kLanes; ++i) {
+            high_[i] = Four{} - std::numeric_limits<float>::infinity();
+            low_[i] = Four{} + std::numeric_limits<float>::infinity();
+        }
+    }
+
+    void add(const Lines& l, const glm::vec3& p)
+    {
+        for (std::size_t i = 0; i < kLines / kLanes; ++i) {
+            // The order of operations is that of support_value().
+            const Four value = (l.x[i] * p.x + l.y[i] * p.y) + l.z[i] * p.z;
+            high_[i] = larger(value, high_[i]);
+            low_[i] = value < low_[i] ? value : low_[i];
+        }
+    }
+
+    Support support() const
+    {
+        Support support;
+        for (std::size_t i = 0; i < kLines / kLanes; ++i) {
+            store(&support.best[i * kLanes], high_[i]);
+            // Rounding is symmetric, so the value along -d is the negative of the value along d.
+            store(&support.best[kLines + i * kLanes], -low_[i]);
+        }
+        return support;
+    }
+
+private:
+    std::array<Four, kLines / kLanes> high_, low_;
+};
+
+/// Remembers which vertices of a leaf were seen. It may forget, which costs time only.
+class SeenVertices
+{
+public:
+    bool is_new(Index vertex)
+    {
+        Index& entry = table_[vertex % kEntries];
+        if (entry == vertex) return false;
+        entry = vertex;
+        return true;
+    }
+    void clear() { table_.fill(kNone); }
+
+private:
+    static constexpr std::size_t kEntries = 128;
+    std::array<Index, kEntries> table_;
+};
 
 }  // namespace
 
@@ -39,38 +123,40 @@ Support Support::none()
 
 void Support::add(const glm::vec3& p)
 {
-    // The order of operations is that of support_value().
-    const Directions& d = directions();
-    for (std::size_t i = 0; i < kSupportDirections; ++i) {
-        const float value = (d.x[i] * p.x + d.y[i] * p.y) + d.z[i] * p.z;
-        best[i] = value > best[i] ? value : best[i];
-    }
+    for (std::size_t d = 0; d < kSupportDirections; ++d)
+        best[d] = std::max(best[d], support_value(support_directions()[d], p));
 }
 
 void Support::add(const Support& other)
 {
-    for (std::size_t i = 0; i < kSupportDirections; ++i) best[i] = other.best[i] > best[i] ? other.best[i] : best[i];
+    for (std::size_t i = 0; i < kSupportDirections; i += kLanes)
+        store(&best[i], larger(load(&other.best[i]), load(&best[i])));
 }
 
-void Summary::add(const TreeGeometry& geometry, const Triangle& triangle)
+Box Support::box() const
 {
-    const glm::vec3& a = geometry.vertices[triangle[0]].position;
-    const glm::vec3& b = geometry.vertices[triangle[1]].position;
-    const glm::vec3& c = geometry.vertices[triangle[2]].position;
-    moments.add(geometry.reference, a, b, c);
-    for (const glm::vec3* p : {&a, &b, &c}) {
-        box.add(*p);
-        support.add(*p);
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        box.hi[axis] = best[i] + 0.0f;  // not -0
+        box.lo[axis] = 0.0f - best[kLines + i];
     }
+    return box;
 }
 
 Index TriangleTree::make_leaf(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group)
 {
-    Summary sum;
-    for (std::uint32_t s = first; s < first + count; ++s) sum.add(geometry, geometry.slots[s]);
-    nodes.push({sum.box, kNone, kNone, first, count, group});
-    moments.push(sum.moments);
-    supports.push(sum.support);
+    const Lines& l = lines();
+    SupportSum sum;
+    SeenVertices seen;
+    seen.clear();
+    for (std::uint32_t s = first; s < first + count; ++s)
+        for (const Index v : geometry.slots[s])
+            if (seen.is_new(v)) sum.add(l, geometry.vertices[v].position);
+    const Support support = sum.support();
+    nodes.push({support.box(), kNone, kNone, first, count, group});
+    moments.push(mass_moments(geometry.vertices, geometry.slots.subspan(first, count), geometry.reference));
+    supports.push(support);
     return static_cast<Index>(nodes.size() - 1);
 }
 
@@ -99,13 +185,11 @@ Index TriangleTree::join(Index left, Index right)
     node.count = l.count + r.count;
     node.first = l.first;
     node.group = l.group == r.group && l.first + l.count == r.first ? l.group : kMixed;
-    MassMoments moment = moments[left];
-    moment.add(moments[right]);
-    Support support = supports[left];
-    support.add(supports[right]);
     nodes.push(node);
-    moments.push(moment);
-    supports.push(support);
+    moments.push(moments[left]);
+    moments[moments.size() - 1].add(moments[right]);
+    supports.push(supports[left]);
+    supports[supports.size() - 1].add(supports[right]);
     return static_cast<Index>(nodes.size() - 1);
 }
 

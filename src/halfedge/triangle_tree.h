@@ -44,24 +44,17 @@ struct alignas(16) Support
     static Support none();
     void add(const glm::vec3& p);
     void add(const Support& other);
+    /// The box of what was added: the axes are among the directions, and along them the support value is the
+    /// coordinate.
+    Box box() const;
 };
 
 /// What a leaf is computed from: the universe's arrays.
 struct TreeGeometry
 {
-    const Vertex* vertices = nullptr;
-    const Triangle* slots = nullptr;
+    std::span<const Vertex> vertices;
+    std::span<const Triangle> slots;
     glm::dvec3 reference{0.0};  ///< what mass moments are summed about
-};
-
-/// Sums over any set of triangles, as nodes hold them.
-struct Summary
-{
-    Box box;
-    MassMoments moments;
-    Support support = Support::none();
-
-    void add(const TreeGeometry& geometry, const Triangle& triangle);
 };
 
 /// The pool of nodes of a universe.

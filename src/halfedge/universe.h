@@ -61,7 +61,10 @@ struct Universe
     Universe(const Universe& other);
     Universe& operator=(const Universe&) = delete;
 
-    TreeGeometry geometry() const { return {vertices.data(), slots.data(), reference}; }
+    TreeGeometry geometry() const
+    {
+        return {{vertices.data(), vertices.size()}, {slots.data(), slots.size()}, reference};
+    }
 
     /// The index of a group, which is added if it is new. May throw std::bad_alloc.
     Index group(const Group& wanted);
@@ -94,6 +97,9 @@ Prepared prepare_universe(IndexedMesh mesh);
 /// Room that prepare_universe() reserves and touches, in crossing triangles: about eight cuts through the middle of a
 /// surface, whose section crosses some 3 sqrt(n) triangles.
 std::size_t reserved_crossings(std::size_t triangles);
+
+/// The crossing triangles of one cut through the middle, with some to spare: room for planning one such cut.
+std::size_t crossings_of_one_cut(std::size_t triangles);
 
 /// Makes room in all arrays for cuts that cross `crossings` triangles in all, as an estimate. Throws std::bad_alloc.
 void reserve_for_cuts(Universe& universe, std::size_t crossings);

@@ -127,6 +127,81 @@ TEST(ConvexTriangulator, RefusesWhatIsNotStrictlyConvex)
         EXPECT_FALSE(make_convex_triangulator()->triangulate(outline->view(), cap));
 }
 
+/// The section of a rock: a circle with a few octaves of noise.
+std::vector<glm::dvec2> rocky(std::size_t points)
+{
+    test::Random random(4);
+    std::array<double, 12> phase{};
+    for (double& p : phase) p = 2 * std::numbers::pi * random.uniform();
+    std::vector<glm::dvec2> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double angle = 2 * std::numbers::pi * double(i) / double(points);
+        double r = 1, amplitude = 0.2, frequency = 2;
+        for (const double p : phase) {
+            r += amplitude * std::sin(frequency * angle + p);
+            amplitude *= 0.55;
+            frequency *= 2;
+        }
+        loop.emplace_back(float(r * std::cos(angle)), float(r * std::sin(angle)));
+    }
+    return loop;
+}
+
+/// How many triangles a random line crosses, on average: what a later cut pays for a cap.
+double triangles_along_a_line(const Outline& outline, const CapMesh& cap)
+{
+    test::Random random(8);
+    std::size_t crossed = 0;
+    constexpr int kLines = 200;
+    for (int i = 0; i < kLines; ++i) {
+        const double angle = 2 * std::numbers::pi * random.uniform(), offset = 1.6 * random.uniform() - 0.8;
+        const glm::dvec2 n(std::cos(angle), std::sin(angle));
+        for (const CapTriangle& t : cap.triangles) {
+            int above = 0;
+            for (const Index corner : t.corner) above += glm::dot(n, outline.points[corner]) > offset;
+            crossed += above == 1 || above == 2;
+        }
+    }
+    return double(crossed) / kLines;
+}
+
+TEST(ClippingTriangulator, CoversAConcaveLoopOnce)
+{
+    for (const auto& loop : {rocky(1000), star(50, 2, 1), star(7, 1, 1), star(3, 1, 1)}) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_clipping_triangulator()->triangulate(outline.view(), cap));
+        EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    }
+}
+
+TEST(ClippingTriangulator, LeavesFewTrianglesAlongALine)
+{
+    // The issue allows 1.7 times as many as Delaunay's.
+    for (const auto& loop : {rocky(3462), star(3462, 1, 1), star(1000, 1, 0.97)}) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh clipped, delaunay;
+        ASSERT_TRUE(make_clipping_triangulator()->triangulate(outline.view(), clipped));
+        ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), delaunay));
+        EXPECT_LE(triangles_along_a_line(outline, clipped), 1.7 * triangles_along_a_line(outline, delaunay));
+    }
+}
+
+TEST(ClippingTriangulator, RefusesHolesAndSeveralLoops)
+{
+    CapMesh cap;
+    Outline hole, two_loops;
+    hole.add(reversed(star(12, 2, 1)));
+    two_loops.add(star(8, 1, 1));
+    two_loops.add(star(8, 1, 1, {4, 0}));
+    EXPECT_FALSE(make_clipping_triangulator()->triangulate(hole.view(), cap));
+    EXPECT_FALSE(make_clipping_triangulator()->triangulate(two_loops.view(), cap));
+}
+
 TEST(ConstrainedTriangulator, CoversConcaveAndNestedLoopsOnce)
 {
     Outline outline;
