@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "halfedge/huge_pages.h"
+
 namespace kerf::halfedge {
 
 /// An array that only grows at its end, in memory that has been written to before it is needed: the first touch of a
@@ -62,7 +64,10 @@ public:
         void* data = std::realloc(static_cast<void*>(data_), capacity * sizeof(T));
         if (data == nullptr) throw std::bad_alloc();
         data_ = static_cast<T*>(data);
-        std::memset(static_cast<void*>(data_ + capacity_), 0, (capacity - capacity_) * sizeof(T));
+        T* const fresh = data_ + capacity_;
+        prefer_huge_pages(static_cast<void*>(fresh), (capacity - capacity_) * sizeof(T));
+        // Not 0: memory that is to be 0 the compiler asks the system for, and it comes untouched.
+        std::memset(static_cast<void*>(fresh), 0xff, (capacity - capacity_) * sizeof(T));
         capacity_ = capacity;
     }
 

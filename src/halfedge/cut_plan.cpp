@@ -36,7 +36,7 @@ void CutScratch::reserve(std::size_t k)
     // Leaves that the plane meets hold about sixteen triangles for each one that crosses.
     reserve_touched(ops, 3 * k);
     reserve_touched(entries, 20 * k);
-    reserve_touched(crossings, k);
+    crossings.reserve(k);
     reserve_touched(stack, 128);
     reserve_touched(cut_points, k);
     reserve_touched(chain, k);

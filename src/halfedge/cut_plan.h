@@ -153,12 +153,41 @@ class Components;
 class Stitcher;
 class Rebuilder;
 
+/// A vector whose elements are used again and again without being made anew: add() returns one as it was left.
+template <class T>
+class Recycled
+{
+public:
+    T& add()
+    {
+        if (size_ == items_.size()) items_.emplace_back();
+        return items_[size_++];
+    }
+    void clear() { size_ = 0; }
+    void reserve(std::size_t count)
+    {
+        if (items_.size() < count) items_.resize(count);
+    }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    T& operator[](std::size_t i) { return items_[i]; }
+    const T& operator[](std::size_t i) const { return items_[i]; }
+    auto begin() { return items_.begin(); }
+    auto end() { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
+    auto begin() const { return items_.begin(); }
+    auto end() const { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
+
+private:
+    std::vector<T> items_;
+    std::size_t size_ = 0;
+};
+
 struct CutScratch
 {
     // FIND
     std::vector<TreeOp> ops;
     std::vector<Index> entries;
-    std::vector<Crossing> crossings;
+    Recycled<Crossing> crossings;
     std::vector<InPlaneEdge> in_plane;
     std::vector<CutShell> cut_shells;
     std::uint64_t nodes_visited = 0;

@@ -32,6 +32,20 @@ public:
 
     std::array<bool, 2> run(Index root)
     {
+        const std::size_t first_op = s_.ops.size();
+        traverse(root);
+        open_leaves(first_op);
+        return present_;
+    }
+
+private:
+    /// Writes the program; leaves that the plane meets wait for open_leaves().
+    void traverse(Index root)
+    {
+        const auto visit_later = [&](Index n, bool children_done) {
+            s_.stack.push_back({n, children_done});
+            __builtin_prefetch(&u_.tree.nodes[n]);
+        };
         s_.stack.assign(1, {root, false});
         while (!s_.stack.empty()) {
             const auto [n, children_done] = s_.stack.back();
@@ -45,32 +59,62 @@ public:
             const auto [lo, hi] = plane_.distance_range(node.box);
             // A box that touches the plane may hold faces in the plane, so only > and < decide.
             if (lo > 0.0) {
-                whole(n, Side::positive);
+                s_.ops.push_back(whole(n, Side::positive));
             } else if (hi < 0.0) {
-                whole(n, Side::negative);
+                s_.ops.push_back(whole(n, Side::negative));
             } else if (node.is_leaf()) {
-                open_leaf(n, node);
+                s_.ops.push_back({TreeOp::Kind::leaf, n, kNone});
+                prefetch(&u_.slots[node.first], node.count * sizeof(Triangle));
             } else {
                 s_.stack.push_back({n, true});
-                s_.stack.push_back({node.right, false});
-                s_.stack.push_back({node.left, false});
+                visit_later(node.right, false);
+                visit_later(node.left, false);
             }
         }
-        return present_;
     }
 
-private:
+    /// Memory is far away and a leaf's vertices lie anywhere: those of the leaves to come are asked for in time.
+    void open_leaves(std::size_t first_op)
+    {
+        std::size_t ahead = first_op;
+        const auto next_leaf = [&] {
+            while (ahead < s_.ops.size() && s_.ops[ahead].kind != TreeOp::Kind::leaf) ++ahead;
+            if (ahead == s_.ops.size()) return;
+            const Node& node = u_.tree.nodes[s_.ops[ahead++].node];
+            for (Index slot = node.first; slot < node.first + node.count; ++slot)
+                __builtin_prefetch(&u_.vertices[u_.slots[slot][0]]);
+            prefetch(&u_.face_of_slot[node.first], node.count * sizeof(Index));
+        };
+        for (int i = 0; i < kLeavesAhead; ++i) next_leaf();
+        for (std::size_t i = first_op; i < s_.ops.size(); ++i) {
+            if (s_.ops[i].kind != TreeOp::Kind::leaf) continue;
+            next_leaf();
+            s_.ops[i] = open_leaf(s_.ops[i].node);
+        }
+    }
+
+    static void prefetch(const void* begin, std::size_t bytes)
+    {
+        constexpr std::size_t kCacheLine = 64;
+        for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(static_cast<const char*>(begin) + i);
+    }
+
+    static constexpr int kLeavesAhead = 3;
+
     Index target(Side side) const { return 2 * shell_ + static_cast<Index>(side); }
 
-    void whole(Index n, Side side)
+    TreeOp whole(Index n, Side side)
     {
         present_[static_cast<std::size_t>(side)] = true;
-        s_.ops.push_back({TreeOp::Kind::whole, n, target(side)});
+        return {TreeOp::Kind::whole, n, target(side)};
     }
 
-    void open_leaf(Index n, const Node& node)
+    TreeOp open_leaf(Index n)
     {
+        const Node& node = u_.tree.nodes[n];
         const std::size_t first_entry = s_.entries.size();
+        s_.entries.resize(first_entry + node.count);
+        Index* const entries = &s_.entries[first_entry];
         std::array<std::uint32_t, 2> kept{};
         std::uint32_t crossing = 0;
         for (Index slot = node.first; slot < node.first + node.count; ++slot) {
@@ -79,31 +123,34 @@ private:
                                              u_.vertices[t[2]].position};
             const std::array<double, 3> d{plane_.signed_distance(p[0]), plane_.signed_distance(p[1]),
                                           plane_.signed_distance(p[2])};
-            if (classify(d[0], d[1], d[2]) == TriangleClass::crossing) {
-                s_.entries.push_back(kCrossingEntry + static_cast<Index>(s_.crossings.size()));
+            // What classify() says, without branches: which side a triangle is on can't be predicted here.
+            const bool above = (d[0] > 0.0) | (d[1] > 0.0) | (d[2] > 0.0);
+            const bool below = (d[0] < 0.0) | (d[1] < 0.0) | (d[2] < 0.0);
+            if (above & below) {
+                entries[slot - node.first] = kCrossingEntry + static_cast<Index>(s_.crossings.size());
                 add_crossing(slot, node.group, t, d);
                 ++crossing;
                 continue;
             }
-            const Side side = kept_side(plane_, p, d);
+            const bool on = (d[0] == 0.0) | (d[1] == 0.0) | (d[2] == 0.0);
+            const Side side = on ? kept_side(plane_, p, d) : static_cast<Side>(above);
             ++kept[static_cast<std::size_t>(side)];
-            s_.entries.push_back(target(side));
-            if (side == Side::negative && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
+            entries[slot - node.first] = target(side);
+            if (on && side == Side::negative && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
                 add_in_plane_edges(u_.face_of_slot[slot], t, d, node.group);
         }
         if (crossing == 0 && (kept[0] == 0 || kept[1] == 0)) {
             s_.entries.resize(first_entry);
-            whole(n, kept[0] == 0 ? Side::positive : Side::negative);
             s_.triangles_read += node.count;
-        } else {
-            s_.ops.push_back({TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)});
-            for (std::size_t side = 0; side < 2; ++side) present_[side] |= crossing > 0 || kept[side] > 0;
+            return whole(n, kept[0] == 0 ? Side::positive : Side::negative);
         }
+        for (std::size_t side = 0; side < 2; ++side) present_[side] |= crossing > 0 || kept[side] > 0;
+        return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)};
     }
 
     void add_crossing(Index slot, Index group, const Triangle& t, const std::array<double, 3>& d)
     {
-        Crossing& c = s_.crossings.emplace_back();
+        Crossing& c = s_.crossings.add();
         c.slot = slot;
         c.face = u_.face_of_slot[slot];
         c.group = group;

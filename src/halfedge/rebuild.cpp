@@ -107,6 +107,9 @@ void Rebuilder::run(Universe& u, const Plane& plane, const Stitcher& stitcher, C
         results_.clear();
         lengths_.clear();
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
+            constexpr std::size_t kAhead = 8;
+            if (i + kAhead < shell.first_op + shell.op_count && s.ops[i + kAhead].kind == TreeOp::Kind::whole)
+                u.tree.prefetch(s.ops[i + kAhead].node);
             const TreeOp& op = s.ops[i];
             switch (op.kind) {
                 case TreeOp::Kind::whole:

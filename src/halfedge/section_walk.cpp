@@ -11,16 +11,27 @@ namespace kerf::halfedge {
 
 void split_crossings(const Universe& u, CutScratch& s)
 {
-    for (Crossing& c : s.crossings) {
+    // What a triangle leads to is asked for some triangles ahead: its face, then its half-edges.
+    constexpr std::size_t kAhead = 8;
+    const std::size_t count = s.crossings.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + 2 * kAhead < count) u.mesh.prefetch_face(s.crossings[i + 2 * kAhead].face);
+        if (i + kAhead < count) u.mesh.prefetch_halfedge(u.mesh.halfedge_of_face(s.crossings[i + kAhead].face));
+        if (i + kAhead / 2 < count) {
+            const Index h = u.mesh.halfedge_of_face(s.crossings[i + kAhead / 2].face);
+            u.mesh.prefetch_halfedge(u.mesh.next(h));
+            u.mesh.prefetch_halfedge(u.mesh.prev(h));
+        }
+        Crossing& c = s.crossings[i];
         c.split = split_triangle(
             {u.vertices[c.corner[0]].position, u.vertices[c.corner[1]].position, u.vertices[c.corner[2]].position},
             c.distance);
         c.walked = false;
         c.entry_cut = c.exit_cut = c.entry_vertex = c.exit_vertex = kNone;
         Index h = u.mesh.halfedge_of_face(c.face);
-        for (std::size_t i = 0; i < 3; ++i) {
-            c.halfedge[i] = h;
-            c.point[(i + 1) % 3] = u.mesh.to(h);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            c.halfedge[corner] = h;
+            c.point[(corner + 1) % 3] = u.mesh.to(h);
             h = u.mesh.next(h);
         }
         if (c.split.next_code != TriangleSplit::kCutNext || c.split.previous_code != TriangleSplit::kCutPrevious)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <new>
 
+#include "halfedge/huge_pages.h"
+
 namespace kerf::halfedge {
 
 namespace {
@@ -29,6 +31,11 @@ void SurfaceMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t f
     edges = std::max(edges, edge_room_);
     faces = std::max(faces, face_room_);
     mesh_.reserve(vertices, edges, faces);
+    if (edges > edge_room_) {
+        // An address inside the block is all that OpenMesh gives away.
+        mesh_.resize(v, std::max<std::size_t>(e, 1), f);
+        prefer_huge_pages(&mesh_.edge(OpenMesh::EdgeHandle(0)), edges * kEdgeBytes);
+    }
     mesh_.resize(vertices, edges, faces);
     mesh_.resize(v, e, f);
     vertex_room_ = vertices;

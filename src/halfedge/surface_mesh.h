@@ -41,6 +41,9 @@ public:
         return {p[0], p[1], p[2]};
     }
 
+    void prefetch_face(Index f) const { __builtin_prefetch(&mesh_.face(OpenMesh::FaceHandle(int(f)))); }
+    void prefetch_halfedge(Index h) const { __builtin_prefetch(&mesh_.edge(OpenMesh::EdgeHandle(int(h >> 1)))); }
+
     void link(Index h, Index next) { mesh_.set_next_halfedge_handle(halfedge(h), halfedge(next)); }
     void set_prev(Index h, Index prev) { mesh_.set_prev_halfedge_handle(halfedge(h), halfedge(prev)); }
     void set_to(Index h, Index v) { mesh_.set_vertex_handle(halfedge(h), OpenMesh::VertexHandle(int(v))); }
