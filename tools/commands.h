@@ -10,6 +10,7 @@ namespace kerf::tools {
 
 void add_info_command(CLI::App& program);
 void add_cut_command(CLI::App& program);
+void add_compare_command(CLI::App& program);
 void add_shape_command(CLI::App& program);
 
 }  // namespace kerf::tools

@@ -58,6 +58,7 @@ struct CutReport
     std::string file, backend;
     Plane plane;
     bool capped = true;
+    bool closes_with_fan = false;
     Status status = Status::missed;
     Repairs repairs;
     CutStatistics statistics;
@@ -110,6 +111,8 @@ CutReport perform(const CutCommandOptions& options)
     report.backend = backend->name();
     report.plane = *plane;
     report.capped = !options.no_cap;
+    for (const RegisteredBackend& entry : registered_backends())
+        if (entry.name == options.backend) report.closes_with_fan = entry.closes_with_fan;
     report.repairs = loaded.repairs;
 
     const Stopwatch preparing;
@@ -139,7 +142,8 @@ CutReport perform(const CutCommandOptions& options)
     return report;
 }
 
-/// A closed section whose caps do not have its area: the fan of a section that is not star-shaped.
+/// A closed section whose caps do not have its area: the fan of a section that is not star-shaped, or the cap of one
+/// that intersects itself.
 bool cap_is_off(const CutReport& report, const FragmentFacts& side)
 {
     constexpr double kTolerance = 1e-6;  // relative to the section: caps are rounded to float
@@ -215,8 +219,8 @@ std::string report_text(const CutReport& report)
     for (const auto& [name, side] : {std::pair{"positive", &report.positive}, {"negative", &report.negative}}) {
         text += side_text(name, *side);
         if (const FragmentFacts total = side->total(); cap_is_off(report, total))
-            text += "  its cap has area " + rounded(total.cap_area) +
-                    ", which is not the section's: the fan does not fit\n";
+            text += "  its cap has area " + rounded(total.cap_area) + ", which is not the section's" +
+                    (report.closes_with_fan ? ": the fan does not fit\n" : "\n");
     }
     text += report.backend + ": prepare " + rounded(report.prepare_ms) + " ms, cut " + rounded(report.cut_ms) + " ms";
     std::string phases;

@@ -1,9 +1,8 @@
 #include "tools/fragment_facts.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
-#include <utility>
-#include <vector>
+
+#include "tools/open_edges.h"
 
 namespace kerf::tools {
 
@@ -13,27 +12,6 @@ double area_of(const IndexedMesh& mesh, const Triangle& t)
 {
     const auto position = [&](std::size_t i) { return glm::dvec3(mesh.vertices[t[i]].position); };
     return 0.5 * glm::length(glm::cross(position(1) - position(0), position(2) - position(0)));
-}
-
-/// Each directed edge occurs as often as its reverse. Sorted by their two points, an edge and its reverse side by side,
-/// the balance of every pair is 0.
-bool is_closed(const IndexedMesh& mesh)
-{
-    std::vector<std::pair<std::uint64_t, int>> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint64_t a = mesh.points[t[i]], b = mesh.points[t[(i + 1) % 3]];
-            edges.emplace_back(std::min(a, b) << 32 | std::max(a, b), a < b ? 1 : -1);
-        }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i < edges.size();) {
-        int balance = 0;
-        const std::uint64_t edge = edges[i].first;
-        for (; i < edges.size() && edges[i].first == edge; ++i) balance += edges[i].second;
-        if (balance != 0) return false;
-    }
-    return true;
 }
 
 }  // namespace
@@ -63,7 +41,7 @@ FragmentFacts measure_fragment(const IndexedMesh& mesh, const MassProperties& ma
     }
     facts.volume = mass.volume;
     facts.centre_of_mass = mass.centre;
-    facts.closed = is_closed(mesh);
+    facts.closed = open_edges(mesh) == 0;
     return facts;
 }
 

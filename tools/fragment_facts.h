@@ -26,7 +26,7 @@ struct FragmentFacts
     void add(const FragmentFacts& other);
 };
 
-/// Measures a fragment's mesh; `mass` is what its back end says. O(n log n).
+/// Measures a fragment's mesh; `mass` is what its back end says. O(n).
 FragmentFacts measure_fragment(const IndexedMesh& mesh, const MassProperties& mass);
 
 Json facts_json(const FragmentFacts& facts);

@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr int kUnusable = 1;  ///< a file or a mesh cannot be used
+constexpr int kUnusable = 1;  ///< a file or a mesh cannot be used, or a comparison failed
 constexpr int kWrongUse = 2;
 
 /// One line: "kerf cut FILE --normal X,Y,Z --out PREFIX [OPTIONS]".
@@ -43,10 +43,13 @@ int main(int argc, char** argv)
     program.set_version_flag("--version", "kerf " KERF_VERSION);
     program.require_subcommand(1);
     program.footer(
-        "Exit status: 0 done (a plane that misses is no error), 1 a file or mesh cannot be used, 2 wrong use.\n"
+        "Exit status: 0 done (a plane that misses is no error), 1 a file or mesh cannot be used or a comparison "
+        "failed,\n"
+        "2 wrong use.\n"
         "Run kerf COMMAND --help for the options of a command.");
     kerf::tools::add_info_command(program);
     kerf::tools::add_cut_command(program);
+    kerf::tools::add_compare_command(program);
     kerf::tools::add_shape_command(program);
 
     try {

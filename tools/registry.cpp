@@ -5,6 +5,9 @@
 #include <stdexcept>
 
 #include "baseline/baseline.h"
+#ifdef KERF_HAS_HALFEDGE
+#include "halfedge/halfedge.h"
+#endif
 
 namespace kerf::tools {
 
@@ -18,6 +21,7 @@ RegisteredBackend baseline_entry()
     RegisteredBackend entry;
     entry.name = "baseline";
     entry.description = "the report's loop over every triangle, and a fan over the section's mean point";
+    entry.closes_with_fan = true;
     for (const VertexLookup lookup : kLookups) entry.lookups.emplace_back(name_of(lookup));
     entry.make = [](const std::string& name) {
         for (const VertexLookup lookup : kLookups)
@@ -27,11 +31,27 @@ RegisteredBackend baseline_entry()
     return entry;
 }
 
+#ifdef KERF_HAS_HALFEDGE
+RegisteredBackend halfedge_entry()
+{
+    RegisteredBackend entry;
+    entry.name = "halfedge";
+    entry.description = "a tree finds the section, a walk over neighbours cuts it, triangulations close it";
+    entry.make = [](const std::string&) { return halfedge::make_backend(); };
+    return entry;
+}
+#endif
+
 }  // namespace
 
 const std::vector<RegisteredBackend>& registered_backends()
 {
-    static const std::vector<RegisteredBackend> all{baseline_entry()};
+    static const std::vector<RegisteredBackend> all{
+        baseline_entry(),
+#ifdef KERF_HAS_HALFEDGE
+        halfedge_entry(),
+#endif
+    };
     return all;
 }
 

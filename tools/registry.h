@@ -15,6 +15,7 @@ struct RegisteredBackend
     std::string name;
     std::string description;           ///< one line for help texts
     std::vector<std::string> lookups;  ///< ways to look up vertices, the default first; empty: there is no choice
+    bool closes_with_fan = false;      ///< its caps fit star-shaped sections only
     std::function<std::unique_ptr<Backend>(const std::string& lookup)> make;  ///< takes "" or one of `lookups`
 };
 

@@ -44,7 +44,7 @@ TEST_F(KerfUse, HelpIsNoErrorAndHasExamples)
 {
     EXPECT_EQ(kerf("--help").status, 0);
     EXPECT_EQ(kerf("--version").status, 0);
-    for (const std::string command : {"info", "cut", "shape"}) {
+    for (const std::string command : {"info", "cut", "shape", "compare"}) {
         const Outcome outcome = kerf(command + " --help");
         EXPECT_EQ(outcome.status, 0);
         EXPECT_NE(outcome.out.find("Examples:"), std::string::npos) << command;

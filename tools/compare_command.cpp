@@ -1,0 +1,369 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/io/mesh_file.h"
+#include "tools/commands.h"
+#include "tools/comparison.h"
+#include "tools/registry.h"
+#include "tools/text.h"
+
+namespace kerf::tools {
+
+namespace {
+
+struct CompareCommandOptions
+{
+    std::vector<std::string> files;
+    ComparisonOptions comparison;
+    std::optional<std::uint64_t> only;
+    std::string lookup;
+    bool random_only = false;
+    bool quiet = false;
+    bool json = false;
+};
+
+/// What the rows of a file, or of all files, say together.
+struct Tally
+{
+    std::uint64_t rows = 0, cut = 0, missed = 0, surfaces_differ = 0, failed = 0;
+    std::uint64_t fans_wrong = 0, caps_wrong = 0, crossed_sections = 0;
+    double worst_fan = 0.0;  ///< excess relative to the section; sections without area don't count
+    double worst_cap = 0.0;  ///< where the section does not intersect itself
+    std::uint64_t baseline_open_edges = 0, halfedge_open_edges = 0;
+    std::uint64_t baseline_degenerate = 0, halfedge_degenerate = 0;
+    double baseline_volume_error = 0.0, halfedge_volume_error = 0.0;
+    std::vector<double> baseline_ms, halfedge_ms;
+
+    void add(const ComparisonRow& row);
+    void add(const Tally& other);
+};
+
+double relative_to_section(double excess, const ComparisonRow& row)
+{
+    return row.section_is_speck ? 0.0 : excess / row.covered_area;
+}
+
+/// The one that is farther from 0.
+double worse(double a, double b)
+{
+    return std::abs(b) > std::abs(a) ? b : a;
+}
+
+double median(std::vector<double> values)
+{
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void Tally::add(const ComparisonRow& row)
+{
+    ++rows;
+    if (!row.failures.empty()) ++failed;
+    if (!row.was_cut()) {
+        ++missed;
+        return;
+    }
+    ++cut;
+    if (!row.surfaces_equal()) ++surfaces_differ;
+    if (!row.fan_fits) {
+        ++fans_wrong;
+        worst_fan = worse(worst_fan, relative_to_section(row.baseline.cap_excess, row));
+    }
+    if (row.section_intersects_itself && !row.cap_fits)
+        ++crossed_sections;
+    else {
+        if (!row.cap_fits) ++caps_wrong;
+        worst_cap = worse(worst_cap, relative_to_section(row.halfedge.cap_excess, row));
+    }
+    baseline_open_edges += row.baseline.open_edges;
+    halfedge_open_edges += row.halfedge.open_edges;
+    baseline_degenerate += row.baseline.degenerate_triangles;
+    halfedge_degenerate += row.halfedge.degenerate_triangles;
+    baseline_volume_error = std::max(baseline_volume_error, row.baseline.volume_error);
+    halfedge_volume_error = std::max(halfedge_volume_error, row.halfedge.volume_error);
+    baseline_ms.push_back(row.baseline.ms);
+    halfedge_ms.push_back(row.halfedge.ms);
+}
+
+void Tally::add(const Tally& other)
+{
+    rows += other.rows;
+    cut += other.cut;
+    missed += other.missed;
+    surfaces_differ += other.surfaces_differ;
+    failed += other.failed;
+    fans_wrong += other.fans_wrong;
+    caps_wrong += other.caps_wrong;
+    crossed_sections += other.crossed_sections;
+    worst_fan = worse(worst_fan, other.worst_fan);
+    worst_cap = worse(worst_cap, other.worst_cap);
+    baseline_open_edges += other.baseline_open_edges;
+    halfedge_open_edges += other.halfedge_open_edges;
+    baseline_degenerate += other.baseline_degenerate;
+    halfedge_degenerate += other.halfedge_degenerate;
+    baseline_volume_error = std::max(baseline_volume_error, other.baseline_volume_error);
+    halfedge_volume_error = std::max(halfedge_volume_error, other.halfedge_volume_error);
+    baseline_ms.insert(baseline_ms.end(), other.baseline_ms.begin(), other.baseline_ms.end());
+    halfedge_ms.insert(halfedge_ms.end(), other.halfedge_ms.begin(), other.halfedge_ms.end());
+}
+
+template <class... Arguments>
+std::string formatted(const char* format, Arguments... arguments)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, format, arguments...);
+    return text;
+}
+
+/// "right", or by how much of the section the cap covers too much: "+12.3 %".
+std::string cap_text(bool fits, double excess, const ComparisonRow& row)
+{
+    if (row.loops == 0) return "-";
+    if (fits) return "right";
+    if (row.section_is_speck) return "no area";
+    return formatted("%+.3g %%", 100.0 * relative_to_section(excess, row));
+}
+
+std::string pair_text(std::uint64_t a, std::uint64_t b)
+{
+    return std::to_string(a) + "/" + std::to_string(b);
+}
+
+std::string table_head()
+{
+    return formatted("%-11s %-16s %8s %5s %-7s %12s %10s %10s %5s %5s %8s %10s %10s\n", "plane", "kind", "crossing",
+                     "loops", "surface", "section", "fan", "cap", "open", "equal", "volume", "baseline", "halfedge") +
+           formatted("%-11s %-16s %8s %5s %-7s %12s %10s %10s %5s %5s %8s %10s %10s\n", "", "", "", "", "", "area",
+                     "area", "area", "edges", "corn.", "error", "ms", "ms");
+}
+
+std::string row_text(const ComparisonRow& row)
+{
+    const std::string name = std::to_string(row.number) + row.piece;
+    std::string text = formatted("%-11s %-16s ", name.c_str(), row.plane.kind.c_str());
+    if (row.was_cut()) {
+        const std::string loops =
+            std::to_string(row.loops) + (row.open_chains > 0 ? "+" + std::to_string(row.open_chains) : "");
+        const std::string fan = cap_text(row.fan_fits, row.baseline.cap_excess, row);
+        const std::string cap = cap_text(row.cap_fits, row.halfedge.cap_excess, row);
+        const std::string open = pair_text(row.baseline.open_edges, row.halfedge.open_edges);
+        const std::string equal = pair_text(row.baseline.degenerate_triangles, row.halfedge.degenerate_triangles);
+        text += formatted(
+            "%8s %5s %-7s %12s %10s %10s %5s %5s %8.1e %10.4g %10.4g", std::to_string(row.halfedge.crossing).c_str(),
+            loops.c_str(), row.surfaces_equal() ? "equal" : "DIFFERS", rounded(row.section_area).c_str(), fan.c_str(),
+            cap.c_str(), open.c_str(), equal.c_str(), std::max(row.baseline.volume_error, row.halfedge.volume_error),
+            row.baseline.ms, row.halfedge.ms);
+        if (row.section_intersects_itself) text += "  the section intersects itself";
+    } else {
+        text += std::string(name_of(row.halfedge.status));
+    }
+    if (row.baseline.status != row.halfedge.status) text += "  baseline: " + std::string(name_of(row.baseline.status));
+    if (!row.earlier_fans_fit) text += "  (after a wrong fan)";
+    text += "\n";
+    if (!row.failures.empty()) {
+        const Plane& plane = row.plane.plane;
+        text += formatted("  FAILS (normal %.17g,%.17g,%.17g offset %.17g):", plane.normal.x, plane.normal.y,
+                          plane.normal.z, plane.offset);
+        for (std::size_t i = 0; i < row.failures.size(); ++i) text += (i > 0 ? "; " : " ") + row.failures[i];
+        text += "\n";
+    }
+    return text;
+}
+
+std::string tally_text(const std::string& name, const Tally& tally)
+{
+    std::string text =
+        name + ": " + counted(tally.cut, "cut") + ", " + grouped(tally.missed) + " missed; surfaces " +
+        (tally.surfaces_differ == 0 ? "equal bit for bit" : "differ in " + grouped(tally.surfaces_differ));
+    text += "; fan wrong in " + grouped(tally.fans_wrong);
+    if (tally.fans_wrong > 0) text += formatted(" (at worst by %+.3g %%)", 100.0 * tally.worst_fan);
+    text += ", half-edge cap in " + grouped(tally.caps_wrong) + formatted(" (worst %+.1e)", tally.worst_cap);
+    if (tally.crossed_sections > 0)
+        text += ", not judged in " + grouped(tally.crossed_sections) + " whose section intersects itself";
+    text += "; open edges " + pair_text(tally.baseline_open_edges, tally.halfedge_open_edges) + "; equal corners " +
+            pair_text(tally.baseline_degenerate, tally.halfedge_degenerate);
+    text += formatted("; volume error %.1e/%.1e", tally.baseline_volume_error, tally.halfedge_volume_error);
+    text += formatted("; median ms %.4g/%.4g", median(tally.baseline_ms), median(tally.halfedge_ms));
+    return text + "; " + (tally.failed == 0 ? "agree" : counted(tally.failed, "row") + " FAILED") + "\n";
+}
+
+Json back_end_json(const BackEndRow& facts)
+{
+    return {{"status", std::string(name_of(facts.status))},
+            {"crossing", facts.crossing},
+            {"cap_area", {{"positive", facts.cap_area[0]}, {"negative", facts.cap_area[1]}}},
+            {"cap_excess", facts.cap_excess},
+            {"open_edges", facts.open_edges},
+            {"equal_corners", facts.degenerate_triangles},
+            {"volume_error", facts.volume_error},
+            {"overhang", facts.overhang},
+            {"cut_ms", facts.ms}};
+}
+
+Json row_json(const ComparisonRow& row)
+{
+    const auto difference_json = [](const SurfaceDifference& difference) {
+        return Json{{"only_baseline", difference.only_first}, {"only_halfedge", difference.only_second}};
+    };
+    return {{"number", row.number},
+            {"piece", row.piece},
+            {"kind", row.plane.kind},
+            {"plane", {{"normal", vector_json(row.plane.plane.normal)}, {"offset", row.plane.plane.offset}}},
+            {"status", std::string(name_of(row.halfedge.status))},
+            {"crossing", row.halfedge.crossing},
+            {"loops", row.loops},
+            {"open_chains", row.open_chains},
+            {"surfaces_equal", row.surfaces_equal()},
+            {"positive", difference_json(row.surface[0])},
+            {"negative", difference_json(row.surface[1])},
+            {"section_area", row.section_area},
+            {"section_intersects_itself", row.section_intersects_itself},
+            {"covered_area", row.covered_area},
+            {"earlier_fans_fit", row.earlier_fans_fit},
+            {"fan_fits", row.fan_fits},
+            {"cap_fits", row.cap_fits},
+            {"baseline", back_end_json(row.baseline)},
+            {"halfedge", back_end_json(row.halfedge)},
+            {"failures", row.failures}};
+}
+
+Json tally_json(const Tally& tally)
+{
+    return {{"rows", tally.rows},
+            {"cut", tally.cut},
+            {"missed", tally.missed},
+            {"failed", tally.failed},
+            {"surfaces_differ", tally.surfaces_differ},
+            {"fans_wrong", tally.fans_wrong},
+            {"worst_fan", tally.worst_fan},
+            {"caps_wrong", tally.caps_wrong},
+            {"worst_cap", tally.worst_cap},
+            {"sections_that_intersect_themselves", tally.crossed_sections},
+            {"open_edges", {{"baseline", tally.baseline_open_edges}, {"halfedge", tally.halfedge_open_edges}}},
+            {"equal_corners", {{"baseline", tally.baseline_degenerate}, {"halfedge", tally.halfedge_degenerate}}},
+            {"volume_error", {{"baseline", tally.baseline_volume_error}, {"halfedge", tally.halfedge_volume_error}}},
+            {"median_cut_ms", {{"baseline", median(tally.baseline_ms)}, {"halfedge", median(tally.halfedge_ms)}}}};
+}
+
+void run(const CompareCommandOptions& options)
+{
+    const std::unique_ptr<Backend> baseline = make_backend("baseline", options.lookup),
+                                   halfedge = make_backend("halfedge");
+    if (!halfedge) throw std::runtime_error("this kerf was built without the half-edge back end");
+    ComparisonOptions comparison = options.comparison;
+    comparison.mix = options.random_only ? PlaneMix::random : PlaneMix::nasty;
+    if (options.only) {
+        comparison.first_plane = *options.only;
+        comparison.planes = 1;
+    }
+
+    Tally total;
+    std::size_t bad_meshes = 0;
+    Json files = Json::array();
+    for (const std::string& file : options.files) {
+        io::LoadedMesh loaded = io::read_mesh(file);
+        Tally tally;
+        Json rows = Json::array();
+        if (!options.json && !options.quiet) print(file + "\n" + table_head());
+        ComparedMesh mesh;
+        try {
+            mesh =
+                compare_mesh(std::move(loaded.mesh), *baseline, *halfedge, comparison, [&](const ComparisonRow& row) {
+                    tally.add(row);
+                    if (options.json)
+                        rows.push_back(row_json(row));
+                    else if (!options.quiet || !row.failures.empty())
+                        print(row_text(row));
+                });
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(file + ": " + error.what());
+        }
+        total.add(tally);
+        if (!mesh.failures.empty()) ++bad_meshes;
+        const std::string name = std::filesystem::path(file).filename().string();
+        if (options.json) {
+            files.push_back(
+                Json{{"file", file},
+                     {"triangles", mesh.triangles},
+                     {"closed", mesh.closed},
+                     {"prepare_ms", {{"baseline", mesh.baseline_prepare_ms}, {"halfedge", mesh.halfedge_prepare_ms}}},
+                     {"failures", mesh.failures},
+                     {"rows", std::move(rows)},
+                     {"summary", tally_json(tally)}});
+            continue;
+        }
+        for (const std::string& failure : mesh.failures) print(name + ": FAILS: " + failure + "\n");
+        print(tally_text(name + ", " + counted(mesh.triangles, "triangle") + (mesh.closed ? ", closed" : ", open"),
+                         tally) +
+              (options.quiet ? "" : "\n"));
+    }
+    if (options.json)
+        print(Json{{"baseline", baseline->name()},
+                   {"halfedge", halfedge->name()},
+                   {"seed", comparison.seed},
+                   {"files", std::move(files)},
+                   {"total", tally_json(total)}});
+    else if (options.files.size() > 1)
+        print(tally_text("all " + counted(options.files.size(), "file"), total));
+    if (total.failed > 0 || bad_meshes > 0)
+        throw std::runtime_error("the comparison failed in " + grouped(total.failed) + " of " +
+                                 counted(total.rows, "row") +
+                                 (bad_meshes > 0 ? " and when preparing " + counted(bad_meshes, "mesh") : ""));
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program)
+{
+    auto options = std::make_shared<CompareCommandOptions>();
+    CLI::App* command = program.add_subcommand("compare", "Cut meshes with both back ends and compare what comes out");
+    command->add_option("FILE", options->files, "Meshes: obj, ply, stl, off, gltf or glb")->required();
+    const auto at_least = [](std::uint64_t least, std::uint64_t most) {
+        return CLI::Range(least, most).description("");
+    };
+    command->add_option("--planes", options->comparison.planes, "How many planes cut each mesh")
+        ->check(at_least(1, 1'000'000))
+        ->capture_default_str();
+    command->add_option("--seed", options->comparison.seed, "Another seed gives other planes")->capture_default_str();
+    command
+        ->add_option("--depth", options->comparison.depth,
+                     "Cuts in a row: 2 cuts the two pieces as well, 3 their pieces, ...")
+        ->check(at_least(1, 16))
+        ->capture_default_str();
+    command->add_option("--lookup", options->lookup, "How the baseline looks up vertices: see kerf cut --help");
+    command->add_flag("--random-only", options->random_only,
+                      "Only random planes through the middle, none through vertices, along edges or in faces");
+    command->add_option("--only", options->only, "Cut by this one of the planes, as the first column numbers them")
+        ->type_name("NUMBER");
+    command->add_flag("--quiet", options->quiet, "Leave out the rows of cuts that are right");
+    command->add_flag("--json", options->json, "Print JSON instead of text");
+    command->footer(
+        "One row a cut. surface: whether the surface triangles of both sides are equal bit for bit, attributes\n"
+        "included. fan and cap: by how much the caps of baseline and halfedge miss the section's area. Open edges and\n"
+        "triangles with two equal corners: baseline/halfedge. volume error: relative to the whole mesh. The name of a\n"
+        "piece has a + or - for each cut before; wrong fans change the shape that later planes meet in the baseline. "
+        "Exit status 1 when something is not as it must be.\n\n"
+        "Examples:\n"
+        "  kerf compare rook.obj\n"
+        "  kerf compare *.obj --planes 200 --seed 3 --quiet\n"
+        "  kerf compare sponge.glb --depth 5 --only 17");
+    command->callback([options] {
+        try {
+            make_backend("baseline", options->lookup);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError("--lookup", error.what());
+        }
+        run(*options);
+    });
+}
+
+}  // namespace kerf::tools

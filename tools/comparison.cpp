@@ -1,0 +1,312 @@
+#include "tools/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "common/stopwatch.h"
+#include "tools/open_edges.h"
+#include "tools/section_facts.h"
+#include "tools/text.h"
+
+namespace kerf::tools {
+
+namespace {
+
+/// Planes that are tried when they miss a piece.
+constexpr std::uint64_t kTries = 4;
+
+/// Signed volume over the centre of the bounds.
+double volume_of(const IndexedMesh& mesh)
+{
+    const glm::dvec3 origin = mesh.bounds().centre();
+    double six = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[t[i]].position) - origin; };
+        six += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+    }
+    return six / 6.0;
+}
+
+std::uint64_t degenerate_triangles(const IndexedMesh& mesh)
+{
+    return static_cast<std::uint64_t>(
+        std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+            const glm::vec3 &a = mesh.vertices[t[0]].position, &b = mesh.vertices[t[1]].position,
+                            &c = mesh.vertices[t[2]].position;
+            return a == b || b == c || c == a;
+        }));
+}
+
+/// Area, in the plane, of the caps with this material, each triangle counted positive.
+double cap_area_of(const IndexedMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
+{
+    double twice = 0.0;
+    for (const TriangleGroup& group : mesh.groups) {
+        if (group.kind != TriangleKind::cap || group.material != material) continue;
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
+            const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[mesh.triangles[t][i]].position); };
+            twice += std::abs(glm::dot(normal, glm::cross(corner(1) - corner(0), corner(2) - corner(0))));
+        }
+    }
+    return 0.5 * twice;
+}
+
+double overhang_of(const IndexedMesh& mesh, const Plane& plane, double sign)
+{
+    double worst = 0.0;
+    for (const Vertex& v : mesh.vertices) worst = std::max(worst, -sign * plane.signed_distance(v.position));
+    return worst;
+}
+
+/// The positive and the negative fragment of one back end.
+struct Halves
+{
+    CutResult result;
+    std::array<IndexedMesh, 2> mesh;
+
+    std::unique_ptr<Cuttable>& fragment(std::size_t side)
+    {
+        return side == 0 ? result.positive.front() : result.negative.front();
+    }
+};
+
+bool is_cut(const CutResult& result)
+{
+    return result.status == Status::cut || result.status == Status::open_section;
+}
+
+class Comparison
+{
+public:
+    Comparison(const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row,
+               ComparedMesh& summary, double unit, std::uint32_t first_cap_material)
+        : options_(options), take_row_(take_row), summary_(summary), unit_(unit), first_cap_(first_cap_material)
+    {
+    }
+
+    /// One cut of the whole by plane `number`, and of its pieces.
+    void run(const Cuttable& baseline, const Cuttable& halfedge, const SurfaceKeys& surface, double volume,
+             std::uint64_t number)
+    {
+        ComparisonRow row;
+        row.number = number;
+        row.plane = choose_plane(surface, options_.mix, number, options_.seed);
+        descend(row, baseline.clone(), halfedge.clone(), volume);
+    }
+
+private:
+    /// The cut that `row` names, and those of its pieces. Gives objects that the plane misses back.
+    std::array<std::unique_ptr<Cuttable>, 2> descend(ComparisonRow row, std::unique_ptr<Cuttable> baseline,
+                                                     std::unique_ptr<Cuttable> halfedge, double volume)
+    {
+        Halves a = cut_once(std::move(baseline), row, row.baseline);
+        Halves b = cut_once(std::move(halfedge), row, row.halfedge);
+        judge(row, a, b, volume);
+        ++summary_.rows;
+        if (!row.failures.empty()) ++summary_.failed_rows;
+        take_row_(row);
+        if (!is_cut(a.result) && !is_cut(b.result)) return {std::move(a.result.object), std::move(b.result.object)};
+
+        const bool go_on = is_cut(a.result) && is_cut(b.result) && row.surfaces_equal();
+        if (go_on && row.piece.size() + 1 < options_.depth)
+            for (std::size_t side = 0; side < 2; ++side) cut_piece(row, a, b, side);
+        return {};
+    }
+
+    void cut_piece(const ComparisonRow& whole, Halves& a, Halves& b, std::size_t side)
+    {
+        const SurfaceKeys surface(a.mesh[side]);
+        if (surface.sorted().empty()) return;
+        const double volume = volume_of(a.mesh[side]);
+        std::unique_ptr<Cuttable> baseline = std::move(a.fragment(side)), halfedge = std::move(b.fragment(side));
+        ComparisonRow row;
+        row.number = whole.number;
+        row.earlier_fans_fit = whole.earlier_fans_fit && whole.fan_fits;
+        row.earlier_normals = whole.earlier_normals;
+        row.earlier_normals.push_back(whole.plane.plane.normal);
+        row.piece = whole.piece + (side == 0 ? '+' : '-');
+        // A path of +- as a binary number tells pieces apart; so do tries.
+        std::uint64_t place = 1;
+        for (const char c : row.piece) place = 2 * place + (c == '+' ? 1 : 0);
+        const std::uint64_t seed = options_.seed + whole.number * 0x9e3779b97f4a7c15ull;
+        for (std::uint64_t attempt = 0; attempt < kTries && baseline && halfedge; ++attempt) {
+            row.plane = choose_plane(surface, options_.mix, whole.number + place + attempt, seed + (place << 8));
+            auto back = descend(row, std::move(baseline), std::move(halfedge), volume);
+            baseline = std::move(back[0]);
+            halfedge = std::move(back[1]);
+        }
+    }
+
+    Halves cut_once(std::unique_ptr<Cuttable> object, const ComparisonRow& row, BackEndRow& facts)
+    {
+        CutOptions options;
+        options.cap_material = first_cap_ + static_cast<std::uint32_t>(row.piece.size());
+        Halves halves;
+        Stopwatch watch;
+        halves.result = cut(std::move(object), row.plane.plane, options);
+        facts.ms = watch.lap();
+        facts.status = halves.result.status;
+        facts.crossing = halves.result.statistics.crossing_triangles;
+        if (facts.status == Status::out_of_memory)
+            throw std::runtime_error("there is not enough memory to compare the back ends");
+        if (!is_cut(halves.result)) return halves;
+        for (std::size_t side = 0; side < 2; ++side) {
+            const IndexedMesh& mesh = halves.mesh[side] = halves.fragment(side)->to_indexed_mesh();
+            facts.open_edges += open_edges(mesh);
+            facts.degenerate_triangles += degenerate_triangles(mesh);
+            facts.cap_area[side] = cap_area_of(mesh, options.cap_material, row.plane.plane.normal);
+            facts.overhang = std::max(facts.overhang, overhang_of(mesh, row.plane.plane, side == 0 ? 1.0 : -1.0));
+        }
+        return halves;
+    }
+
+    /// Everything that the meshes of both back ends say, and what of it must not be. `volume` is the object's.
+    void judge(ComparisonRow& row, Halves& a, Halves& b, double volume)
+    {
+        const auto fail = [&](std::string clause) { row.failures.push_back(std::move(clause)); };
+        // A fan that covers what it should not is a piece of another shape: further planes may meet it elsewhere.
+        if (row.baseline.status != row.halfedge.status && row.earlier_fans_fit)
+            fail("status " + std::string(name_of(row.baseline.status)) + " and " +
+                 std::string(name_of(row.halfedge.status)));
+        if (!is_cut(a.result) || !is_cut(b.result)) return;
+        // Caps of earlier cuts cross, too, and are other triangles in each back end.
+        if (row.piece.empty() && row.baseline.crossing != row.halfedge.crossing)
+            fail(grouped(row.baseline.crossing) + " and " + grouped(row.halfedge.crossing) + " crossing triangles");
+
+        for (std::size_t side = 0; side < 2; ++side) {
+            row.surface[side] = compare_surfaces(SurfaceKeys(a.mesh[side]), SurfaceKeys(b.mesh[side]));
+            const SurfaceDifference& difference = row.surface[side];
+            const std::string name = side == 0 ? "positive" : "negative";
+            if (difference.other_layout)
+                fail("streams or materials differ, " + name + " side");
+            else if (!difference.none())
+                fail("surface differs, " + name + " side: " + grouped(difference.only_first) +
+                     " triangles of baseline, " + grouped(difference.only_second) + " of halfedge");
+        }
+        judge_section(row, a, b);
+        judge_back_end(row, "baseline", row.baseline, a, volume);
+        judge_back_end(row, "halfedge", row.halfedge, b, volume);
+    }
+
+    void judge_section(ComparisonRow& row, Halves& a, Halves& b)
+    {
+        const glm::dvec3& normal = row.plane.plane.normal;
+        const std::span<const SectionLoop> loops = b.fragment(0)->section_loops();
+        const SectionFacts section = measure_section(loops, normal),
+                           other = measure_section(a.fragment(0)->section_loops(), normal);
+        row.section_area = section.area;
+        row.loops = section.loops;
+        row.open_chains = section.open_chains;
+
+        // Corners of caps are off the plane by up to a unit in the last place: slivers along the outline may be turned.
+        const double tolerance = std::max(kAgreement * std::abs(section.area), unit_ * section.length);
+        const auto expect_area = [&](const char* whose, double said, double area, double allowed) {
+            if (!(std::abs(said - area) <= allowed))
+                row.failures.push_back(std::string(whose) + " section area " + rounded(said) + " instead of " +
+                                       rounded(area));
+        };
+        expect_area("baseline's stated", a.result.section_area, other.area, tolerance);
+        expect_area("halfedge's stated", b.result.section_area, section.area, tolerance);
+        // Caps of earlier cuts are off their planes by a unit, differently in each back end: that moves the line where
+        // this plane meets them by a unit over the sine of the angle.
+        double sine = 1.0;
+        for (const glm::dvec3& earlier : row.earlier_normals)
+            sine = std::min(sine, glm::length(glm::cross(earlier, normal)));
+        if (row.earlier_fans_fit)
+            expect_area("baseline's", other.area, section.area, tolerance + 2.0 * unit_ * section.length / sine);
+
+        double target = section.area;
+        const auto measure_caps = [&] {
+            for (BackEndRow* facts : {&row.baseline, &row.halfedge}) {
+                facts->cap_excess = 0.0;
+                for (const double cap : facts->cap_area)
+                    if (std::abs(cap - target) > std::abs(facts->cap_excess)) facts->cap_excess = cap - target;
+            }
+            row.fan_fits = std::abs(row.baseline.cap_excess) <= tolerance;
+            row.cap_fits = std::abs(row.halfedge.cap_excess) <= tolerance;
+        };
+        measure_caps();
+        if (!row.cap_fits) {
+            // Where loops wind backwards, around holes of an open mesh, caps cover that, too.
+            const WindingFacts winding = measure_winding(loops, normal);
+            row.section_intersects_itself = winding.backward > tolerance || winding.multiple > tolerance;
+            target += 2.0 * winding.backward;
+            measure_caps();
+        }
+        row.covered_area = target;
+        row.section_is_speck = std::abs(target) <= tolerance;
+        if (!row.cap_fits && !row.section_intersects_itself)
+            row.failures.push_back("half-edge cap area off by " + rounded(row.halfedge.cap_excess));
+    }
+
+    void judge_back_end(ComparisonRow& row, const std::string& name, BackEndRow& facts, Halves& halves, double volume)
+    {
+        const auto fail = [&](const std::string& clause) { row.failures.push_back(name + " " + clause); };
+        if (facts.degenerate_triangles > 0)
+            fail("has " + counted(facts.degenerate_triangles, "triangle") + " with equal corners");
+        if (!(facts.overhang <= kNoiseInUnits * unit_)) fail("is on the wrong side by " + rounded(facts.overhang));
+        if (!summary_.closed) return;
+        if (facts.open_edges > 0) fail("has " + counted(facts.open_edges, "open edge"));
+        const double scale = std::abs(summary_.volume);
+        double sum = 0.0;
+        for (std::size_t side = 0; side < 2; ++side) {
+            const double part = volume_of(halves.mesh[side]);
+            sum += part;
+            const double said = halves.fragment(side)->mass_properties().volume;
+            facts.volume_error = std::max(facts.volume_error, std::abs(said - part) / scale);
+        }
+        facts.volume_error = std::max(facts.volume_error, std::abs(sum - volume) / scale);
+        if (!(facts.volume_error <= kAgreement)) fail("has a volume error of " + rounded(facts.volume_error));
+    }
+
+    const ComparisonOptions& options_;
+    const std::function<void(const ComparisonRow&)>& take_row_;
+    ComparedMesh& summary_;
+    double unit_;              ///< unit in the last place of the largest coordinate, mesh units
+    std::uint32_t first_cap_;  ///< material of the first cut's cap; every further cut in a row has the next one
+};
+
+std::unique_ptr<Cuttable> prepared(const Backend& backend, const IndexedMesh& mesh, double& ms)
+{
+    IndexedMesh copy = mesh;
+    Stopwatch watch;
+    PrepareResult result = backend.prepare(std::move(copy));
+    ms = watch.lap();
+    if (result.status != Status::cut) throw std::runtime_error(backend.name() + ": " + result.reason);
+    return std::move(result.object);
+}
+
+}  // namespace
+
+ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backend& halfedge,
+                          const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row)
+{
+    // A material of its own for the caps of each cut in a row, so that a cut's own caps can be told from older ones.
+    const auto first_cap = static_cast<std::uint32_t>(mesh.materials.size());
+    for (std::uint64_t i = 0; i < std::max<std::uint64_t>(options.depth, 1); ++i)
+        mesh.materials.push_back({"cap of cut " + std::to_string(i + 1), glm::vec4(1.0f), {}});
+
+    ComparedMesh summary;
+    summary.triangles = mesh.triangles.size();
+    summary.closed = open_edges(mesh) == 0;
+    summary.volume = volume_of(mesh);
+    const auto a = prepared(baseline, mesh, summary.baseline_prepare_ms);
+    const auto b = prepared(halfedge, mesh, summary.halfedge_prepare_ms);
+
+    const SurfaceKeys surface(mesh);
+    for (const auto& [name, object] : {std::pair{"baseline", a.get()}, {"halfedge", b.get()}}) {
+        const IndexedMesh copy = object->to_indexed_mesh();
+        if (!compare_surfaces(surface, SurfaceKeys(copy)).none())
+            summary.failures.push_back(std::string(name) + " changes the surface when it prepares");
+    }
+    const double unit = plane_noise(mesh.bounds().largest_coordinate()) / kNoiseInUnits;
+    Comparison comparison(options, take_row, summary, unit, first_cap);
+    for (std::uint64_t i = options.first_plane; i < options.first_plane + options.planes; ++i)
+        comparison.run(*a, *b, surface, summary.volume, i);
+    return summary;
+}
+
+}  // namespace kerf::tools

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/cut.h"
+#include "tools/comparison_planes.h"
+#include "tools/surface_keys.h"
+
+// Cuts with both back ends and judges what comes out. What is judged is read off the fragments' meshes; none of it
+// comes from the back ends' own statements, except times and the counters that are compared with one another.
+
+namespace kerf::tools {
+
+/// What to do with each mesh.
+struct ComparisonOptions
+{
+    std::uint64_t planes = 20;
+    std::uint64_t seed = 1;
+    std::uint64_t depth = 1;  ///< cuts in a row: 1 cuts the whole only, 2 its two pieces as well, ...
+    PlaneMix mix = PlaneMix::nasty;
+    std::uint64_t first_plane = 0;  ///< where to begin in the sequence of planes
+};
+
+/// Volumes and areas must agree to this, relative to the whole, and the half-edge cap with its section: what rounding
+/// cut points to float costs (docs/cutting-rules.md).
+inline constexpr double kAgreement = 1e-6;
+
+/// What one back end made of one cut.
+struct BackEndRow
+{
+    Status status = Status::missed;
+    std::uint64_t crossing = 0;
+    std::uint64_t open_edges = 0;            ///< both fragments; of the caps' making when the object was closed
+    std::uint64_t degenerate_triangles = 0;  ///< two corners at one position; both fragments
+    double volume_error = 0.0;               ///< relative to the loaded mesh's volume: sum of the fragments, and what
+                                             ///< mass_properties() says of each
+    double overhang = 0.0;                   ///< how far a fragment reaches to the wrong side, mesh units
+    std::array<double, 2> cap_area{};        ///< of this cut's cap, each triangle counted positive: + and - side
+    double cap_excess = 0.0;                 ///< the worse cap's area less what it should cover, mesh units squared
+    double ms = 0.0;                         ///< of the cut, nothing else
+};
+
+/// One cut by both back ends.
+struct ComparisonRow
+{
+    std::uint64_t number = 0;  ///< of the plane that cut the whole
+    std::string piece;         ///< which piece of it was cut: a + or - for each cut before; empty: the whole
+    ChosenPlane plane;
+    BackEndRow baseline, halfedge;
+    std::array<SurfaceDifference, 2> surface;  ///< positive, negative side
+    double section_area = 0.0;                 ///< signed sum of the section's loops
+    std::uint64_t loops = 0, open_chains = 0;
+    bool fan_fits = true, cap_fits = true;
+    /// Loops wind around something backwards or more than once: the surface intersects itself or is open, and the
+    /// half-edge cap's area is not judged. Looked at only when it is not the section's.
+    bool section_intersects_itself = false;
+    double covered_area =
+        0.0;  ///< what caps should cover: the section's area, and what it winds around backwards twice
+    bool section_is_speck = false;            ///< no larger than rounding: errors relative to it say nothing
+    bool earlier_fans_fit = true;             ///< whether the pieces of both back ends have the same shape
+    std::vector<glm::dvec3> earlier_normals;  ///< of the cuts that made this piece
+    std::vector<std::string> failures;        ///< what must not be, one clause each
+
+    bool was_cut() const { return halfedge.status == Status::cut || halfedge.status == Status::open_section; }
+    bool surfaces_equal() const { return surface[0].none() && surface[1].none(); }
+};
+
+/// A mesh prepared by both.
+struct ComparedMesh
+{
+    std::uint64_t triangles = 0;
+    bool closed = false;
+    double volume = 0.0;
+    double baseline_prepare_ms = 0.0, halfedge_prepare_ms = 0.0;
+    std::vector<std::string> failures;  ///< of preparing
+    std::uint64_t rows = 0, failed_rows = 0;
+};
+
+/// Prepares a mesh with both back ends, cuts it by every plane and hands each row to `take_row` as soon as it is known.
+/// A piece that its plane misses is tried with a few other planes; pieces of different surfaces are not cut again.
+/// O(n) for each row.
+/// @throws std::runtime_error  the mesh cannot be prepared, or memory runs out; one sentence
+ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backend& halfedge,
+                          const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row);
+
+}  // namespace kerf::tools

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/indexed_mesh.h"
+
+namespace kerf::tools {
+
+/// How many directed edges, by point id, lack a reverse: 0 for a closed mesh. O(n).
+std::uint64_t open_edges(const IndexedMesh& mesh);
+
+}  // namespace kerf::tools

@@ -1,0 +1,114 @@
+#include "tools/section_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace kerf::tools {
+
+namespace {
+
+/// An edge of a loop, projected along a coordinate axis; the left end first.
+struct Segment
+{
+    glm::dvec2 a, b;
+    int direction;  ///< +1 when the loop runs to the right, so that the inside is above
+
+    double at(double x) const { return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x)); }
+};
+
+/// Where two edges cross between the ends of both; not a number when they don't.
+double crossing(const Segment& s, const Segment& t)
+{
+    const double lo = std::max(s.a.x, t.a.x), hi = std::min(s.b.x, t.b.x);
+    const double before = s.at(lo) - t.at(lo), behind = s.at(hi) - t.at(hi);
+    if (!(lo < hi) || !(before * behind < 0.0)) return std::numeric_limits<double>::quiet_NaN();
+    return lo + (hi - lo) * (before / (before - behind));
+}
+
+/// Upright edges bound no slab and are left out.
+std::vector<Segment> project(std::span<const SectionLoop> loops, int u, int v)
+{
+    std::vector<Segment> segments;
+    for (const SectionLoop& loop : loops) {
+        if (!loop.closed) continue;
+        for (std::size_t i = 0; i < loop.points.size(); ++i) {
+            const glm::dvec3 p(loop.points[i]), q(loop.points[(i + 1) % loop.points.size()]);
+            if (p[u] < q[u])
+                segments.push_back({{p[u], p[v]}, {q[u], q[v]}, 1});
+            else if (q[u] < p[u])
+                segments.push_back({{q[u], q[v]}, {p[u], p[v]}, -1});
+        }
+    }
+    std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) { return s.a.x < t.a.x; });
+    return segments;
+}
+
+}  // namespace
+
+SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+{
+    SectionFacts facts;
+    for (const SectionLoop& loop : loops) {
+        if (!loop.closed) {
+            ++facts.open_chains;
+            continue;
+        }
+        ++facts.loops;
+        glm::dvec3 twice{0.0};
+        const glm::dvec3 origin(loop.points.front());
+        for (std::size_t i = 0; i < loop.points.size(); ++i) {
+            const glm::dvec3 a(loop.points[i]), b(loop.points[(i + 1) % loop.points.size()]);
+            twice += glm::cross(a - origin, b - origin);
+            facts.length += glm::length(b - a);
+        }
+        facts.area += 0.5 * glm::dot(normal, twice);
+    }
+    return facts;
+}
+
+WindingFacts measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+{
+    const glm::dvec3 size = glm::abs(normal);
+    const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    int u = (dropped + 1) % 3, v = (dropped + 2) % 3;
+    if (normal[dropped] < 0.0) std::swap(u, v);
+
+    const std::vector<Segment> segments = project(loops, u, v);
+    std::vector<double> xs;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        xs.push_back(segments[i].a.x);
+        xs.push_back(segments[i].b.x);
+        for (std::size_t j = i + 1; j < segments.size() && segments[j].a.x < segments[i].b.x; ++j)
+            if (const double x = crossing(segments[i], segments[j]); !std::isnan(x)) xs.push_back(x);
+    }
+    std::sort(xs.begin(), xs.end());
+    xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+
+    // Within a slab edges don't cross: from the lowest upwards, each changes the winding number.
+    WindingFacts facts;
+    std::size_t next = 0;
+    std::vector<const Segment*> active;
+    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+        const double left = xs[i], right = xs[i + 1], middle = 0.5 * (left + right);
+        std::erase_if(active, [&](const Segment* s) { return s->b.x <= left; });
+        for (; next < segments.size() && segments[next].a.x <= left; ++next)
+            if (segments[next].b.x > left) active.push_back(&segments[next]);
+        std::sort(active.begin(), active.end(),
+                  [&](const Segment* s, const Segment* t) { return s->at(middle) < t->at(middle); });
+        int winding = 0;
+        for (std::size_t k = 0; k + 1 < active.size(); ++k) {
+            winding += active[k]->direction;
+            const double area = (active[k + 1]->at(middle) - active[k]->at(middle)) * (right - left) / size[dropped];
+            if (winding < 0) facts.backward -= winding * area;
+            if (winding > 1) facts.multiple += area;
+        }
+    }
+    return facts;
+}
+
+}  // namespace kerf::tools
