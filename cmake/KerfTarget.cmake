@@ -11,7 +11,9 @@ if(KERF_WERROR)
   target_compile_options(kerf_flags INTERFACE -Werror)
 endif()
 if(KERF_SANITIZE)
-  target_compile_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    # GCC's manual: sanitizers cause false positives of this warning (here in OpenMesh's headers).
+    -Wno-maybe-uninitialized)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
 endif()
 
