@@ -167,7 +167,7 @@ std::string row_text(const ComparisonRow& row)
         text += std::string(name_of(row.halfedge.status));
     }
     if (row.baseline.status != row.halfedge.status) text += "  baseline: " + std::string(name_of(row.baseline.status));
-    if (!row.earlier_fans_fit) text += "  (after a wrong fan)";
+    if (!row.earlier_caps_fit) text += "  (after a wrong cap)";
     text += "\n";
     if (!row.failures.empty()) {
         const Plane& plane = row.plane.plane;
@@ -200,6 +200,7 @@ Json back_end_json(const BackEndRow& facts)
 {
     return {{"status", std::string(name_of(facts.status))},
             {"crossing", facts.crossing},
+            {"triangles", {{"positive", facts.triangles[0]}, {"negative", facts.triangles[1]}}},
             {"cap_area", {{"positive", facts.cap_area[0]}, {"negative", facts.cap_area[1]}}},
             {"cap_excess", facts.cap_excess},
             {"open_edges", facts.open_edges},
@@ -228,7 +229,7 @@ Json row_json(const ComparisonRow& row)
             {"section_area", row.section_area},
             {"section_intersects_itself", row.section_intersects_itself},
             {"covered_area", row.covered_area},
-            {"earlier_fans_fit", row.earlier_fans_fit},
+            {"earlier_caps_fit", row.earlier_caps_fit},
             {"fan_fits", row.fan_fits},
             {"cap_fits", row.cap_fits},
             {"baseline", back_end_json(row.baseline)},
@@ -350,7 +351,7 @@ void add_compare_command(CLI::App& program)
         "One row a cut. surface: whether the surface triangles of both sides are equal bit for bit, attributes\n"
         "included. fan and cap: by how much the caps of baseline and halfedge miss the section's area. Open edges and\n"
         "triangles with two equal corners: baseline/halfedge. volume error: relative to the whole mesh. The name of a\n"
-        "piece has a + or - for each cut before; wrong fans change the shape that later planes meet in the baseline. "
+        "piece has a + or - for each cut before; wrong caps change the shape that later planes meet. "
         "Exit status 1 when something is not as it must be.\n\n"
         "Examples:\n"
         "  kerf compare rook.obj\n"

@@ -124,7 +124,7 @@ private:
         std::unique_ptr<Cuttable> baseline = std::move(a.fragment(side)), halfedge = std::move(b.fragment(side));
         ComparisonRow row;
         row.number = whole.number;
-        row.earlier_fans_fit = whole.earlier_fans_fit && whole.fan_fits;
+        row.earlier_caps_fit = whole.earlier_caps_fit && whole.fan_fits && whole.cap_fits;
         row.earlier_normals = whole.earlier_normals;
         row.earlier_normals.push_back(whole.plane.plane.normal);
         row.piece = whole.piece + (side == 0 ? '+' : '-');
@@ -155,6 +155,7 @@ private:
         if (!is_cut(halves.result)) return halves;
         for (std::size_t side = 0; side < 2; ++side) {
             const IndexedMesh& mesh = halves.mesh[side] = halves.fragment(side)->to_indexed_mesh();
+            facts.triangles[side] = mesh.triangles.size();
             facts.open_edges += open_edges(mesh);
             facts.degenerate_triangles += degenerate_triangles(mesh);
             facts.cap_area[side] = cap_area_of(mesh, options.cap_material, row.plane.plane.normal);
@@ -167,8 +168,8 @@ private:
     void judge(ComparisonRow& row, Halves& a, Halves& b, double volume)
     {
         const auto fail = [&](std::string clause) { row.failures.push_back(std::move(clause)); };
-        // A fan that covers what it should not is a piece of another shape: further planes may meet it elsewhere.
-        if (row.baseline.status != row.halfedge.status && row.earlier_fans_fit)
+        // With a cap that covers what it should not, a piece has another shape: further planes may meet it elsewhere.
+        if (row.baseline.status != row.halfedge.status && row.earlier_caps_fit)
             fail("status " + std::string(name_of(row.baseline.status)) + " and " +
                  std::string(name_of(row.halfedge.status)));
         if (!is_cut(a.result) || !is_cut(b.result)) return;
@@ -215,7 +216,7 @@ private:
         double sine = 1.0;
         for (const glm::dvec3& earlier : row.earlier_normals)
             sine = std::min(sine, glm::length(glm::cross(earlier, normal)));
-        if (row.earlier_fans_fit)
+        if (row.earlier_caps_fit)
             expect_area("baseline's", other.area, section.area, tolerance + 2.0 * unit_ * section.length / sine);
 
         double target = section.area;

@@ -35,14 +35,15 @@ struct BackEndRow
 {
     Status status = Status::missed;
     std::uint64_t crossing = 0;
-    std::uint64_t open_edges = 0;            ///< both fragments; of the caps' making when the object was closed
-    std::uint64_t degenerate_triangles = 0;  ///< two corners at one position; both fragments
-    double volume_error = 0.0;               ///< relative to the loaded mesh's volume: sum of the fragments, and what
-                                             ///< mass_properties() says of each
-    double overhang = 0.0;                   ///< how far a fragment reaches to the wrong side, mesh units
-    std::array<double, 2> cap_area{};        ///< of this cut's cap, each triangle counted positive: + and - side
-    double cap_excess = 0.0;                 ///< the worse cap's area less what it should cover, mesh units squared
-    double ms = 0.0;                         ///< of the cut, nothing else
+    std::uint64_t open_edges = 0;              ///< both fragments; of the caps' making when the object was closed
+    std::uint64_t degenerate_triangles = 0;    ///< two corners at one position; both fragments
+    double volume_error = 0.0;                 ///< relative to the loaded mesh's volume: sum of the fragments, and what
+                                               ///< mass_properties() says of each
+    double overhang = 0.0;                     ///< how far a fragment reaches to the wrong side, mesh units
+    std::array<std::uint64_t, 2> triangles{};  ///< of the fragments: + and - side
+    std::array<double, 2> cap_area{};          ///< of this cut's cap, each triangle counted positive: + and - side
+    double cap_excess = 0.0;                   ///< the worse cap's area less what it should cover, mesh units squared
+    double ms = 0.0;                           ///< of the cut, nothing else
 };
 
 /// One cut by both back ends.
@@ -62,11 +63,16 @@ struct ComparisonRow
     double covered_area =
         0.0;  ///< what caps should cover: the section's area, and what it winds around backwards twice
     bool section_is_speck = false;            ///< no larger than rounding: errors relative to it say nothing
-    bool earlier_fans_fit = true;             ///< whether the pieces of both back ends have the same shape
+    bool earlier_caps_fit = true;             ///< whether the pieces of both back ends have the same shape
     std::vector<glm::dvec3> earlier_normals;  ///< of the cuts that made this piece
     std::vector<std::string> failures;        ///< what must not be, one clause each
 
-    bool was_cut() const { return halfedge.status == Status::cut || halfedge.status == Status::open_section; }
+    /// By both.
+    bool was_cut() const
+    {
+        const auto is_cut = [](Status status) { return status == Status::cut || status == Status::open_section; };
+        return is_cut(baseline.status) && is_cut(halfedge.status);
+    }
     bool surfaces_equal() const { return surface[0].none() && surface[1].none(); }
 };
 
