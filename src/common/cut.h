@@ -156,6 +156,14 @@ public:
     /// A compact copy: only what the fragment uses, dense point ids. O(n).
     virtual IndexedMesh to_indexed_mesh() const = 0;
 
+    /// True when many cuts have left the object in many pieces of shared buffers, so that compact() is worth its time.
+    virtual bool wants_compaction() const { return false; }
+    /// Moves the object into buffers of its own that hold nothing else; to_indexed_mesh() keeps its bytes, and
+    /// everything is to be uploaded again. O(n): for when nothing waits. Throws std::bad_alloc, and the object is
+    /// unchanged then. To keep it off the critical path clone() the object on a worker thread, compact the clone there
+    /// and put it in the object's place, if that was not cut meanwhile.
+    virtual void compact() {}
+
 protected:
     Cuttable() = default;
     Cuttable(const Cuttable&) = default;
