@@ -103,10 +103,10 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     s.rebuilder->run(u, plane, *s.stitcher, s);
     for (std::size_t side = 0; side < 2; ++side)
         for (std::size_t i = 0; i < whole_[side].size(); ++i)
-            fragments_[side][pieces_.whole_fragment[side][i]]->shells_.push_back(whole_[side][i]);
+            fragments_[side][pieces_.whole_fragment[side][i]]->add_shell(whole_[side][i]);
     for (const Bundle& b : s.bundles)
         if (b.root != kNone)
-            fragments_[static_cast<std::size_t>(b.side)][b.fragment]->shells_.push_back({b.root, b.solid, b.connected});
+            fragments_[static_cast<std::size_t>(b.side)][b.fragment]->add_shell({b.root, b.solid, b.connected});
     const auto hand_over = [](auto& fragments, auto& to) {
         for (auto& fragment : fragments)
             if (!fragment->shells_.empty()) to.push_back(std::move(fragment));

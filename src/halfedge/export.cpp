@@ -21,11 +21,8 @@ IndexedMesh export_mesh(const Universe& u, std::span<const Shell> shells)
     std::vector<Index> order;
     for (Index g = 0; g < u.groups.size(); ++g)
         if (!slots_of_group[g].empty()) order.push_back(g);
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-        const Group &s = u.groups[a], &t = u.groups[b];
-        if (s.kind != t.kind) return s.kind < t.kind;
-        return s.material != t.material ? s.material < t.material : s.solid < t.solid;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return draws_before(u.groups[a], u.groups[b]); });
 
     IndexedMesh mesh;
     mesh.materials = u.materials;

@@ -3,23 +3,67 @@
 #include <algorithm>
 #include <cmath>
 
+#include "halfedge/compaction.h"
 #include "halfedge/cutter.h"
 #include "halfedge/export.h"
 
 namespace kerf::halfedge {
 
-Fragment::Fragment(Prepared prepared) : universe_(std::move(prepared.universe)), shells_(std::move(prepared.shells)) {}
+Fragment::Fragment(Prepared prepared) : Fragment(std::move(prepared.universe), prepared.shells.size())
+{
+    for (const Shell& shell : prepared.shells) add_shell(shell);
+}
 
 Fragment::Fragment(std::shared_ptr<Universe> universe, std::size_t shells) : universe_(std::move(universe))
 {
     shells_.reserve(shells);
 }
 
+Fragment::~Fragment()
+{
+    release();
+}
+
+/// There is room for it.
+void Fragment::add_shell(const Shell& shell)
+{
+    shells_.push_back(shell);
+    universe_->live_slots += universe_->tree.nodes[shell.root].count;
+}
+
+/// Lets go of all triangles.
+void Fragment::release()
+{
+    for (const Shell& shell : shells_) universe_->live_slots -= universe_->tree.nodes[shell.root].count;
+    shells_.clear();
+}
+
 std::unique_ptr<Cuttable> Fragment::clone() const
 {
-    auto copy = std::make_unique<Fragment>(Prepared{std::make_shared<Universe>(*universe_), shells_});
+    // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
+    const bool most = 2 * triangle_count() > universe_->slots.size();
+    auto copy = std::make_unique<Fragment>(most ? Prepared{std::make_shared<Universe>(*universe_), shells_}
+                                                : compact_copy(*universe_, shells_));
     copy->loops_ = loops_;
     return copy;
+}
+
+bool Fragment::wants_compaction() const
+{
+    // More ranges than a renderer likes to issue for one object; more dead triangles than live ones.
+    constexpr std::size_t kRanges = 500, kFewSlots = 4096;
+    const Universe& u = *universe_;
+    const std::size_t dead = u.slots.size() - u.live_slots;
+    return (dead > u.live_slots && dead > kFewSlots) || count_runs(u, shells_) > kRanges;
+}
+
+void Fragment::compact()
+{
+    Prepared copy = compact_copy(*universe_, shells_);
+    release();
+    universe_ = std::move(copy.universe);
+    shells_.reserve(copy.shells.size());
+    for (const Shell& shell : copy.shells) add_shell(shell);
 }
 
 std::vector<Index> Fragment::roots() const
@@ -152,7 +196,9 @@ IndexedMesh Fragment::to_indexed_mesh() const
 
 CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
-    return Cutter(universe_, shells_).cut(plane, options);
+    CutResult result = Cutter(universe_, shells_).cut(plane, options);
+    if (result.status == Status::cut || result.status == Status::open_section) release();
+    return result;
 }
 
 }  // namespace kerf::halfedge

@@ -15,6 +15,7 @@ public:
     explicit Fragment(Prepared prepared);
     /// An empty fragment, to be filled without failing: has room for `shells`.
     Fragment(std::shared_ptr<Universe> universe, std::size_t shells);
+    ~Fragment() override;
 
     std::unique_ptr<Cuttable> clone() const override;
     std::uint64_t triangle_count() const override;
@@ -25,6 +26,8 @@ public:
     CollisionProxy collision_proxy(ProxyKind kind) const override;
     std::span<const SectionLoop> section_loops() const override { return loops_; }
     IndexedMesh to_indexed_mesh() const override;
+    bool wants_compaction() const override;
+    void compact() override;
 
     const Universe& universe() const { return *universe_; }
     const std::vector<Shell>& shells() const { return shells_; }
@@ -32,6 +35,8 @@ public:
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
 
+    void add_shell(const Shell& shell);
+    void release();
     std::vector<Index> roots() const;
     /// Each vertex that the fragment uses, once. O(n).
     std::vector<Vertex> used_vertices() const;

@@ -214,6 +214,7 @@ Universe::Universe(const Universe& other)
       cap_material(other.cap_material),
       reference(other.reference),
       noise(other.noise),
+      live_slots(0),
       scratch(std::make_unique<CutScratch>())
 {
     scratch->reserve(crossings_of_one_cut(other.slots.size()));
@@ -272,10 +273,7 @@ Prepared prepare_universe(IndexedMesh mesh)
 
     // Groups in the order in which ranges are drawn.
     for (const TriangleGroup& g : mesh.groups) u.group({g.material, g.solid, g.kind});
-    std::sort(u.groups.begin(), u.groups.end(), [](const Group& s, const Group& t) {
-        if (s.kind != t.kind) return s.kind < t.kind;
-        return s.material != t.material ? s.material < t.material : s.solid < t.solid;
-    });
+    std::sort(u.groups.begin(), u.groups.end(), draws_before);
     std::vector<Index> group_of(n);
     for (const TriangleGroup& g : mesh.groups)
         std::fill_n(group_of.begin() + g.first, g.count, u.group({g.material, g.solid, g.kind}));

@@ -22,6 +22,13 @@ struct Group
     TriangleKind kind = TriangleKind::surface;
 };
 
+/// The order in which groups are drawn and exported.
+inline bool draws_before(const Group& a, const Group& b)
+{
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.material != b.material ? a.material < b.material : a.solid < b.solid;
+}
+
 /// One float stream of the vertices.
 struct Stream
 {
@@ -53,6 +60,8 @@ struct Universe
     double noise = 0.0;         ///< plane_noise() of the prepared mesh
 
     std::size_t uploaded_vertices = 0, uploaded_slots = 0;  ///< what the GPU has
+
+    std::size_t live_slots = 0;  ///< that some fragment draws
 
     std::unique_ptr<CutScratch> scratch;  ///< reused by every cut
 
