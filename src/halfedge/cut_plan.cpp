@@ -50,7 +50,7 @@ void CutScratch::reserve(std::size_t k)
 void CutScratch::begin(Universe& u)
 {
     // Stamps of earlier cuts lie below the base. Starting again from 1 once in 2^31 crossing triangles costs O(n).
-    u.stamp_base += crossings.size() + extra_stamps;
+    u.stamp_base += stamps_used();
     if (u.stamp_base >= std::numeric_limits<Index>::max() / 2) {
         std::fill(u.stamp_of_face.begin(), u.stamp_of_face.end(), Index(0));
         u.stamp_base = 1;

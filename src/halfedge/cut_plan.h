@@ -230,6 +230,8 @@ struct CutScratch
     void reserve(std::size_t crossings);
     /// Forgets the last cut.
     void begin(Universe& universe);
+    /// Stamps, from the universe's `stamp_base` on, that the last cut has put on faces.
+    std::uint64_t stamps_used() const { return crossings.size() + extra_stamps; }
 
     /// The face at a seam on one side, as it is before the cut.
     Index face_of_seam(SeamIndex seam, Side side) const

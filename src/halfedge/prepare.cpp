@@ -207,7 +207,7 @@ Universe::Universe(const Universe& other)
       face_of_slot(other.face_of_slot),
       source_of_face(other.source_of_face),
       stamp_of_face(other.stamp_of_face),
-      stamp_base(other.stamp_base),
+      stamp_base(other.stamp_base + other.scratch->stamps_used()),  // the copied faces keep their stamps
       tree(other.tree),
       groups(other.groups),
       materials(other.materials),
