@@ -6,16 +6,6 @@ namespace kerf::halfedge {
 
 namespace {
 
-// Prev of a half-edge that waits for its cap names the seam and the side; it is neither a half-edge nor kNone.
-Index waiting_mark(Index seam_and_side)
-{
-    return static_cast<Index>(-2) - seam_and_side;
-}
-bool is_waiting_mark(Index prev)
-{
-    return prev != kNone && (prev >> 31) != 0;
-}
-
 bool has_section_edge(const CutScratch& s, SeamIndex seam)
 {
     return seam >= s.crossings.size() || s.crossings[seam].split.has_section_edge();
@@ -90,11 +80,12 @@ std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
     orbit_start_.clear();
     orbit_label_.clear();
     order_.clear();
-    boundary_.reserve(2 * (s.boundary_cuts.size() + seams));
+    // Contractions move at most one half-edge each.
+    const std::size_t contractions = 3 * crossings + 2 * s.cancelled.size();
+    boundary_.reserve(2 * (s.boundary_cuts.size() + seams) + contractions);
     vertices_ = 2 * cuts;
     if (needs_orbits(s)) {
         // Contractions touch two half-edges each; orbits start at corners of pieces, caps and whatever lies at a seam.
-        const std::size_t contractions = 3 * crossings + 2 * s.cancelled.size();
         const std::size_t corners = 9 * crossings + 6 * caps + 6 * seams + 6 * contractions;
         vanished_.reserve(3 * crossings);
         touched_.reserve(2 * contractions);
@@ -290,34 +281,37 @@ private:
 
     // ----- contracting -----
 
+    // A half-edge that waits for its cap names its place in `cap_half_` by a face number beyond all faces, so that it
+    // can be moved.
+    Index first_waiting_face() const { return plan_.first_cap_face_ + 2 * plan_.cap_count_; }
+    bool is_waiting(Index face) const { return face != kNone && face >= first_waiting_face(); }
+
     void mark_waiting()
     {
-        for (Index i = 0; i < plan_.cap_half_.size(); ++i) {
-            const Index h = plan_.cap_half_[i];
-            if (h == kNone) continue;
-            mesh_.set_face(h, kNone);
-            mesh_.set_prev(h, waiting_mark(i));
-        }
+        for (Index i = 0; i < plan_.cap_half_.size(); ++i)
+            if (plan_.cap_half_[i] != kNone) mesh_.set_face(plan_.cap_half_[i], first_waiting_face() + i);
     }
 
     /// Half-edge `from` continues as half-edge `to`.
     void move_halfedge(Index from, Index to)
     {
-        const Index face = mesh_.face(from), prev = mesh_.prev(from), next = mesh_.next(from);
+        const Index face = mesh_.face(from);
         mesh_.set_to(to, mesh_.to(from));
         mesh_.set_face(to, face);
-        if (face == kNone && is_waiting_mark(prev)) {
-            mesh_.set_prev(to, prev);
-            plan_.cap_half_[waiting_mark(prev)] = to;  // the mark is its own inverse
-        } else {
-            // A half-edge may be its own neighbour's neighbour, never its own.
-            if (next != kNone) mesh_.link(to, next);
-            if (prev != kNone) mesh_.link(prev, to);
-            if (face != kNone && mesh_.halfedge_of_face(face) == from) mesh_.set_halfedge_of_face(face, to);
-            if (face == kNone) std::replace(plan_.boundary_.begin(), plan_.boundary_.end(), from, to);
-        }
         mesh_.set_face(from, kNone);
-        mesh_.set_prev(from, kNone);
+        if (is_waiting(face)) {
+            plan_.cap_half_[face - first_waiting_face()] = to;
+            return;
+        }
+        if (face == kNone) {
+            // At a crossed edge of the boundary its neighbours are not known yet. What dies here is skipped then.
+            plan_.boundary_.push_back(to);
+            return;
+        }
+        const Index prev = mesh_.prev(from), next = mesh_.next(from);
+        mesh_.link(to, next);
+        mesh_.link(prev, to);
+        if (mesh_.halfedge_of_face(face) == from) mesh_.set_halfedge_of_face(face, to);
     }
 
     /// Removes x and y, which bound nothing: what lies across x and what lies across y become opposite.
@@ -326,8 +320,6 @@ private:
         const Index a = x ^ 1u, b = y ^ 1u;
         mesh_.set_face(x, kNone);
         mesh_.set_face(y, kNone);
-        mesh_.set_prev(x, kNone);
-        mesh_.set_prev(y, kNone);
         if (a == y) return;
         move_halfedge(b, x);
         plan_.touched_.push_back(a);

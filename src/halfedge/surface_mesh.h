@@ -45,7 +45,6 @@ public:
     void prefetch_halfedge(Index h) const { __builtin_prefetch(&mesh_.edge(OpenMesh::EdgeHandle(int(h >> 1)))); }
 
     void link(Index h, Index next) { mesh_.set_next_halfedge_handle(halfedge(h), halfedge(next)); }
-    void set_prev(Index h, Index prev) { mesh_.set_prev_halfedge_handle(halfedge(h), halfedge(prev)); }
     void set_to(Index h, Index v) { mesh_.set_vertex_handle(halfedge(h), OpenMesh::VertexHandle(int(v))); }
     void set_face(Index h, Index f) { mesh_.set_face_handle(halfedge(h), OpenMesh::FaceHandle(int(f))); }
     void set_halfedge_of_face(Index f, Index h)
