@@ -70,6 +70,7 @@ void Components::search_shell(Index shell)
     assign_targets(shell);
     retarget(shell);
     s_->extra_stamps += searches_.size();
+    for (const Search& search : searches_) s_->triangles_read += search.faces.size();
 }
 
 Index Components::crossing_of(Index face) const

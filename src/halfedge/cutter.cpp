@@ -85,19 +85,22 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     } else {
         pieces_ = plan_sides(whole_, s);
     }
-    name_cap_groups(options);
+    // Room for a material and a group for each cap, so that naming them later can't fail.
+    u.materials.reserve(u.materials.size() + 1);
+    u.groups.reserve(u.groups.size() + s.bundles.size());
     make_fragments();
     if (fragments_[0].empty() || fragments_[1].empty()) return result;
     clock.done(Phase::components);
 
-    statistics.bytes_grown += s.stitcher->plan(u, s);
-    statistics.bytes_grown += s.rebuilder->plan(u, s);
-    clock.done(Phase::growth);
+    const std::size_t grown = s.stitcher->plan(u, s) + s.rebuilder->plan(u, s);
+    statistics.bytes_grown += grown;
+    clock.done(grown > 0 ? Phase::growth : Phase::rebuild);
 
     result.negative.reserve(fragments_[0].size());
     result.positive.reserve(fragments_[1].size());
 
     // From here on nothing can fail.
+    name_cap_groups(options);
     s.stitcher->run(u, s);
     clock.done(Phase::split);
     s.rebuilder->run(u, plane, *s.stitcher, s);

@@ -81,8 +81,10 @@ private:
             while (ahead < s_.ops.size() && s_.ops[ahead].kind != TreeOp::Kind::leaf) ++ahead;
             if (ahead == s_.ops.size()) return;
             const Node& node = u_.tree.nodes[s_.ops[ahead++].node];
-            for (Index slot = node.first; slot < node.first + node.count; ++slot)
+            for (Index slot = node.first; slot < node.first + node.count; ++slot) {
                 __builtin_prefetch(&u_.vertices[u_.slots[slot][0]]);
+                __builtin_prefetch(&u_.vertices[u_.slots[slot][1]]);
+            }
             prefetch(&u_.face_of_slot[node.first], node.count * sizeof(Index));
         };
         for (int i = 0; i < kLeavesAhead; ++i) next_leaf();
@@ -112,6 +114,8 @@ private:
     TreeOp open_leaf(Index n)
     {
         const Node& node = u_.tree.nodes[n];
+        const Plane plane = plane_;
+        const Vertex* const vertices = u_.vertices.data();
         const std::size_t first_entry = s_.entries.size();
         s_.entries.resize(first_entry + node.count);
         Index* const entries = &s_.entries[first_entry];
@@ -119,10 +123,9 @@ private:
         std::uint32_t crossing = 0;
         for (Index slot = node.first; slot < node.first + node.count; ++slot) {
             const Triangle& t = u_.slots[slot];
-            const std::array<glm::vec3, 3> p{u_.vertices[t[0]].position, u_.vertices[t[1]].position,
-                                             u_.vertices[t[2]].position};
-            const std::array<double, 3> d{plane_.signed_distance(p[0]), plane_.signed_distance(p[1]),
-                                          plane_.signed_distance(p[2])};
+            const std::array<double, 3> d{plane.signed_distance(vertices[t[0]].position),
+                                          plane.signed_distance(vertices[t[1]].position),
+                                          plane.signed_distance(vertices[t[2]].position)};
             // What classify() says, without branches: which side a triangle is on can't be predicted here.
             const bool above = (d[0] > 0.0) | (d[1] > 0.0) | (d[2] > 0.0);
             const bool below = (d[0] < 0.0) | (d[1] < 0.0) | (d[2] < 0.0);
@@ -133,7 +136,9 @@ private:
                 continue;
             }
             const bool on = (d[0] == 0.0) | (d[1] == 0.0) | (d[2] == 0.0);
-            const Side side = on ? kept_side(plane_, p, d) : static_cast<Side>(above);
+            const Side side =
+                on ? kept_side(plane, {vertices[t[0]].position, vertices[t[1]].position, vertices[t[2]].position}, d)
+                   : static_cast<Side>(above);
             ++kept[static_cast<std::size_t>(side)];
             entries[slot - node.first] = target(side);
             if (on && side == Side::negative && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
