@@ -11,6 +11,8 @@ namespace kerf::baseline {
 struct Fragment
 {
     IndexedMesh mesh;
+    /// The material that was added for caps, if one was.
+    std::uint32_t cap_material = kDefaultCapMaterial;
     double noise = 0.0;  ///< plane_noise of the mesh that prepare() got; the same for all its fragments
     std::vector<std::uint32_t>
         fan_centres;                   ///< vertices that fans added: rounded, so they may stick out by a last place

@@ -111,8 +111,8 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     return side;
 }
 
-std::vector<std::uint32_t> find_pieces(const SideBuilder& builder, const Section& section, const PartsOfSide& parts,
-                                       std::span<const SectionPath> paths, const Plane& plane)
+PiecesOfSide find_pieces(const SideBuilder& builder, const Section& section, const PartsOfSide& parts,
+                         std::span<const SectionPath> paths, const Plane& plane)
 {
     const IndexedMesh& mesh = builder.mesh;
     std::vector<std::vector<glm::vec3>> points;
@@ -127,7 +127,9 @@ std::vector<std::uint32_t> find_pieces(const SideBuilder& builder, const Section
         group_pieces(plane, builder.side(), parts.parts, loops, RayCounter(mesh, parts.part_of_triangle));
 
     // A cap triangle belongs to the part at its rim: with the cap in place, flooding goes through the rim's edges.
-    std::vector<std::uint32_t> piece(mesh.triangles.size(), kNone);
+    PiecesOfSide pieces;
+    std::vector<std::uint32_t>& piece = pieces.of_triangle;
+    piece.resize(mesh.triangles.size(), kNone);
     for (std::size_t t = 0; t < parts.part_of_triangle.size(); ++t) piece[t] = piece_of_part[parts.part_of_triangle[t]];
     if (piece.size() > parts.part_of_triangle.size()) {
         const Buffer<std::uint32_t> twins = half_edge_twins(mesh);
@@ -138,7 +140,8 @@ std::vector<std::uint32_t> find_pieces(const SideBuilder& builder, const Section
     }
     // Left over: a cap whose surface vanished (open meshes). It stays with the first piece rather than being lost.
     std::replace(piece.begin(), piece.end(), kNone, 0u);
-    return piece;
+    for (const SectionPath& path : paths) pieces.of_path.push_back(piece_of_part.empty() ? 0 : piece_of_part[path.tag]);
+    return pieces;
 }
 
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle)
@@ -168,6 +171,7 @@ std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std:
         const std::span<const std::uint32_t> own(triangles.data() + row[i], triangles.data() + row[i + 1]);
         Fragment& piece = pieces[i];
         piece.noise = whole.noise;
+        piece.cap_material = whole.cap_material;
         piece.mesh.materials = mesh.materials;
         for (const VertexStream& stream : mesh.streams) piece.mesh.streams.push_back({stream.name, stream.width, {}});
 

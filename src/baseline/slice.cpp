@@ -275,7 +275,7 @@ private:
         }
 
         materials_ = mesh_.materials;
-        const std::uint32_t material = cap_material(options_, materials_);
+        const std::uint32_t material = material_of_caps();
         const glm::vec3 centre = section_centre(section_);
         const double step = whole_.noise / kNoiseInUnits;
         if (!options_.split_components) {
@@ -295,10 +295,19 @@ private:
             if (options_.build_caps)
                 close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
             statistics.phases[Phase::cap] += watch.lap();
-            piece_of_triangle_[static_cast<std::size_t>(b.side())] =
-                find_pieces(b, section_, parts, paths_of_side, plane_);
+            const auto side = static_cast<std::size_t>(b.side());
+            pieces_[side] = find_pieces(b, section_, parts, paths_of_side, plane_);
+            for (const SectionPath& path : paths_of_side) loops_of_side_[side].push_back(to_loop(section_, path));
             statistics.phases[Phase::components] += watch.lap();
         }
+    }
+
+    std::uint32_t material_of_caps()
+    {
+        added_cap_material_ = whole_.cap_material;
+        if (options_.cap_material < materials_.size()) return options_.cap_material;
+        if (added_cap_material_ == kDefaultCapMaterial) added_cap_material_ = add_cap_material(materials_);
+        return added_cap_material_;
     }
 
     void finish()
@@ -315,20 +324,26 @@ private:
             slices_.statistics.vertex_comparisons += b.comparisons;
             Fragment fragment;
             fragment.noise = whole_.noise;
+            fragment.cap_material = added_cap_material_;
             fragment.fan_centres = std::move(b.fan_centres);
             fragment.mesh = std::move(b.mesh);
             fragment.mesh.materials = materials_;
             std::vector<Fragment>& out = b.side() == Side::positive ? slices_.positive : slices_.negative;
-            std::vector<std::uint32_t>& pieces = piece_of_triangle_[static_cast<std::size_t>(b.side())];
+            const auto side = static_cast<std::size_t>(b.side());
             if (options_.split_components)
-                out = extract_pieces(fragment, pieces);
+                out = extract_pieces(fragment, pieces_[side].of_triangle);
             else if (some_snapped)
                 out = extract_pieces(fragment, std::vector<std::uint32_t>(fragment.mesh.triangles.size(), 0));
             else
                 out.push_back(std::move(fragment));
+            // Every piece gets the loops that bound it, and no others: copies of all would cost pieces times loops.
+            if (options_.split_components)
+                for (std::size_t i = 0; i < loops_of_side_[side].size(); ++i)
+                    out[pieces_[side].of_path[i]].section.push_back(std::move(loops_of_side_[side][i]));
+            else
+                out.front().section = loops_;
             for (Fragment& piece : out) {
                 piece.release_spare_room();
-                piece.section = loops_;
                 slices_.statistics.bytes_to_upload +=
                     piece.mesh.vertices.size() * sizeof(Vertex) + piece.mesh.triangles.size() * sizeof(Triangle);
             }
@@ -353,7 +368,9 @@ private:
     Section section_;
     std::vector<SectionLoop> loops_;
     std::vector<Material> materials_;
-    std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;
+    std::uint32_t added_cap_material_ = kDefaultCapMaterial;
+    std::array<PiecesOfSide, 2> pieces_;
+    std::array<std::vector<SectionLoop>, 2> loops_of_side_;  ///< of pieces_, in the order of its paths
 };
 
 }  // namespace

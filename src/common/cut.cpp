@@ -71,14 +71,15 @@ void merge_ranges(std::vector<DrawRange>& ranges)
     if (!ranges.empty()) ranges.resize(last + 1);
 }
 
-std::uint32_t cap_material(const CutOptions& options, std::vector<Material>& materials)
+std::uint32_t add_cap_material(std::vector<Material>& materials)
 {
-    if (options.cap_material < materials.size()) return options.cap_material;
-    const auto cap =
-        std::find_if(materials.begin(), materials.end(), [](const Material& m) { return m.name == "cap"; });
-    const auto index = static_cast<std::uint32_t>(cap - materials.begin());
-    if (cap == materials.end()) materials.push_back({"cap", glm::vec4(1.0f), {}});
-    return index;
+    const auto is_taken = [&](const std::string& name) {
+        return std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+    };
+    std::string name = "cap";
+    for (int number = 1; is_taken(name); ++number) name = "cap." + std::to_string(number);
+    materials.push_back({std::move(name), glm::vec4(1.0f), {}});
+    return static_cast<std::uint32_t>(materials.size() - 1);
 }
 
 double PhaseTimes::total() const

@@ -113,7 +113,7 @@ struct DrawView
     std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, since mark_uploaded()
 };
 
-/// The material that fills a section when the user names none: see cap_material().
+/// The material that fills a section when the user names none: see add_cap_material().
 inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::uint32_t>::max();
 
 struct CutOptions
@@ -123,9 +123,10 @@ struct CutOptions
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< index into the object's materials; default: one named "cap"
 };
 
-/// Index of the material for caps: the one in `options`, or else the material named "cap", which is appended if there
-/// is none.
-std::uint32_t cap_material(const CutOptions& options, std::vector<Material>& materials);
+/// Appends the material that fills sections when the user names none, and returns its index. It is called "cap", or
+/// "cap.1" and so on where the object has a material of that name already: caps never share a material with the surface
+/// by accident.
+std::uint32_t add_cap_material(std::vector<Material>& materials);
 
 struct CutResult;
 

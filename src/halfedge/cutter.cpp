@@ -167,10 +167,7 @@ void Cutter::name_cap_groups(const CutOptions& options)
     if (s.caps.empty()) return;
     std::uint32_t material = options.cap_material;
     if (material >= u.materials.size()) {
-        if (u.cap_material == kDefaultCapMaterial) {
-            u.materials.push_back({"cap", glm::vec4(1.0f), {}});
-            u.cap_material = static_cast<std::uint32_t>(u.materials.size() - 1);
-        }
+        if (u.cap_material == kDefaultCapMaterial) u.cap_material = add_cap_material(u.materials);
         material = u.cap_material;
     }
     for (Bundle& b : s.bundles)

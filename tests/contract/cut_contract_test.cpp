@@ -272,6 +272,30 @@ TEST_P(CutContract, CapNormalsFaceOutAndUvIsPlanar)
     }
 }
 
+TEST_P(CutContract, CapsNeverShareAMaterialWithTheSurfaceByAccident)
+{
+    IndexedMesh mesh = closed_shape("icosphere");
+    mesh.materials[0].name = "cap";
+    CutResult result = cut(prepare(mesh), plane_through({0, 0, 0.1}, {0, 0, 1}));
+    ASSERT_EQ(result.status, Status::cut);
+    // And again: the second cut's cap has the material of the first.
+    result = cut(std::move(result.positive[0]), plane_through({0.1, 0, 0}, {1, 0, 0}));
+    ASSERT_EQ(result.status, Status::cut);
+    const IndexedMesh part = result.negative[0]->to_indexed_mesh();
+    for (const TriangleGroup& group : part.groups)
+        EXPECT_EQ(part.materials[group.material].name, group.kind == TriangleKind::cap ? "cap.1" : "cap");
+}
+
+TEST_P(CutContract, EachPieceHasTheLoopsThatBoundIt)
+{
+    CutOptions options;
+    options.split_components = true;
+    const CutResult result = cut(prepare(closed_shape("two_spheres")), plane_through({0, 0.1, 0}, {0, 1, 0}), options);
+    ASSERT_EQ(result.positive.size(), 2u);
+    for (const auto* side : {&result.positive, &result.negative})
+        for (const auto& piece : *side) EXPECT_EQ(piece->section_loops().size(), 1u);
+}
+
 TEST_P(CutContract, CapsCanBeLeftOut)
 {
     CutOptions options;
