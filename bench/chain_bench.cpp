@@ -104,6 +104,13 @@ double allocated_bytes()
 void prepare_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
 {
     const IndexedMesh& mesh = timed_shape(shape, size);
+    {
+        const PrepareResult checked = backend.prepare(mesh);
+        const std::string error =
+            checked.object ? check_cut(*checked.object, planes_through_the_middle(mesh.bounds(), 1, kPlaneSeed)[0])
+                           : checked.reason;
+        if (!error.empty()) return state.SkipWithError(error.c_str());
+    }
     double seconds = 0.0, bytes = 0.0;
     for (auto _ : state) {
         const double before = allocated_bytes();

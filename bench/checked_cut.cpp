@@ -1,6 +1,9 @@
 #include "bench/checked_cut.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
+#include <limits>
 
 #include "common/mesh_facts.h"
 
@@ -50,18 +53,53 @@ std::string check_cut(const Cuttable& object, const Plane& plane)
 {
     constexpr double kShare = 1e-6;  // of the whole: what rounding cut points to float may change
     const double volume = object.mass_properties().volume, area = surface_area(object.to_indexed_mesh());
+    const double noise = plane_noise(object.bounds().largest_coordinate());
     const CutResult result = cut(object.clone(), plane);
     if (result.status != Status::cut) return "status " + std::string(name_of(result.status));
     double volume_sum = 0.0, area_sum = 0.0;
     for (const auto* side : {&result.positive, &result.negative})
         for (const auto& fragment : *side) {
             const IndexedMesh mesh = fragment->to_indexed_mesh();
-            if (!measure(mesh).closed()) return "a side is not closed";
+            const MeshFacts facts = measure(mesh);
+            if (!facts.closed()) return "a side is not closed";
+            if (facts.degenerate_triangles > 0) return "a triangle has two corners in one place";
+            for (const Vertex& v : mesh.vertices) {
+                const double d = plane.signed_distance(v.position);
+                if ((side == &result.positive ? -d : d) > noise) return "a vertex is on the wrong side";
+            }
             volume_sum += fragment->mass_properties().volume;
             area_sum += surface_area(mesh);
         }
     if (!(std::abs(volume_sum - volume) <= kShare * std::abs(volume))) return "volumes do not add up";
     if (!(std::abs(area_sum - area) <= kShare * area)) return "surface areas do not add up";
+    return {};
+}
+
+std::string check_proxy(const CollisionProxy& proxy, std::span<const Vertex> vertices)
+{
+    if (proxy.kind == ProxyKind::box || proxy.kind == ProxyKind::sphere) {
+        for (const Vertex& v : vertices) {
+            const glm::vec3& p = v.position;
+            const bool in_box =
+                glm::all(glm::lessThanEqual(proxy.box.lo, p)) && glm::all(glm::lessThanEqual(p, proxy.box.hi));
+            const bool in_sphere = proxy.kind == ProxyKind::box ||
+                                   glm::distance(glm::dvec3(p), glm::dvec3(proxy.centre)) <= double(proxy.radius);
+            if (!in_box || !in_sphere) return "a vertex is outside its proxy";
+        }
+        return {};
+    }
+    const auto farthest = [](const glm::vec3& direction, auto&& points, auto&& position) {
+        float most = -std::numeric_limits<float>::infinity();
+        for (const auto& p : points) most = std::max(most, support_value(direction, position(p)));
+        return most;
+    };
+    for (const glm::vec3& direction : support_directions()) {
+        const float of_mesh = farthest(direction, vertices, [](const Vertex& v) { return v.position; });
+        const float of_hull = farthest(direction, proxy.points, [](const glm::vec3& p) { return p; });
+        // A full hull is computed on a lattice: convex_hull.h says how far a vertex may stick out.
+        const float slack = proxy.kind == ProxyKind::full_hull ? 2e-4f * proxy.box.largest_coordinate() : 0.0f;
+        if (of_hull > of_mesh || of_hull < of_mesh - slack) return "a hull does not reach as far as its vertices";
+    }
     return {};
 }
 

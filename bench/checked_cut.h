@@ -15,4 +15,8 @@ std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t co
 /// whole's. Empty when all is right, otherwise what is wrong: such a result is not timed.
 std::string check_cut(const Cuttable& object, const Plane& plane);
 
+/// Whether a proxy is one of these vertices: boxes and spheres hold all of them, hulls reach as far in each support
+/// direction and have corners among them. Empty when it is.
+std::string check_proxy(const CollisionProxy& proxy, std::span<const Vertex> vertices);
+
 }  // namespace kerf::bench

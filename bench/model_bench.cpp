@@ -77,6 +77,13 @@ void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
     std::vector<CutResult> cuts;
     for (const Plane& plane : planes) cuts.push_back(cut(object->clone(), plane));
 
+    for (const CutResult& result : cuts)
+        for (const auto* side : {&result.positive, &result.negative}) {
+            const std::string error =
+                check_proxy(side->front()->collision_proxy(kind), side->front()->to_indexed_mesh().vertices);
+            if (!error.empty()) return state.SkipWithError(error.c_str());
+        }
+
     double seconds = 0.0;
     std::size_t points = 0;
     for (auto _ : state) {
@@ -99,6 +106,8 @@ void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
 
 void prepare_model(benchmark::State& state, const Backend& backend, const Model& model)
 {
+    if (!prepared(state, backend, model, planes_through_the_middle(model.mesh.bounds(), kCutsPerModel, kPlaneSeed)))
+        return;
     double seconds = 0.0;
     for (auto _ : state) {
         IndexedMesh copy = model.mesh;
