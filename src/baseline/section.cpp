@@ -74,6 +74,15 @@ void cancel_opposite_edges(std::vector<SectionEdge>& edges)
     std::erase_if(edges, [](const SectionEdge& edge) { return edge.from == kNone; });
 }
 
+/// Some edge has its reverse. Where no points coincide only one edge leaves each point, so that a look suffices.
+bool runs_forth_and_back(const Section& section)
+{
+    std::vector<std::uint32_t> next(section.points.size(), kNone);
+    for (const SectionEdge& edge : section.edges) next[edge.from] = edge.to;
+    return std::any_of(section.edges.begin(), section.edges.end(),
+                       [&](const SectionEdge& edge) { return next[edge.to] == edge.from; });
+}
+
 /// The two vertices of an edge in the plane.
 std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane& edge)
 {
@@ -145,7 +154,7 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
         section.edges.push_back(
             {from, to, i, crossing.triangle, split.section_from, split.section_to, mesh.groups[crossing.group].solid});
     }
-    if (some_coincide) cancel_opposite_edges(section.edges);
+    if (some_coincide || runs_forth_and_back(section)) cancel_opposite_edges(section.edges);
 
     for (const EdgeInPlane& edge : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
         const auto [from, to] = ends_of(mesh, edge);

@@ -63,6 +63,8 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
 
     split_crossings(u, s);
     clock.done(Phase::split);
+    // All of a side can vanish: a spike so thin that its cut points are one.
+    if (!keeps_triangles(Side::negative) || !keeps_triangles(Side::positive)) return result;
     walk_section(u, s);
     clock.done(Phase::walk);
 
@@ -135,6 +137,23 @@ bool Cutter::misses(const Plane& plane) const
         });
     };
     return !reaches(1) || !reaches(-1);
+}
+
+bool Cutter::keeps_triangles(Side side) const
+{
+    const CutScratch& s = *universe_->scratch;
+    if (!whole_[static_cast<std::size_t>(side)].empty()) return true;
+    const auto goes_to_side = [&](Index target) { return target % 2 == static_cast<Index>(side); };
+    const auto splits_to_side = [&](const Crossing& c) {
+        return std::any_of(c.split.pieces.begin(), c.split.pieces.begin() + c.split.piece_count,
+                           [&](const TriangleSplit::Piece& piece) { return piece.side == side; });
+    };
+    // The first crossing triangle answers, but for spikes.
+    return std::any_of(s.crossings.begin(), s.crossings.end(), splits_to_side) ||
+           std::any_of(s.ops.begin(), s.ops.end(),
+                       [&](const TreeOp& op) { return op.kind == TreeOp::Kind::whole && goes_to_side(op.argument); }) ||
+           std::any_of(s.entries.begin(), s.entries.end(),
+                       [&](Index entry) { return entry < kCrossingEntry && goes_to_side(entry); });
 }
 
 void Cutter::find_shells(const Plane& plane)

@@ -25,6 +25,8 @@ public:
 private:
     bool misses(const Plane& plane) const;
     void find_shells(const Plane& plane);
+    /// Whether a side gets any triangle, once the crossing triangles are split: asked before targets are made.
+    bool keeps_triangles(Side side) const;
     void name_cap_groups(const CutOptions& options);
     void make_fragments();
 

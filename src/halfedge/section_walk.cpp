@@ -152,6 +152,8 @@ private:
             std::reverse(chain.begin() + static_cast<std::ptrdiff_t>(forward), chain.end());
             std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(forward), chain.end());
         }
+        // Two triangles that share both crossed edges, back to back: the section runs forth and back.
+        if (closed && chain.size() == 2) s_.irregular = true;
         // Coincidences change what follows what: then the outline is linked by its points instead.
         if (s_.irregular) return;
         Loop loop;
@@ -177,7 +179,12 @@ private:
 void walk_section(Universe& universe, CutScratch& scratch)
 {
     Walker(universe, scratch).run();
-    if (scratch.irregular) link_outline(universe, scratch);
+    if (scratch.irregular) {
+        scratch.loops.clear();
+        scratch.loop_seams.clear();
+        scratch.loop_points.clear();
+        link_outline(universe, scratch);
+    }
     for (const Loop& loop : scratch.loops) ++scratch.cut_shells[loop.shell].loops;
 }
 

@@ -518,5 +518,51 @@ TEST_P(CutContract, PiecesTogetherAreTheSide)
     }
 }
 
+/// A mesh of positions alone.
+IndexedMesh mesh_of(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles)
+{
+    TriangleSoup soup;
+    for (const glm::vec3& p : positions) soup.vertices.push_back({p, {0, 1, 0}, {}});
+    soup.triangles.assign(triangles.begin(), triangles.end());
+    return test::assembled(std::move(soup));
+}
+
+TEST_P(CutContract, ATipThatVanishesWhollyIsMissed)
+{
+    // From 2^23 on the floats are whole numbers: the three cut points below the tip are one.
+    const float o = 8388708.0f;
+    const IndexedMesh spike =
+        mesh_of({{o, o + 16, o}, {o + 1, o - 1000, o}, {o - 1, o - 1000, o + 1}, {o - 1, o - 1000, o - 1}},
+                {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}});
+    const CutResult result = cut(prepare(spike), plane_through({0, o, 0}, {0, 1, 0}));
+    EXPECT_EQ(result.status, Status::missed);
+    ASSERT_TRUE(result.object);
+    EXPECT_EQ(result.object->to_indexed_mesh().triangles.size(), 4u);
+    // And it can be cut elsewhere.
+    EXPECT_EQ(cut(prepare(spike), plane_through({0, o - 500, 0}, {0, 1, 0})).status, Status::cut);
+}
+
+TEST_P(CutContract, TwoTrianglesBackToBackHaveNoSection)
+{
+    const IndexedMesh pillow = mesh_of({{0, 1, 0}, {1, -1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 2, 1}});
+    for (const bool split : {false, true}) {
+        CutOptions options;
+        options.split_components = split;
+        const CutResult result = cut(prepare(pillow), plane_through({0, 0, 0}, {0, 1, 0}), options);
+        ASSERT_EQ(result.status, Status::cut);
+        EXPECT_EQ(result.statistics.section_loops, 0u);
+        ASSERT_EQ(result.positive.size(), 1u);
+        ASSERT_EQ(result.negative.size(), 1u);
+        for (const Fragments* side : {&result.positive, &result.negative}) {
+            const IndexedMesh mesh = side->front()->to_indexed_mesh();
+            EXPECT_EQ(check(mesh), "");
+            EXPECT_EQ(referee::open_edges(mesh), 0u);
+            for (const TriangleGroup& group : mesh.groups) EXPECT_EQ(group.kind, TriangleKind::surface);
+        }
+        EXPECT_EQ(result.positive.front()->triangle_count(), 2u);
+        EXPECT_EQ(result.negative.front()->triangle_count(), 4u);
+    }
+}
+
 }  // namespace
 }  // namespace kerf
