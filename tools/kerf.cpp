@@ -1,8 +1,10 @@
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
 
+#include "common/io/unfinished_files.h"
 #include "tools/commands.h"
 
 namespace {
@@ -35,10 +37,20 @@ int report_wrong_use(const CLI::App& program, const CLI::ParseError& error)
     return kWrongUse;
 }
 
+/// An interrupted program leaves no half a file behind, and ends as if the signal had not been caught.
+void remove_unfinished_and_end(int signal_number)
+{
+    kerf::io::remove_unfinished_files();
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
+    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, remove_unfinished_and_end);
+
     CLI::App program("Kerf cuts triangle meshes by a plane.", "kerf");
     program.set_version_flag("--version", "kerf " KERF_VERSION);
     program.require_subcommand(1);

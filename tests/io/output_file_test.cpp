@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "common/io/unfinished_files.h"
 #include "io/test_files.h"
 
 namespace kerf::io {
@@ -33,6 +34,18 @@ TEST_F(OutputFileTest, LeavesNothingBehindAndTheOldFileAloneWhenAbandoned)
     }
     EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
     EXPECT_EQ(read_text(file("a.txt")), "old");
+}
+
+TEST_F(OutputFileTest, IsFoundByASignalHandlerWhileItIsUnfinished)
+{
+    OutputFile done(file("done.txt"));
+    done.finish();
+    done.commit();
+    OutputFile first(file("a.txt")), second(file("b.txt"));
+    first.write("half");
+    EXPECT_EQ(names_in_folder().size(), 3u);
+    remove_unfinished_files();
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"done.txt"});
 }
 
 TEST_F(OutputFileTest, RefusesFoldersThatDoNotExistAndPlacesThatAreNotFiles)

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "common/io/read_formats.h"
+#include "common/io/unfinished_files.h"
 
 namespace kerf::io {
 
@@ -37,6 +38,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path))
     file_.reset(std::fopen(temporary.c_str(), "wbx"));
     if (!file_) fail(path_, std::string("it cannot be written (") + std::strerror(errno) + ")");
     temporary_ = temporary;
+    unfinished_ = remember_unfinished(temporary_);
     constexpr std::size_t kBufferBytes = 1 << 20;
     std::setvbuf(file_.get(), nullptr, _IOFBF, kBufferBytes);
 }
@@ -45,7 +47,9 @@ OutputFile::~OutputFile()
 {
     file_.reset();
     std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    if (temporary_.empty()) return;
+    fs::remove(temporary_, ignored);
+    forget_unfinished(unfinished_);
 }
 
 void OutputFile::write(std::string_view bytes)
@@ -63,6 +67,7 @@ void OutputFile::commit()
     std::error_code error;
     fs::rename(temporary_, path_, error);
     if (error) fail(path_, "it cannot be written (" + error.message() + ")");
+    forget_unfinished(unfinished_);
     temporary_.clear();
 }
 

@@ -42,6 +42,7 @@ private:
 
     std::filesystem::path path_;
     std::filesystem::path temporary_;  ///< empty: committed, or moved from
+    int unfinished_ = -1;              ///< its number in unfinished_files.h
     std::unique_ptr<std::FILE, Close> file_;
 };
 
