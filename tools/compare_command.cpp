@@ -82,7 +82,7 @@ void Tally::add(const ComparisonRow& row)
         ++crossed_sections;
     else {
         if (!row.cap_fits) ++caps_wrong;
-        worst_cap = worse(worst_cap, relative_to_section(row.halfedge.cap_excess, row));
+        if (row.loops > 0) worst_cap = worse(worst_cap, row.halfedge.cap_excess / row.judged_area);
     }
     baseline_open_edges += row.baseline.open_edges;
     halfedge_open_edges += row.halfedge.open_edges;

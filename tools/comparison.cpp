@@ -209,7 +209,8 @@ private:
                 row.failures.push_back(std::string(whose) + " section area " + rounded(said) + " instead of " +
                                        rounded(area));
         };
-        expect_area("baseline's stated", a.result.section_area, other.area, tolerance);
+        expect_area("baseline's stated", a.result.section_area, other.area,
+                    std::max(tolerance, unit_ * other.length));
         expect_area("halfedge's stated", b.result.section_area, section.area, tolerance);
         // Caps of earlier cuts are off their planes by a unit, differently in each back end: that moves the line where
         // this plane meets them by a unit over the sine of the angle.
@@ -217,7 +218,8 @@ private:
         for (const glm::dvec3& earlier : row.earlier_normals)
             sine = std::min(sine, glm::length(glm::cross(earlier, normal)));
         if (row.earlier_caps_fit)
-            expect_area("baseline's", other.area, section.area, tolerance + 2.0 * unit_ * section.length / sine);
+            expect_area("baseline's", other.area, section.area,
+                        tolerance + 2.0 * unit_ * std::max(section.length, other.length) / sine);
 
         double target = section.area;
         const auto measure_caps = [&] {
@@ -238,6 +240,7 @@ private:
             measure_caps();
         }
         row.covered_area = target;
+        row.judged_area = tolerance / kAgreement;
         row.section_is_speck = std::abs(target) <= tolerance;
         if (!row.cap_fits && !row.section_intersects_itself)
             row.failures.push_back("half-edge cap area off by " + rounded(row.halfedge.cap_excess));

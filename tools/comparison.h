@@ -62,6 +62,9 @@ struct ComparisonRow
     bool section_intersects_itself = false;
     double covered_area =
         0.0;  ///< what caps should cover: the section's area, and what it winds around backwards twice
+    /// What the error of the half-edge cap is relative to: the section's area, or where that is less the area that a
+    /// unit in the last place along its outline is kAgreement of.
+    double judged_area = 0.0;
     bool section_is_speck = false;            ///< no larger than rounding: errors relative to it say nothing
     bool earlier_caps_fit = true;             ///< whether the pieces of both back ends have the same shape
     std::vector<glm::dvec3> earlier_normals;  ///< of the cuts that made this piece

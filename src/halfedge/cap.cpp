@@ -6,8 +6,8 @@
 namespace kerf::halfedge {
 
 CapPlanner::CapPlanner()
-    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_constrained_triangulator()},
-      last_resort_(make_topological_triangulator())
+    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_constrained_triangulator(),
+            make_untangling_triangulator(), make_topological_triangulator()}
 {
 }
 
@@ -40,48 +40,54 @@ void CapPlanner::clear_outline()
     edge_.clear();
 }
 
+void CapPlanner::append_point(std::size_t p, const CutScratch& scratch)
+{
+    points_.push_back(projected(scratch.loop_points[p]));
+    positions_.push_back(scratch.loop_points[p]);
+    global_.push_back(static_cast<Index>(p));
+    edge_.push_back(kSeamLink + static_cast<Index>(p));
+    box_.add(points_.back().x, points_.back().y);
+}
+
+void CapPlanner::drop_point()
+{
+    points_.pop_back();
+    positions_.pop_back();
+    global_.pop_back();
+    edge_.pop_back();
+}
+
 bool CapPlanner::append_loop(const Loop& loop, CutScratch& scratch)
 {
-    const auto projected = [&](std::size_t p) {
-        return glm::dvec2(scratch.loop_points[p][axis_u_], scratch.loop_points[p][axis_v_]);
-    };
-    const auto push = [&](std::size_t p) {
-        points_.push_back(projected(p));
-        positions_.push_back(scratch.loop_points[p]);
-        global_.push_back(static_cast<Index>(p));
-        edge_.push_back(kSeamLink + static_cast<Index>(p));
-    };
-    const auto pop = [&] {
-        points_.pop_back();
-        positions_.pop_back();
-        global_.pop_back();
-        edge_.pop_back();
-    };
-    const std::size_t first = points_.size();
-    starts_.push_back(static_cast<Index>(first));
-
+    const auto place = [&](std::size_t i) { return projected(scratch.loop_points[loop.first + i % loop.count]); };
     // Start where two points follow one another that don't fall together.
     std::size_t start = 0;
-    while (start < loop.count && projected(loop.first + start) == projected(loop.first + (start + 1) % loop.count))
-        ++start;
+    while (start < loop.count && place(start) == place(start + 1)) ++start;
     if (start == loop.count) return false;
 
+    const std::size_t first = points_.size(), first_cap = scratch.caps.size();
     // Takes the last point away: the triangle from the one before it over it to `next`.
     const auto take_away = [&](std::size_t next) {
         const Index t = static_cast<Index>(scratch.caps.size()), last = static_cast<Index>(points_.size() - 1);
         scratch.caps.push_back({{global_[last - 1], global_[last], static_cast<Index>(next)}, {kNone, kNone, kNone}});
         connect(3 * t, edge_[last - 1], scratch);
         connect(3 * t + 1, edge_[last], scratch);
-        pop();
+        drop_point();
         edge_.back() = 3 * t + 2;
     };
     for (std::size_t i = 0; i < loop.count; ++i) {
         const std::size_t p = loop.first + (start + i) % loop.count;
-        if (i > 0 && points_.back() == projected(p)) take_away(p);
-        push(p);
+        if (i > 0 && points_.back() == projected(scratch.loop_points[p])) take_away(p);
+        append_point(p, scratch);
     }
     while (points_.size() - first >= 2 && points_.back() == points_[first]) take_away(global_[first]);
-    return points_.size() - first >= 3;
+    if (points_.size() - first >= 3) {
+        starts_.push_back(static_cast<Index>(first));
+        return true;
+    }
+    while (points_.size() > first) drop_point();
+    scratch.caps.resize(first_cap);
+    return false;
 }
 
 void CapPlanner::connect(Index a, Index b, CutScratch& scratch)
@@ -96,30 +102,36 @@ void CapPlanner::connect(Index a, Index b, CutScratch& scratch)
 void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t solid, CutScratch& scratch)
 {
     SolidCap cap{solid, scratch.caps.size(), 0};
+    upright_.clear();
+    box_ = {};
     clear_outline();
-    bool ordinary = true;
-    for (const std::size_t i : loops) ordinary = append_loop(scratch.loops[i], scratch) && ordinary;
+    for (const std::size_t i : loops)
+        if (!append_loop(scratch.loops[i], scratch)) upright_.push_back(i);
+    close_outline(scratch);
+    // Loops without an inside are closed on their own, as they are: none of the others is the worse for them.
+    clear_outline();
+    for (const std::size_t i : upright_) {
+        const Loop& loop = scratch.loops[i];
+        starts_.push_back(static_cast<Index>(points_.size()));
+        for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) append_point(p, scratch);
+    }
+    close_outline(scratch);
+    cap.count = scratch.caps.size() - cap.first;
+    scratch.solid_caps.push_back(cap);
+    order_spatially(cap, scratch);
+}
+
+void CapPlanner::close_outline(CutScratch& scratch)
+{
+    if (starts_.empty()) return;
     starts_.push_back(static_cast<Index>(points_.size()));
     const CapOutline outline{points_, positions_, starts_};
-    const auto closes = [&](const auto& way) { return way->triangulate(outline, mesh_); };
-    if (!ordinary || std::none_of(ways_.begin(), ways_.end(), closes)) {
-        // The last resort sees the loops as they are.
-        scratch.caps.resize(cap.first);
-        clear_outline();
-        for (const std::size_t i : loops) {
-            const Loop& loop = scratch.loops[i];
-            starts_.push_back(static_cast<Index>(points_.size()));
-            for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) {
-                points_.emplace_back(scratch.loop_points[p][axis_u_], scratch.loop_points[p][axis_v_]);
-                positions_.push_back(scratch.loop_points[p]);
-                global_.push_back(static_cast<Index>(p));
-                edge_.push_back(kSeamLink + static_cast<Index>(p));
-            }
-        }
-        starts_.push_back(static_cast<Index>(points_.size()));
-        last_resort_->triangulate({points_, positions_, starts_}, mesh_);
-    }
+    std::any_of(ways_.begin(), ways_.end(), [&](const auto& way) { return way->triangulate(outline, mesh_); });
+    take_over(scratch);
+}
 
+void CapPlanner::take_over(CutScratch& scratch)
+{
     const Index offset = 3 * static_cast<Index>(scratch.caps.size());
     const std::size_t first = scratch.caps.size();
     for (const CapTriangle& t : mesh_.triangles)
@@ -133,20 +145,13 @@ void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t s
         }
     for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b], scratch);
     scratch.caps_merge_points |= mesh_.merged_points;
-    cap.count = scratch.caps.size() - cap.first;
-    scratch.solid_caps.push_back(cap);
-    order_spatially(cap, scratch);
 }
 
 void CapPlanner::order_spatially(const SolidCap& cap, CutScratch& scratch)
 {
     // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
-    glm::dvec2 lo = points_.empty() ? glm::dvec2(0.0) : points_[0], hi = lo;
-    for (const glm::dvec2& p : points_) {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    const double longest = std::max(hi.x - lo.x, hi.y - lo.y);
+    const glm::dvec2 lo(box_.lo_x, box_.lo_y);
+    const double longest = std::max(box_.hi_x - box_.lo_x, box_.hi_y - box_.lo_y);
     const double scale = longest > 0.0 ? 1023.0 / (3.0 * longest) : 0.0;
     const auto spread = [](std::uint32_t v) {
         v = (v | (v << 8)) & 0x00ff00ffu;
@@ -157,8 +162,7 @@ void CapPlanner::order_spatially(const SolidCap& cap, CutScratch& scratch)
     keys_.clear();
     for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) {
         glm::dvec2 cell{0.0};
-        for (const Index corner : scratch.caps[t].corner)
-            cell += glm::dvec2(scratch.loop_points[corner][axis_u_], scratch.loop_points[corner][axis_v_]) - lo;
+        for (const Index corner : scratch.caps[t].corner) cell += projected(scratch.loop_points[corner]) - lo;
         cell *= scale;
         keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), static_cast<Index>(t));
     }

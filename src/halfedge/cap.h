@@ -1,6 +1,7 @@
 #pragma once
 
 #include "halfedge/cap_triangulator.h"
+#include "halfedge/run_boxes.h"
 
 namespace kerf::halfedge {
 
@@ -17,21 +18,30 @@ public:
 private:
     void close_solid(std::span<const std::size_t> loops, std::uint32_t solid, CutScratch& scratch);
     /// Appends a loop to the outline. Points that only differ along the dropped axis fall on one another: a triangle of
-    /// no projected area takes the first of the two away. False when nothing would be left.
+    /// no projected area takes the first of the two away. False, and nothing is appended, when less than three are
+    /// left.
     bool append_loop(const Loop& loop, CutScratch& scratch);
+    void append_point(std::size_t p, const CutScratch& scratch);
+    void drop_point();
     void clear_outline();
+    /// Covers the outline, unless it is empty, in the first way that can.
+    void close_outline(CutScratch& scratch);
+    /// Appends `mesh_` to the caps.
+    void take_over(CutScratch& scratch);
     /// Joins two edges: of cap triangles, or seams.
     static void connect(Index a, Index b, CutScratch& scratch);
     void order_spatially(const SolidCap& cap, CutScratch& scratch);
+    glm::dvec2 projected(const glm::vec3& p) const { return {p[axis_u_], p[axis_v_]}; }
 
-    std::array<std::unique_ptr<CapTriangulator>, 3> ways_;  ///< in the order in which they are tried
-    std::unique_ptr<CapTriangulator> last_resort_;
-    int axis_u_ = 0, axis_v_ = 1;  ///< coordinates that are kept; (u, v, plane normal) is right-handed
+    std::array<std::unique_ptr<CapTriangulator>, 5> ways_;  ///< in the order in which they are tried; the last can all
+    int axis_u_ = 0, axis_v_ = 1;       ///< coordinates that are kept; (u, v, plane normal) is right-handed
+    std::vector<std::size_t> upright_;  ///< loops that vanish when they are projected
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
     std::vector<Index> starts_;
     std::vector<Index> global_;  ///< point in `loop_points` of each local point
     std::vector<Index> edge_;    ///< what leaves each local point: kSeamLink + point, or an edge of a cap triangle
+    Box2 box_;                   ///< of the solid's points
     CapMesh mesh_;
     std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;
 };

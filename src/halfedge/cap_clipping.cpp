@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "halfedge/cap_triangulator.h"
+#include "halfedge/run_boxes.h"
 
 // Ear clipping in layers. An ear is a convex corner whose triangle holds no reflex corner (Meisters 1975: every simple
 // polygon has two). A pass over the loop clips every ear that is not next to one that it has clipped already, so edges
@@ -24,25 +21,15 @@ double turn(const Point& a, const Point& b, const Point& c)
     return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
 
-/// Boxes over the reflex corners of a ring, in runs of eight along the ring and pairs of runs above: a loop is
-/// coherent, so its own order is a good tree.
+/// The reflex corners of a ring.
 class ReflexTree
 {
 public:
     void build(const std::vector<Point>& points, const std::vector<std::uint8_t>& reflex)
     {
-        leaves_ = (points.size() + kRun - 1) / kRun;
-        first_leaf_ = 1;
-        while (first_leaf_ < leaves_) first_leaf_ *= 2;
-        boxes_.resize(2 * first_leaf_);
-        for (std::size_t leaf = 0; leaf < first_leaf_; ++leaf) {
-            Box2 box;
-            const std::size_t end = std::min(points.size(), (leaf + 1) * kRun);
-            for (std::size_t i = leaf * kRun; i < end; ++i)
-                if (reflex[i] != 0) box.add(points[i]);
-            boxes_[first_leaf_ + leaf] = box;
-        }
-        for (std::size_t i = first_leaf_ - 1; i > 0; --i) boxes_[i] = boxes_[2 * i].joined(boxes_[2 * i + 1]);
+        boxes_.build(points.size(), [&](std::size_t i, Box2& box) {
+            if (reflex[i] != 0) box.add(points[i].x, points[i].y);
+        });
     }
 
     /// True when a reflex corner other than these three lies in or on the triangle.
@@ -51,61 +38,16 @@ public:
     {
         const Point &a = points[ia], &b = points[ib], &c = points[ic];
         Box2 box;
-        box.add(a);
-        box.add(b);
-        box.add(c);
-        std::array<std::size_t, 64> stack;
-        std::size_t depth = 0;
-        stack[depth++] = 1;
-        while (depth > 0) {
-            const std::size_t n = stack[--depth];
-            if (!boxes_[n].overlaps(box)) continue;
-            if (n < first_leaf_) {
-                stack[depth++] = 2 * n;
-                stack[depth++] = 2 * n + 1;
-                continue;
-            }
-            const std::size_t begin = (n - first_leaf_) * kRun, end = std::min(points.size(), begin + kRun);
-            for (std::size_t i = begin; i < end; ++i) {
-                if (reflex[i] == 0 || i == ia || i == ib || i == ic) continue;
-                const Point& p = points[i];
-                if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return true;
-            }
-        }
-        return false;
+        for (const Point* p : {&a, &b, &c}) box.add(p->x, p->y);
+        return boxes_.any(box, [&](std::size_t i) {
+            if (reflex[i] == 0 || i == ia || i == ib || i == ic) return false;
+            const Point& p = points[i];
+            return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+        });
     }
 
 private:
-    static constexpr std::size_t kRun = 8;
-
-    struct Box2
-    {
-        double lo_x = std::numeric_limits<double>::infinity(), lo_y = lo_x, hi_x = -lo_x, hi_y = -lo_x;
-
-        void add(const Point& p)
-        {
-            lo_x = std::min(lo_x, p.x);
-            lo_y = std::min(lo_y, p.y);
-            hi_x = std::max(hi_x, p.x);
-            hi_y = std::max(hi_y, p.y);
-        }
-        Box2 joined(const Box2& other) const
-        {
-            Box2 box;
-            box.lo_x = std::min(lo_x, other.lo_x);
-            box.lo_y = std::min(lo_y, other.lo_y);
-            box.hi_x = std::max(hi_x, other.hi_x);
-            box.hi_y = std::max(hi_y, other.hi_y);
-            return box;
-        }
-        bool overlaps(const Box2& other) const
-        {
-            return lo_x <= other.hi_x && other.lo_x <= hi_x && lo_y <= other.hi_y && other.lo_y <= hi_y;
-        }
-    };
-
-    std::vector<Box2> boxes_;
-    std::size_t first_leaf_ = 1, leaves_ = 0;
+    RunBoxes boxes_;
 };
 
 class ClippingTriangulator final : public CapTriangulator

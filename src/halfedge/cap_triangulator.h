@@ -61,6 +61,12 @@ std::unique_ptr<CapTriangulator> make_clipping_triangulator();
 /// flooding from outside (CGAL). Refuses outlines that cross or touch themselves inside an edge. O(k log k).
 std::unique_ptr<CapTriangulator> make_constrained_triangulator();
 
+/// Outlines that touch or cross themselves, by rounding or in earnest: an edge that meets a point, or crosses an edge
+/// beside it, is led over that point by a triangle with (almost) no area; then as the constrained triangulator. Covers
+/// what the outline winds around up to these triangles. Refuses outlines that cross themselves all over.
+/// O(k log k + meetings).
+std::unique_ptr<CapTriangulator> make_untangling_triangulator();
+
 /// Any outline at all: each loop is halved by its order alone, wherever its points lie. Triangles may overlap and be
 /// turned over, but the cap is closed and its signed area is right. The last resort for self-intersecting input. O(k).
 std::unique_ptr<CapTriangulator> make_topological_triangulator();

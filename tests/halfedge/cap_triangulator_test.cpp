@@ -257,6 +257,105 @@ TEST(ConstrainedTriangulator, RefusesLoopsThatCrossOrRunThroughAPoint)
     EXPECT_NEAR(unsigned_area(good, cap), good.area(), 1e-12);
 }
 
+TEST(UntanglingTriangulator, LetsLoopsRunThroughPointsOfOthers)
+{
+    Outline outline;
+    outline.add({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    outline.add(reversed({{2, 0}, {3, 1}, {2, 2}, {1, 1}}));  // a hole that touches the lower edge
+    outline.add({{4, 1}, {6, 1}, {6, 2}, {4, 2}});            // lies against the right edge
+    CapMesh cap;
+    ASSERT_FALSE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    ASSERT_TRUE(make_untangling_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 16.0 - 2.0 + 2.0, 1e-12);
+}
+
+TEST(UntanglingTriangulator, CancelsSpikesAndEdgesThatRunForthAndBack)
+{
+    Outline outline;
+    // A spike out of the corner (2, 0) that comes back a part of its way, and one inward that is two edges long.
+    outline.add({{0, 0}, {5, 0}, {2, 0}, {2, 1}, {1, 1}, {0.5, 1}, {1, 1}, {2, 1}, {2, 2}, {0, 2}});
+    CapMesh cap;
+    ASSERT_TRUE(make_untangling_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 4.0, 1e-12);
+}
+
+TEST(UntanglingTriangulator, SetsPointsApartThatDifferOnlyAlongTheDroppedAxis)
+{
+    // Two squares that touch in a corner which rounding has put at two heights.
+    Outline outline;
+    outline.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    outline.add({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+    outline.positions[4].z = std::nextafter(0.0f, 1.0f);
+    CapMesh cap;
+    ASSERT_FALSE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    ASSERT_TRUE(make_untangling_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 2.0, 1e-12);
+    for (const CapTriangle& t : cap.triangles)
+        for (const Index corner : t.corner) EXPECT_EQ(corner == 4, outline.positions[corner].z != 0.0f);
+}
+
+/// Combs whose teeth meet those of the next one in points, in edges and across, shaken by a unit in the last place.
+TEST(UntanglingTriangulator, CoversWhatRoundingHasLedAcrossItself)
+{
+    test::Random random(5);
+    std::size_t refused_without = 0;
+    for (int run = 0; run < 200; ++run) {
+        const double angle = 2 * std::numbers::pi * random.uniform();
+        const auto turned = [&](double x, double y) {
+            const auto shaken = [&](double v) {
+                const auto rounded = static_cast<float>(v);
+                return double(std::nextafter(rounded, random.uniform() < 0.5 ? -10.0f : 10.0f));
+            };
+            return glm::dvec2(shaken(std::cos(angle) * x - std::sin(angle) * y),
+                              shaken(std::sin(angle) * x + std::cos(angle) * y));
+        };
+        const int teeth = 3 + static_cast<int>(random.below(20));
+        Outline outline;
+        std::vector<glm::dvec2> comb, other;
+        comb.push_back(turned(0, 0));
+        for (int i = 0; i <= teeth; ++i) {
+            comb.push_back(turned(i, 2 + random.below(2)));  // some tips lie in the other comb's back
+            if (i < teeth) comb.push_back(turned(i + 0.5, 1));
+        }
+        comb.push_back(turned(teeth, 0));
+        std::reverse(comb.begin(), comb.end());
+        outline.add(comb);
+        outline.add({turned(-1, 3), turned(teeth + 1, 3), turned(teeth + 1, 4), turned(-1, 4)});
+        CapMesh cap;
+        refused_without += make_constrained_triangulator()->triangulate(outline.view(), cap) ? 0 : 1;
+        ASSERT_TRUE(make_untangling_triangulator()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+        // A unit in the last place of 20 over the length of the back.
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 2e-6 * teeth);
+        for (const CapTriangle& t : cap.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_NE(outline.positions[t.corner[i]], outline.positions[t.corner[(i + 1) % 3]]);
+    }
+    EXPECT_GT(refused_without, 100u);
+}
+
+TEST(UntanglingTriangulator, ClosesOutlinesThatCrossInEarnestOrRefuses)
+{
+    test::Random random(2);
+    std::size_t closed = 0;
+    for (int n = 3; n < 60; ++n) {
+        std::vector<glm::dvec2> loop;
+        while (loop.size() < std::size_t(n)) loop.emplace_back(float(random.uniform()), float(random.uniform()));
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        if (!make_untangling_triangulator()->triangulate(outline.view(), cap)) continue;
+        ++closed;
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+    }
+    EXPECT_GT(closed, 10u);
+}
+
 TEST(TopologicalTriangulator, ClosesAnythingWithTheRightSignedArea)
 {
     test::Random random(1);

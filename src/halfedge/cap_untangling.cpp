@@ -1,0 +1,256 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
+
+#include "halfedge/cap_triangulator.h"
+#include "halfedge/run_boxes.h"
+
+// Cut points are rounded to float, so a section that comes near to itself may touch or cross itself by a unit in the
+// last place: a point lies in another edge, two edges cross beside a point. Such an edge is led over the point: a
+// triangle without (much) area is put on it, and its two other edges take its place in the outline. What is left has no
+// point inside an edge and no crossings, and a constrained triangulation does the rest. The idea is that of snap
+// rounding (Hobby 1999, "Practical segment intersection with finite precision output"), with the outline's own points
+// in the place of pixels: no tolerance is needed, because only edges that do meet are touched, and no point is added.
+
+namespace kerf::halfedge {
+
+namespace {
+
+/// Rounds after which an outline is given up. Rounding errors are gone after one or two.
+constexpr int kMostRounds = 32;
+/// Work that an outline of n points may cost before it is given up, per round and in all: a section with so many
+/// meetings crosses itself in earnest.
+constexpr std::size_t kMostPairs = 64, kMostEdges = 4, kSmallOutline = 1024;
+
+/// Twice the signed area; the sign is right, see cap_halving.cpp.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+}
+
+class UntanglingTriangulator final : public CapTriangulator
+{
+public:
+    bool triangulate(const CapOutline& outline, CapMesh& cap) override
+    {
+        cap.clear();
+        start(outline);
+        for (int round = 0; round < kMostRounds; ++round) {
+            if (!find_meetings() || edges_.size() > kMostEdges * outline.points.size() + kSmallOutline) return false;
+            if (leads_.empty()) return triangulate_untangled(outline, cap);
+            lead_over(cap);
+        }
+        return false;
+    }
+
+private:
+    /// A directed edge of the outline; it ends where the next one of its loop starts.
+    struct Edge
+    {
+        Index from, to;  ///< the first of the points at that position
+        Index link;      ///< what it is: a seam, or an edge of a triangle that was put on one
+    };
+
+    /// An edge that is to be led over a point.
+    struct Lead
+    {
+        Index edge;
+        double along;  ///< where the point is: orders the points of an edge
+        Index point;
+
+        bool operator<(const Lead& other) const
+        {
+            return std::tie(edge, along, point) < std::tie(other.edge, other.along, other.point);
+        }
+    };
+
+    void start(const CapOutline& outline)
+    {
+        const std::size_t n = outline.points.size();
+        places_.assign(outline.points.begin(), outline.points.end());
+        order_.resize(n);
+        for (Index i = 0; i < n; ++i) order_[i] = i;
+        const auto key = [&](Index i) {
+            const glm::dvec2& p = outline.points[i];
+            const glm::vec3& q = outline.positions[i];
+            return std::tie(p.x, p.y, q.x, q.y, q.z);
+        };
+        std::stable_sort(order_.begin(), order_.end(), [&](Index a, Index b) { return key(a) < key(b); });
+
+        // Points that differ only along the dropped axis are set apart by less than a float can tell.
+        double largest = 0.0;
+        for (const glm::dvec2& p : places_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+        const double nudge = std::ldexp(largest, -48);
+        first_at_.resize(n);
+        int nudges = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Index now = order_[i], before = i > 0 ? order_[i - 1] : now;
+            first_at_[now] = now;
+            if (i == 0 || outline.points[before] != outline.points[now])
+                nudges = 0;
+            else if (outline.positions[before] == outline.positions[now])
+                first_at_[now] = first_at_[before];
+            else
+                ++nudges;
+            places_[now].x += nudges * nudge;
+        }
+
+        edges_.clear();
+        starts_.clear();
+        for (Index loop = 0; loop + 1 < outline.loop_starts.size(); ++loop) {
+            starts_.push_back(static_cast<Index>(edges_.size()));
+            for (Index i = outline.loop_starts[loop]; i < outline.loop_starts[loop + 1]; ++i)
+                edges_.push_back({first_at_[i], first_at_[outline.successor(i, loop)], kSeamLink + i});
+        }
+        starts_.push_back(static_cast<Index>(edges_.size()));
+    }
+
+    /// Fills `leads_`; false when there are too many pairs to look at. O(k log k) for outlines that are near to none.
+    bool find_meetings()
+    {
+        leads_.clear();
+        const auto add_edge = [&](std::size_t i, Box2& box) {
+            for (const Index end : {edges_[i].from, edges_[i].to}) box.add(places_[end].x, places_[end].y);
+        };
+        boxes_.build(edges_.size(), add_edge);
+        std::size_t pairs_left = kMostPairs * (edges_.size() + kSmallOutline);
+        for (Index e = 0; e < edges_.size(); ++e) {
+            Box2 box;
+            add_edge(e, box);
+            const bool too_many = boxes_.any(box, [&](std::size_t f) {
+                if (f <= e) return false;
+                Box2 other;
+                add_edge(f, other);
+                if (!box.overlaps(other)) return false;
+                meet(e, static_cast<Index>(f));
+                return --pairs_left == 0;
+            });
+            if (too_many) return false;
+        }
+        return true;
+    }
+
+    void meet(Index e, Index f)
+    {
+        const Index a = edges_[e].from, b = edges_[e].to, c = edges_[f].from, d = edges_[f].to;
+        const glm::dvec2 &pa = places_[a], &pb = places_[b], &pc = places_[c], &pd = places_[d];
+        const auto on = [&](Index p, Index edge) {
+            return p != edges_[edge].from && p != edges_[edge].to && is_between(p, edge);
+        };
+        const double c_of_e = turn(pa, pb, pc), d_of_e = turn(pa, pb, pd), a_of_f = turn(pc, pd, pa),
+                     b_of_f = turn(pc, pd, pb);
+        if (c_of_e == 0.0 && on(c, e)) lead(e, c);
+        if (d_of_e == 0.0 && on(d, e)) lead(e, d);
+        if (a_of_f == 0.0 && on(a, f)) lead(f, a);
+        if (b_of_f == 0.0 && on(b, f)) lead(f, b);
+        if (a == c || a == d || b == c || b == d) return;
+        const auto apart = [](double x, double y) { return (x < 0.0 && y > 0.0) || (x > 0.0 && y < 0.0); };
+        if (!apart(c_of_e, d_of_e) || !apart(a_of_f, b_of_f)) return;
+        // The nearest of the four ends lies beside the inside of the other edge.
+        const double e_length = glm::distance(pa, pb), f_length = glm::distance(pc, pd);
+        const std::array<std::pair<double, std::pair<Index, Index>>, 4> ends{{
+            {std::abs(c_of_e) / e_length, {e, c}},
+            {std::abs(d_of_e) / e_length, {e, d}},
+            {std::abs(a_of_f) / f_length, {f, a}},
+            {std::abs(b_of_f) / f_length, {f, b}},
+        }};
+        const auto& [edge, point] = std::min_element(ends.begin(), ends.end())->second;
+        lead(edge, point);
+    }
+
+    /// Of a point on the line of an edge: whether it lies between its ends.
+    bool is_between(Index p, Index edge) const
+    {
+        const glm::dvec2 &a = places_[edges_[edge].from], &b = places_[edges_[edge].to], &q = places_[p];
+        const int axis = std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? 0 : 1;
+        return std::min(a[axis], b[axis]) < q[axis] && q[axis] < std::max(a[axis], b[axis]);
+    }
+
+    void lead(Index edge, Index point)
+    {
+        const glm::dvec2 &a = places_[edges_[edge].from], &b = places_[edges_[edge].to];
+        leads_.push_back({edge, glm::dot(places_[point] - a, b - a), point});
+    }
+
+    void lead_over(CapMesh& cap)
+    {
+        std::sort(leads_.begin(), leads_.end());
+        const auto same = [](const Lead& x, const Lead& y) { return x.edge == y.edge && x.point == y.point; };
+        leads_.erase(std::unique(leads_.begin(), leads_.end(), same), leads_.end());
+        next_edges_.clear();
+        auto next = leads_.begin();
+        std::size_t loop = 0;
+        for (Index e = 0; e < edges_.size(); ++e) {
+            // No loop is empty.
+            if (starts_[loop] == e) starts_[loop++] = static_cast<Index>(next_edges_.size());
+            Edge rest = edges_[e];
+            for (; next != leads_.end() && next->edge == e; ++next) {
+                const Index t = static_cast<Index>(cap.triangles.size());
+                cap.triangles.push_back({{rest.from, rest.to, next->point}, {kNone, kNone, kNone}});
+                connect(3 * t, rest.link, cap);
+                next_edges_.push_back({rest.from, next->point, 3 * t + 2});
+                rest.from = next->point;
+                rest.link = 3 * t + 1;
+            }
+            next_edges_.push_back(rest);
+        }
+        starts_.back() = static_cast<Index>(next_edges_.size());
+        edges_.swap(next_edges_);
+    }
+
+    bool triangulate_untangled(const CapOutline& outline, CapMesh& cap)
+    {
+        points_.clear();
+        positions_.clear();
+        for (const Edge& e : edges_) {
+            points_.push_back(places_[e.from]);
+            positions_.push_back(outline.positions[e.from]);
+        }
+        if (!constrained_->triangulate({points_, positions_, starts_}, inner_)) return false;
+        const Index first = static_cast<Index>(cap.triangles.size());
+        for (const CapTriangle& t : inner_.triangles) {
+            const auto point = [&](std::size_t i) { return edges_[t.corner[i]].from; };
+            cap.triangles.push_back({{point(0), point(1), point(2)}, {kNone, kNone, kNone}});
+        }
+        for (Index t = 0; t < inner_.triangles.size(); ++t)
+            for (Index i = 0; i < 3; ++i) {
+                const Index link = inner_.triangles[t].link[i];
+                connect(3 * (first + t) + i, (link & kSeamLink) != 0 ? edges_[link - kSeamLink].link : 3 * first + link,
+                        cap);
+            }
+        for (const auto& [a, b] : inner_.cancelled) connect(edges_[a].link, edges_[b].link, cap);
+        cap.merged_points = true;
+        return true;
+    }
+
+    static void connect(Index a, Index b, CapMesh& cap)
+    {
+        const bool a_is_seam = (a & kSeamLink) != 0, b_is_seam = (b & kSeamLink) != 0;
+        if (!a_is_seam) cap.triangles[a / 3].link[a % 3] = b;
+        if (!b_is_seam) cap.triangles[b / 3].link[b % 3] = a;
+        if (a_is_seam && b_is_seam) cap.cancelled.push_back({a - kSeamLink, b - kSeamLink});
+    }
+
+    std::unique_ptr<CapTriangulator> constrained_ = make_constrained_triangulator();
+    std::vector<glm::dvec2> places_;  ///< of the points; no two positions at one place
+    std::vector<Index> first_at_;     ///< the first point at the position of each
+    std::vector<Index> order_;
+    std::vector<Edge> edges_, next_edges_;  ///< loop by loop
+    std::vector<Index> starts_;             ///< first edge of each loop, and their number at the end
+    std::vector<Lead> leads_;
+    RunBoxes boxes_;
+    std::vector<glm::dvec2> points_;
+    std::vector<glm::vec3> positions_;
+    CapMesh inner_;
+};
+
+}  // namespace
+
+std::unique_ptr<CapTriangulator> make_untangling_triangulator()
+{
+    return std::make_unique<UntanglingTriangulator>();
+}
+
+}  // namespace kerf::halfedge
