@@ -10,8 +10,8 @@
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
-#include "bench/cpu_stopwatch.h"
 #include "bench/timed_shapes.h"
+#include "common/cpu_stopwatch.h"
 
 namespace kerf::bench {
 

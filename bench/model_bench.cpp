@@ -11,8 +11,8 @@
 #include "baseline/baseline.h"
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
-#include "bench/cpu_stopwatch.h"
 #include "bench/models.h"
+#include "common/cpu_stopwatch.h"
 
 namespace kerf::bench {
 

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace kerf::bench {
+namespace kerf {
 
 /// Time that the calling thread has spent on a processor, its page faults included, in seconds since construction or
 /// the last lap. What is timed here runs in one thread and waits for nothing; on a shared machine wall-clock time would
@@ -27,4 +27,4 @@ private:
     double start_ = 0.0;
 };
 
-}  // namespace kerf::bench
+}  // namespace kerf
