@@ -1,0 +1,41 @@
+#include "viewer/sim/stages.h"
+
+#include <glm/common.hpp>
+#include <stdexcept>
+
+#include "common/shapes.h"
+
+namespace kerf::test {
+
+IndexedMesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t seed)
+{
+    Assembled assembled = assemble(shapes::make(name, triangles, seed).value());
+    if (!assembled.error.empty()) throw std::runtime_error(assembled.error);
+    return std::move(assembled.mesh);
+}
+
+std::shared_ptr<sim::ModelShelf> shelf_of(const std::vector<std::string>& shapes, std::uint64_t triangles)
+{
+    auto shelf = std::make_shared<sim::ModelShelf>();
+    for (const std::string& name : shapes) shelf->add(name, shape(name, triangles));
+    return shelf;
+}
+
+std::shared_ptr<sim::ModelShelf> report_shelf()
+{
+    auto shelf = std::make_shared<sim::ModelShelf>();
+    shelf->add_report_models(KERF_DATA_DIR "/models");
+    return shelf;
+}
+
+std::vector<sim::InputEvent> stroke(sim::Microseconds start, sim::Microseconds duration, const glm::dvec2& from,
+                                    const glm::dvec2& to, sim::Microseconds step)
+{
+    std::vector<sim::InputEvent> events{{start, sim::InputKind::press, from, {}}};
+    for (sim::Microseconds t = step; t < duration; t += step)
+        events.push_back({start + t, sim::InputKind::move, glm::mix(from, to, double(t) / double(duration)), {}});
+    events.push_back({start + duration, sim::InputKind::release, to, {}});
+    return events;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/cut.h"
+
+namespace kerf::sim {
+
+/// Names of all back ends of this build, as Backend::name() and the command line spell them: "halfedge" (when built),
+/// "baseline/hash", "baseline/remap", "baseline/scan", "baseline/two_bucket_hash". The first is the default.
+const std::vector<std::string>& backend_names();
+
+/// Accepts "baseline" for the default lookup. Empty for a name that this build does not have.
+std::string find_backend(std::string_view name);
+
+/// Null for an unknown name.
+std::unique_ptr<Backend> make_backend(std::string_view name);
+
+}  // namespace kerf::sim

@@ -1,0 +1,133 @@
+#include "viewer/sim/body.h"
+
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+#include "common/stopwatch.h"
+#include "viewer/sim/bullet_glm.h"
+
+namespace kerf::sim {
+namespace {
+
+/// What the solver is told at least, kg and kg m^2: the inverse of a splinter's mass must stay a sensible float beside
+/// that of a whole object. Only contacts see it; velocities and momentum go by the real mass.
+constexpr double kLightestForSolver = 1e-3;
+constexpr double kLeastMomentForSolver = 1e-7;
+
+/// Bounce and friction of contacts: wood on wood.
+constexpr btScalar kRestitution = 0.3f, kFriction = 0.5f;
+
+}  // namespace
+
+Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
+           const Motion& motion, ProxyKind proxy)
+    : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
+{
+    const double scale = identity_.origin.scale;
+    Stopwatch watch;
+    const CollisionProxy shape = object_->collision_proxy(proxy);
+    proxy_ms_ = watch.lap();
+    proxy_ = std::make_unique<ProxyShape>(shape, solid_.centre, solid_.axes, scale);
+
+    const glm::dvec3 moments = glm::max(solid_.moments, glm::dvec3(kLeastMomentForSolver));
+    btRigidBody::btRigidBodyConstructionInfo info(btScalar(std::max(solid_.mass, kLightestForSolver)), nullptr,
+                                                  &proxy_->shape(), to_bullet(moments));
+    info.m_startWorldTransform =
+        btTransform(to_bullet(pose.rotation * solid_.axes), to_bullet(pose.to_world(solid_.centre)));
+    info.m_restitution = kRestitution;
+    info.m_friction = kFriction;
+    rigid_ = std::make_unique<btRigidBody>(info);
+    rigid_->setLinearVelocity(to_bullet(motion.velocity));
+    rigid_->setAngularVelocity(to_bullet(motion.spin));
+    rigid_->setActivationState(DISABLE_DEACTIVATION);
+    rigid_->setUserPointer(this);
+    remember_pose();
+}
+
+Body::~Body() = default;
+
+MeshPose Body::mesh_pose(const glm::dvec3& centre, const glm::dmat3& rotation) const
+{
+    MeshPose pose;
+    pose.scale = identity_.origin.scale;
+    pose.rotation = rotation * glm::transpose(solid_.axes);
+    pose.translation = centre - pose.scale * (pose.rotation * solid_.centre);
+    return pose;
+}
+
+MeshPose Body::pose() const
+{
+    return mesh_pose(centre(), to_glm(rigid_->getCenterOfMassTransform().getBasis()));
+}
+
+MeshPose Body::pose_at(double fraction) const
+{
+    if (fraction >= 1.0) return pose();
+    const glm::dquat from = glm::quat_cast(last_rotation_);
+    const glm::dquat to = glm::quat_cast(to_glm(rigid_->getCenterOfMassTransform().getBasis()));
+    return mesh_pose(glm::mix(last_centre_, centre(), fraction), glm::mat3_cast(glm::slerp(from, to, fraction)));
+}
+
+glm::dvec3 Body::centre() const
+{
+    return to_glm(rigid_->getCenterOfMassPosition());
+}
+
+Motion Body::motion() const
+{
+    return {to_glm(rigid_->getLinearVelocity()), to_glm(rigid_->getAngularVelocity())};
+}
+
+glm::dmat3 Body::world_inertia() const
+{
+    const glm::dmat3 rotation = to_glm(rigid_->getCenterOfMassTransform().getBasis());
+    glm::dmat3 diagonal(0.0);
+    for (int i = 0; i < 3; ++i) diagonal[i][i] = solid_.moments[i];
+    return rotation * diagonal * glm::transpose(rotation);
+}
+
+glm::dvec3 Body::angular_momentum(const glm::dvec3& about) const
+{
+    const Motion m = motion();
+    return world_inertia() * m.spin + glm::cross(centre() - about, solid_.mass * m.velocity);
+}
+
+bool Body::are_siblings(const Body& a, const Body& b, Tick now)
+{
+    for (const RecentCut& mine : a.identity_.recent_cuts) {
+        if (now >= mine.until) continue;
+        for (const RecentCut& other : b.identity_.recent_cuts)
+            if (mine.cut == other.cut) return true;
+    }
+    return false;
+}
+
+void Body::hash(StateHash& hash) const
+{
+    hash.add(identity_.id);
+    hash.add(identity_.parent);
+    hash.add(identity_.origin.throw_number);
+    hash.add(identity_.birth);
+    hash.add(identity_.last_swipe);
+    hash.add(missed_swipe_);
+    hash.add(object_->triangle_count());
+    hash.add(solid_.mass);
+    hash.add(solid_.moments);
+    hash.add(centre());
+    const glm::dmat3 rotation = to_glm(rigid_->getCenterOfMassTransform().getBasis());
+    for (int column = 0; column < 3; ++column) hash.add(rotation[column]);
+    hash.add(motion().velocity);
+    hash.add(motion().spin);
+}
+
+void Body::remember_pose()
+{
+    last_centre_ = centre();
+    last_rotation_ = to_glm(rigid_->getCenterOfMassTransform().getBasis());
+}
+
+}  // namespace kerf::sim

@@ -1,0 +1,136 @@
+#include "viewer/sim/cut_body.h"
+
+#include <algorithm>
+#include <array>
+
+#include "common/cpu_stopwatch.h"
+#include "common/stopwatch.h"
+#include "viewer/sim/parting.h"
+#include "viewer/sim/surface_hash.h"
+
+namespace kerf::sim {
+namespace {
+
+struct Piece
+{
+    std::unique_ptr<Cuttable> object;
+    Box box;
+    bool positive = false;
+    Solid solid;
+};
+
+void append(std::vector<Piece>& pieces, std::vector<std::unique_ptr<Cuttable>>& objects, bool positive)
+{
+    const auto first = std::ptrdiff_t(pieces.size());
+    for (std::unique_ptr<Cuttable>& object : objects) {
+        const Box box = object->bounds();
+        pieces.push_back({std::move(object), box, positive, {}});
+    }
+    const auto key = [](const Piece& p) {
+        return std::array{p.box.lo.x, p.box.lo.y, p.box.lo.z, p.box.hi.x, p.box.hi.y, p.box.hi.z};
+    };
+    std::stable_sort(pieces.begin() + first, pieces.end(),
+                     [&](const Piece& a, const Piece& b) { return key(a) < key(b); });
+}
+
+std::vector<Part> weigh(std::vector<Piece>& pieces, const MeshPose& pose)
+{
+    std::vector<Part> parts;
+    for (Piece& piece : pieces) {
+        piece.solid = solid_of(piece.object->mass_properties(), piece.box, pose.scale);
+        Part part;
+        part.positive = piece.positive;
+        part.mass = piece.solid.mass;
+        part.centre = pose.to_world(piece.solid.centre);
+        part.inertia = pose.rotation * piece.solid.inertia() * glm::transpose(pose.rotation);
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
+{
+    Identity heir;
+    heir.id = id;
+    heir.parent = parent.id;
+    heir.origin = parent.origin;
+    heir.birth = record.tick;
+    heir.last_swipe = record.swipe;
+    for (const RecentCut& cut : parent.recent_cuts)
+        if (cut.until > record.tick) heir.recent_cuts.push_back(cut);
+    heir.recent_cuts.push_back({record.number, record.tick + kSiblingTicks});
+    return heir;
+}
+
+void hash_surfaces(const World& world, CutRecord& record)
+{
+    std::array<std::uint64_t, 2> sides{};
+    for (PieceRecord& piece : record.pieces) {
+        piece.surface_hash = surface_hash(world.find(piece.id)->object());
+        sides[piece.positive ? 1 : 0] += piece.surface_hash;
+    }
+    StateHash both;
+    both.add(sides[1]);
+    both.add(sides[0]);
+    record.surface_hash = both.value();
+}
+
+}  // namespace
+
+void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyOptions& options, CutRecord& record)
+{
+    CpuStopwatch cpu;
+    Stopwatch watch;
+    Body& body = *world.find(id);
+    const Origin& origin = body.identity().origin;
+    record.object = id;
+    record.model = origin.model;
+    record.backend = origin.backend;
+    record.centre = body.centre();
+    record.normal = plane.normal;
+
+    const MeshPose pose = body.pose();
+    const std::optional<Plane> section = object_plane(plane, pose, origin);
+    if (!section) {
+        record.status = Status::invalid_plane;
+        return body.mark_missed(record.swipe);
+    }
+    const WorldPlane placed = world_plane(*section, pose);
+    record.normal = placed.normal;
+
+    CutOptions how;
+    how.split_components = true;
+    watch.lap();
+    CutResult result = cut(body.take_object(), *section, how);
+    record.cut_ms = watch.lap();
+    record.status = result.status;
+    record.statistics = result.statistics;
+    if (result.object) {
+        body.put_back(std::move(result.object));
+        body.mark_missed(record.swipe);
+        record.cpu_ms = cpu.lap() * 1e3;
+        return;
+    }
+
+    std::vector<Piece> pieces;
+    append(pieces, result.positive, true);
+    append(pieces, result.negative, false);
+    std::vector<Part> parts = weigh(pieces, pose);
+    part_ways(body.centre(), body.motion(), placed.normal, placed.point, parts);
+
+    const std::unique_ptr<Body> parent = world.remove(id);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Piece& piece = pieces[i];
+        const std::uint64_t triangles = piece.object->triangle_count();
+        const Body& made = world.add(std::make_unique<Body>(heir_of(parent->identity(), record, ++*options.last_id),
+                                                            std::move(piece.object), piece.solid, pose, parts[i].motion,
+                                                            options.proxy));
+        record.proxy_ms += made.proxy_ms();
+        record.pieces.push_back({made.id(), piece.positive, made.mass(), triangles, 0});
+    }
+    record.bodies_ms = watch.lap() - record.proxy_ms;
+    record.cpu_ms = cpu.lap() * 1e3;
+    if (options.hash_surfaces) hash_surfaces(world, record);
+}
+
+}  // namespace kerf::sim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/cut.h"
+#include "viewer/sim/body.h"
+
+namespace kerf::sim {
+
+/// A piece that a cut made.
+struct PieceRecord
+{
+    ObjectId id = 0;
+    bool positive = false;
+    double mass = 0.0;  ///< kg
+    std::uint64_t triangles = 0;
+    std::uint64_t surface_hash = 0;  ///< surface_hash() when the simulation hashes surfaces, otherwise 0
+};
+
+/// One attempt to cut one object: everything the panel, the log and the games want to know.
+struct CutRecord
+{
+    std::uint64_t number = 0;  ///< counts up from 1
+    Tick tick = 0;
+    ObjectId object = 0;
+    std::size_t model = 0;
+    std::uint32_t swipe = 0;
+    std::string backend;
+    Status status = Status::missed;
+    CutStatistics statistics;  ///< `crossing_triangles` is k
+    std::vector<PieceRecord> pieces;
+    std::uint64_t surface_hash = 0;  ///< over all pieces, by side; 0 when not asked for
+    glm::dvec3 normal{0.0};          ///< of the plane, world axes, towards the positive side
+    glm::dvec3 centre{0.0};          ///< of the object when it was cut, world, metres
+
+    double cut_ms = 0.0;     ///< cut() as a whole, wall clock
+    double proxy_ms = 0.0;   ///< collision proxies of all pieces
+    double bodies_ms = 0.0;  ///< mass properties, Bullet's shapes and bodies, momentum
+    double cpu_ms = 0.0;     ///< from the hit to the last body, time of this thread on a processor; hashes left out
+
+    std::int64_t frame() const { return tick / kTicksPerFrame; }
+};
+
+}  // namespace kerf::sim

@@ -1,0 +1,77 @@
+#include "viewer/sim/proxy_shape.h"
+
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btMultiSphereShape.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "viewer/sim/bullet_glm.h"
+
+namespace kerf::sim {
+namespace {
+
+// pkg-config's Bullet is the one in single precision; a mixture would not even crash reliably.
+static_assert(sizeof(btScalar) == sizeof(float));
+
+/// Sides of a body are at least this for the collision engine, metres: below, float arithmetic at the stage's size
+/// (units in the last place of a micrometre) leaves GJK too few digits.
+constexpr double kThinnestSide = 2e-3;
+/// Bullet grows hulls by this, metres, and wants it to hide penetration; a hundredth of a thrown object's size can't be
+/// seen. Thin shapes get less: this share of their thinnest side.
+constexpr double kMargin = 0.01;
+constexpr double kMarginShare = 0.05;
+
+double length(const btVector3& v)
+{
+    return double(v.length());
+}
+
+}  // namespace
+
+ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, const glm::dmat3& axes, double scale)
+    : proxy_(proxy)
+{
+    const glm::dmat3 to_axes = glm::transpose(axes);
+    const auto local = [&](const glm::dvec3& p) { return to_bullet(scale * (to_axes * (p - centre))); };
+
+    if (proxy_.kind == ProxyKind::sphere) {
+        const btVector3 middle = local(glm::dvec3(proxy_.centre));
+        const auto ball = btScalar(std::max(scale * double(proxy_.radius), kThinnestSide));
+        shape_ = std::make_unique<btMultiSphereShape>(&middle, &ball, 1);
+        radius_ = length(middle) + double(ball);
+        return;
+    }
+
+    const glm::dvec3 lo(proxy_.box.empty() ? glm::vec3(centre) : proxy_.box.lo);
+    const glm::dvec3 hi(proxy_.box.empty() ? glm::vec3(centre) : proxy_.box.hi);
+    const glm::dvec3 side = (hi - lo) * scale;
+    const double thinnest = std::min({side.x, side.y, side.z});
+
+    const bool is_hull = proxy_.kind != ProxyKind::box && proxy_.points.size() >= 4 && thinnest >= kThinnestSide &&
+                         (proxy_.kind == ProxyKind::every_vertex || !proxy_.faces.empty());
+    auto hull = std::make_unique<btConvexHullShape>();
+    if (is_hull) {
+        for (const glm::vec3& p : proxy_.points) hull->addPoint(local(glm::dvec3(p)), false);
+    } else {
+        const glm::dvec3 middle = (lo + hi) * 0.5;
+        const glm::dvec3 half = glm::max(side, glm::dvec3(kThinnestSide)) * (0.5 / scale);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 sign((corner & 1) ? 1.0 : -1.0, (corner & 2) ? 1.0 : -1.0, (corner & 4) ? 1.0 : -1.0);
+            hull->addPoint(local(middle + sign * half), false);
+        }
+    }
+    const double margin = std::min(kMargin, kMarginShare * std::max(thinnest, kThinnestSide));
+    hull->setMargin(btScalar(margin));
+    hull->recalcLocalAabb();
+    for (int i = 0; i < hull->getNumPoints(); ++i)
+        radius_ = std::max(radius_, length(hull->getUnscaledPoints()[i]) + margin);
+    shape_ = std::move(hull);
+}
+
+ProxyShape::~ProxyShape() = default;
+
+}  // namespace kerf::sim

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/sim/body.h"
+#include "viewer/sim/cut_log.h"
+#include "viewer/sim/state_hash.h"
+
+namespace kerf::sim {
+
+class Simulation;
+
+/// What happens in the simulation and why: throws, rules, score. A scene uses the simulation's public functions and is
+/// told what became of its objects; physics and cutting know nothing of it. Everything that it decides comes from the
+/// simulation's seed and its own state, which hash() covers.
+class Scene
+{
+public:
+    virtual ~Scene() = default;
+
+    virtual std::string_view name() const = 0;
+    /// Once a tick, after physics and before the blade.
+    virtual void tick(Simulation& simulation) = 0;
+    virtual void on_cut(Simulation&, const CutRecord&) {}
+    /// `body` has left the stage and is freed after this call.
+    virtual void on_gone(Simulation&, const Body&) {}
+    /// A command of the scene's own; false: it has none of that name.
+    virtual bool command(Simulation&, std::string_view /*verb*/, std::string_view /*argument*/) { return false; }
+    virtual void hash(StateHash&) const {}
+};
+
+/// Null for an unknown name.
+std::unique_ptr<Scene> make_scene(std::string_view name);
+const std::vector<std::string>& scene_names();
+
+}  // namespace kerf::sim

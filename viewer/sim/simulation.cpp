@@ -1,0 +1,229 @@
+#include "viewer/sim/simulation.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/blade_probe.h"
+#include "viewer/sim/cut_body.h"
+#include "viewer/sim/proxy_names.h"
+
+namespace kerf::sim {
+
+Simulation::Simulation(std::shared_ptr<ModelShelf> models, Settings settings)
+    : models_(std::move(models)), settings_(std::move(settings)), proxy_(settings_.proxy)
+{
+    if (!models_ || models_->empty()) throw std::invalid_argument("there is no model to throw");
+    scene_ = make_scene(settings_.scene);
+    if (!scene_) throw std::invalid_argument("there is no scene '" + settings_.scene + "'");
+    backend_ = settings_.backend.empty() ? backend_names().front() : find_backend(settings_.backend);
+    if (backend_.empty()) throw std::invalid_argument("there is no back end '" + settings_.backend + "'");
+    settings_.backend = backend_;
+    blade_.set_gesture(settings_.gesture);
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::push(InputEvent event)
+{
+    event.time = std::max(event.time, time() + 1);
+    if (settings_.record) {
+        const auto later = [](Microseconds t, const InputEvent& other) { return t < other.time; };
+        recorded_.insert(std::upper_bound(recorded_.begin(), recorded_.end(), event.time, later), event);
+    }
+    const auto place = std::upper_bound(input_.begin(), input_.end(), event.time,
+                                        [](Microseconds t, const InputEvent& other) { return t < other.time; });
+    input_.insert(place, std::move(event));
+}
+
+void Simulation::push(const std::vector<InputEvent>& events)
+{
+    for (const InputEvent& event : events) push(event);
+}
+
+void Simulation::command(const std::string& text)
+{
+    push(InputEvent{time() + 1, InputKind::command, {}, text});
+}
+
+std::string Simulation::take_message()
+{
+    return std::exchange(message_, {});
+}
+
+void Simulation::advance(Tick ticks)
+{
+    for (Tick i = 0; i < ticks; ++i) {
+        world_.step();
+        for (const std::unique_ptr<Body>& gone : world_.remove_gone()) scene_->on_gone(*this, *gone);
+        scene_->tick(*this);
+        take_input();
+    }
+}
+
+void Simulation::take_input()
+{
+    while (!input_.empty() && tick_of(input_.front().time) <= now()) {
+        const InputEvent event = std::move(input_.front());
+        input_.pop_front();
+        carry_out(event);
+    }
+}
+
+void Simulation::carry_out(const InputEvent& event)
+{
+    std::optional<BladeSegment> segment;
+    switch (event.kind) {
+        case InputKind::press:
+            blade_.press(event.time, event.position);
+            break;
+        case InputKind::move:
+            segment = blade_.move(event.time, event.position);
+            break;
+        case InputKind::release:
+            segment = blade_.release(event.time, event.position);
+            break;
+        case InputKind::command:
+            apply_command(event.text);
+            break;
+    }
+    if (segment) swing(*segment);
+}
+
+void Simulation::apply_command(const std::string& text)
+{
+    const std::string_view whole(text);
+    const std::size_t space = std::min(whole.find(' '), whole.size());
+    const std::string_view verb = whole.substr(0, space);
+    const std::size_t begin = std::min(whole.find_first_not_of(' ', space), whole.size());
+    const std::string_view argument = whole.substr(begin);
+
+    if (verb == "backend") {
+        const std::string wanted = find_backend(argument);
+        if (wanted.empty()) return report("there is no back end '" + std::string(argument) + "'");
+        backend_ = wanted;
+    } else if (verb == "proxy") {
+        const std::optional<ProxyKind> kind = find_proxy(argument);
+        if (!kind) return report("there is no collision proxy '" + std::string(argument) + "'");
+        proxy_ = *kind;
+    } else if (verb == "gesture") {
+        if (argument == name_of(Gesture::blade)) {
+            blade_.set_gesture(Gesture::blade);
+        } else if (argument == name_of(Gesture::segment)) {
+            blade_.set_gesture(Gesture::segment);
+        } else {
+            report("there is no gesture '" + std::string(argument) + "'");
+        }
+    } else if (!scene_->command(*this, verb, argument)) {
+        report("there is no command '" + std::string(verb) + "' in scene " + std::string(scene_->name()));
+    }
+}
+
+void Simulation::swing(const BladeSegment& segment)
+{
+    const std::optional<WorldPlane> plane = swipe_plane(Camera::eye(), segment.base, segment.to);
+    if (!plane) return;
+    // Pieces that this segment makes belong to its swipe already, so the objects of this moment are all there is.
+    std::vector<ObjectId> hit;
+    for (const std::unique_ptr<Body>& body : bodies()) {
+        if (body->identity().last_swipe == segment.swipe) continue;
+        if (blade_hits(Camera::eye(), segment.from, segment.to, *body)) hit.push_back(body->id());
+    }
+    for (const ObjectId id : hit)
+        if (Body* const body = world_.find(id)) cut(*body, *plane, segment.swipe);
+}
+
+void Simulation::cut(Body& body, const WorldPlane& plane, std::uint32_t swipe)
+{
+    CutRecord record;
+    record.number = cuts_.size() + 1;
+    record.tick = now();
+    record.swipe = swipe;
+    const bool missed_before = body.missed_swipe() == swipe;
+    cut_body(world_, body.id(), plane, {proxy_, settings_.hash_surfaces, &last_id_}, record);
+    const bool is_cut = record.status == Status::cut || record.status == Status::open_section;
+    // A swipe grazes a proxy with segment after segment: one line in the log is enough.
+    if (!is_cut && missed_before) return;
+    cuts_.push_back(std::move(record));
+    scene_->on_cut(*this, cuts_.back());
+}
+
+std::uint64_t Simulation::seed_for(std::uint64_t n) const
+{
+    StateHash hash;
+    hash.add(settings_.seed);
+    hash.add(n);
+    return hash.value();
+}
+
+const Body* Simulation::throw_object(const Throw& what)
+{
+    const Flight flight = plan_flight(what.seed, world_.gravity());
+    const Box& box = models_->model(what.model).box;
+    const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    const double scale = radius > 0.0 ? kThrownRadius / radius : 1.0;
+    const Body* const body = place_object(what.model, scale, flight.centre, flight.rotation, flight.motion);
+    if (body != nullptr) last_throw_ = what;
+    return body;
+}
+
+const Body* Simulation::place_object(std::size_t model, double scale, const glm::dvec3& centre,
+                                     const glm::dmat3& rotation, const Motion& motion)
+{
+    std::unique_ptr<Cuttable> object = models_->make(model, backend_);
+    if (!object) {
+        report(models_->prepare(model, backend_));
+        return nullptr;
+    }
+    const Box& box = models_->model(model).box;
+    Identity identity;
+    identity.id = ++last_id_;
+    identity.birth = now();
+    identity.origin.throw_number = ++throws_;
+    identity.origin.model = model;
+    identity.origin.backend = backend_;
+    identity.origin.scale = scale;
+    identity.origin.centre = box.centre();
+    identity.origin.radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+
+    MeshPose pose;
+    pose.scale = scale;
+    pose.rotation = rotation;
+    pose.translation = centre - scale * (rotation * box.centre());
+    const Solid solid = solid_of(object->mass_properties(), object->bounds(), scale);
+    return &world_.add(std::make_unique<Body>(std::move(identity), std::move(object), solid, pose, motion, proxy_));
+}
+
+std::uint64_t Simulation::state_hash() const
+{
+    StateHash hash;
+    hash.add(now());
+    hash.add(last_id_);
+    hash.add(throws_);
+    for (const std::unique_ptr<Body>& body : bodies()) body->hash(hash);
+    blade_.hash(hash);
+    for (const InputEvent& event : input_) {
+        hash.add(event.time);
+        hash.add(std::uint64_t(event.kind));
+        hash.add(event.position.x);
+        hash.add(event.position.y);
+        hash.add(std::string_view(event.text));
+    }
+    hash.add(std::string_view(backend_));
+    hash.add(std::uint64_t(proxy_));
+    scene_->hash(hash);
+    return hash.value();
+}
+
+Script Simulation::recording() const
+{
+    Script script;
+    script.scene = settings_.scene;
+    script.backend = settings_.backend;
+    script.proxy = name_of(settings_.proxy);
+    script.seed = settings_.seed;
+    script.events = recorded_;
+    return script;
+}
+
+}  // namespace kerf::sim

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/sim/blade.h"
+#include "viewer/sim/camera.h"
+#include "viewer/sim/cut_log.h"
+#include "viewer/sim/cutting_plane.h"
+#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/scene.h"
+#include "viewer/sim/script.h"
+#include "viewer/sim/thrower.h"
+#include "viewer/sim/world.h"
+
+namespace kerf::sim {
+
+/// What a simulation is started with.
+struct Settings
+{
+    std::string scene = "report";
+    std::string backend;  ///< of the first throw; empty: the default (back_ends.h)
+    ProxyKind proxy = ProxyKind::bounded_hull;
+    Gesture gesture = Gesture::blade;
+    std::uint64_t seed = 1;
+    bool hash_surfaces = false;  ///< fill in surface hashes: O(n) for each cut, off the timed path
+    bool record = false;         ///< keep what is pushed, for recording()
+};
+
+/// A run: world, blade and scene in one, in ticks. It does not know of time on the wall, windows or graphics; the same
+/// settings and the same events give the same state, bit for bit, however the events were grouped into frames.
+///
+/// A tick is: physics; objects that left are freed; the scene; the input whose time has come, in order, each segment of
+/// the blade against every object at once.
+///
+/// Commands (InputKind::command; command() now): `backend NAME`, `proxy KIND`, `gesture NAME` for what is thrown from
+/// now on, and those of the scene.
+class Simulation
+{
+public:
+    /// @throws std::invalid_argument  one sentence: unknown scene or back end, no models
+    Simulation(std::shared_ptr<ModelShelf> models, Settings settings);
+    ~Simulation();
+
+    Tick now() const { return world_.now(); }
+    Microseconds time() const { return time_of(now()); }
+    const Settings& settings() const { return settings_; }
+
+    /// Input for a later tick. What is earlier than the present counts for the next tick. Events of equal time keep
+    /// their order.
+    void push(InputEvent event);
+    void push(const std::vector<InputEvent>& events);
+
+    void advance(Tick ticks = 1);
+
+    /// Carries out a command in the next tick, and records it.
+    void command(const std::string& text);
+    /// Why the last command or throw failed; empty when it did not. One sentence. Cleared by reading.
+    std::string take_message();
+
+    const World& world() const { return world_; }
+    std::span<const std::unique_ptr<Body>> bodies() const { return world_.bodies(); }
+    const Blade& blade() const { return blade_; }
+    const Scene& scene() const { return *scene_; }
+    ModelShelf& models() const { return *models_; }
+    const std::string& backend() const { return backend_; }
+    ProxyKind proxy() const { return proxy_; }
+
+    /// All cuts since the start, oldest first.
+    const std::vector<CutRecord>& cuts() const { return cuts_; }
+
+    /// Hash of the whole state: bodies bit for bit, ids, input not yet taken in, the scene.
+    std::uint64_t state_hash() const;
+
+    /// What was pushed so far as a script that repeats the run (with Settings::record).
+    Script recording() const;
+
+    // For scenes.
+
+    /// Throws a model along the flight of `what.seed`. Null when it can't be prepared (take_message() says why).
+    const Body* throw_object(const Throw& what);
+    /// Puts an object into the world as it is said.
+    const Body* place_object(std::size_t model, double scale, const glm::dvec3& centre, const glm::dmat3& rotation,
+                             const Motion& motion);
+    /// The last throw; empty before the first.
+    std::optional<Throw> last_throw() const { return last_throw_; }
+    /// A number for the n-th decision of a scene.
+    std::uint64_t seed_for(std::uint64_t n) const;
+    void report(std::string message) { message_ = std::move(message); }
+
+private:
+    void take_input();
+    void carry_out(const InputEvent& event);
+    void apply_command(const std::string& text);
+    void swing(const BladeSegment& segment);
+    void cut(Body& body, const WorldPlane& plane, std::uint32_t swipe);
+
+    std::shared_ptr<ModelShelf> models_;
+    Settings settings_;
+    World world_;
+    Blade blade_;
+    std::unique_ptr<Scene> scene_;
+    std::string backend_;
+    ProxyKind proxy_;
+    std::deque<InputEvent> input_;  ///< not yet taken in; sorted by time, stable
+    std::vector<InputEvent> recorded_;
+    std::vector<CutRecord> cuts_;
+    std::optional<Throw> last_throw_;
+    std::string message_;
+    ObjectId last_id_ = 0;
+    std::uint64_t throws_ = 0;
+};
+
+}  // namespace kerf::sim

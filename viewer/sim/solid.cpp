@@ -1,0 +1,76 @@
+#include "viewer/sim/solid.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+namespace kerf::sim {
+namespace {
+
+/// Share of a box's mass that a mesh without volume gets.
+constexpr double kHollowShare = 0.1;
+/// Sides of that box are at least this, metres.
+constexpr double kThinnestBox = 1e-3;
+/// A volume below this share of the box's counts as none: an eighth-digit error of a closed mesh is no solid.
+constexpr double kLeastVolumeShare = 1e-7;
+/// No principal moment is below this share of the largest: a needle can't be spun up without bound by rounding.
+constexpr double kLeastMomentShare = 1e-6;
+
+Solid box_solid(const Box& bounds, double scale)
+{
+    Solid solid;
+    solid.from_geometry = false;
+    const glm::dvec3 extent = bounds.empty() ? glm::dvec3(0.0) : glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo);
+    const glm::dvec3 side = glm::max(extent * scale, glm::dvec3(kThinnestBox));
+    solid.mass = kHollowShare * kDensity * side.x * side.y * side.z;
+    solid.centre = bounds.empty() ? glm::dvec3(0.0) : bounds.centre();
+    const glm::dvec3 squares = side * side;
+    const glm::dvec3 moments =
+        solid.mass / 12.0 * glm::dvec3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
+    solid.moments = moments;
+    return solid;
+}
+
+bool inside(const glm::dvec3& p, const Box& box)
+{
+    const glm::dvec3 lo(box.lo), hi(box.hi);
+    return p.x >= lo.x && p.y >= lo.y && p.z >= lo.z && p.x <= hi.x && p.y <= hi.y && p.z <= hi.z;
+}
+
+}  // namespace
+
+glm::dmat3 Solid::inertia() const
+{
+    glm::dmat3 diagonal(0.0);
+    for (int i = 0; i < 3; ++i) diagonal[i][i] = moments[i];
+    return axes * diagonal * glm::transpose(axes);
+}
+
+Solid solid_of(const MassProperties& properties, const Box& bounds, double scale)
+{
+    if (bounds.empty()) return box_solid(bounds, scale);
+    const glm::dvec3 side = glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo);
+    const double least = kLeastVolumeShare * side.x * side.y * side.z;
+    if (!(properties.volume > least) || !inside(properties.centre, bounds)) return box_solid(bounds, scale);
+
+    Solid solid;
+    solid.mass = kDensity * properties.volume * scale * scale * scale;
+    solid.centre = properties.centre;
+
+    Eigen::Matrix3d tensor;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) tensor(row, column) = properties.inertia[column][row];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+    if (solver.info() != Eigen::Success) return box_solid(bounds, scale);
+    const double to_si = kDensity * scale * scale * scale * scale * scale;
+    for (int axis = 0; axis < 3; ++axis) {
+        solid.moments[axis] = solver.eigenvalues()(axis) * to_si;
+        for (int row = 0; row < 3; ++row) solid.axes[axis][row] = solver.eigenvectors()(row, axis);
+    }
+    if (glm::determinant(solid.axes) < 0.0) solid.axes[2] = -solid.axes[2];
+    if (!(solid.moments.z > 0.0) || !std::isfinite(solid.moments.z)) return box_solid(bounds, scale);
+    solid.moments = glm::max(solid.moments, glm::dvec3(kLeastMomentShare * solid.moments.z));
+    return solid;
+}
+
+}  // namespace kerf::sim
