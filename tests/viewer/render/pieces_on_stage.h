@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/cut.h"
+#include "viewer/render/scene_renderer.h"
+
+namespace kerf::test {
+
+/// A piece of an object, where it stands, and the plane that uncovered its last cap.
+struct StagedPiece
+{
+    std::unique_ptr<Cuttable> object;
+    glm::mat4 model{1.0f};
+    float pattern_scale = 1.0f;
+    Plane plane;
+};
+
+/// The pieces of a model of data/models after `cuts` cuts, each through the middle of the largest piece, pulled apart,
+/// and turned as a whole by `turn` radians about an axis that is none of the object's. Same arguments, same pieces.
+std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn);
+
+/// Looks at the origin from z = 10; a piece of pieces_of() fills most of the height.
+render::Viewpoint near_viewpoint(int width, int height);
+
+/// Puts pieces onto the graphics card.
+std::vector<render::DrawnFragment> uploaded(render::FragmentStore& store, std::vector<StagedPiece>& pieces);
+
+/// Objects 1, 2, ... for the renderer. The fragments must outlive them.
+std::vector<render::DrawnObject> drawn(const std::vector<StagedPiece>& pieces,
+                                       const std::vector<render::DrawnFragment>& fragments);
+
+}  // namespace kerf::test

@@ -1,0 +1,114 @@
+#include "viewer/render/fragment_store.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace kerf::render {
+
+namespace {
+
+void describe_vertices(const SharedBuffers& buffers)
+{
+    glBindVertexArray(buffers.vertex_array.id());
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
+    const auto attribute = [](GLuint location, GLint floats, std::size_t offset) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 3, offsetof(Vertex, position));
+    attribute(1, 3, offsetof(Vertex, normal));
+    attribute(2, 2, offsetof(Vertex, uv));
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+/// Nothing of these buffers is on the graphics card: they are new, whatever their address was before.
+bool is_fresh(const DrawView& view)
+{
+    return !view.new_vertex_bytes.empty() && view.new_vertex_bytes.front().offset == 0;
+}
+
+std::vector<DrawBatch> batches_of(const DrawView& view, LookTable& looks)
+{
+    std::vector<DrawBatch> batches;
+    for (const DrawRange& range : view.ranges) {
+        const bool continues =
+            !batches.empty() && batches.back().material == range.material && batches.back().kind == range.kind;
+        if (!continues) {
+            DrawBatch& batch = batches.emplace_back();
+            batch.material = range.material;
+            batch.kind = range.kind;
+            batch.look = looks.index_of(view.materials, range.material, range.kind);
+        }
+        batches.back().counts.push_back(static_cast<GLsizei>(range.index_count));
+        batches.back().offsets.push_back(
+            reinterpret_cast<const void*>(sizeof(std::uint32_t) * std::size_t{range.first_index}));
+    }
+    return batches;
+}
+
+}  // namespace
+
+std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, Room room, bool& is_new)
+{
+    const auto found = sets_.find(view.buffers);
+    is_new = found == sets_.end() || is_fresh(view);
+    if (!is_new) return found->second;
+    if (found != sets_.end()) orphans_.push_back(std::move(found->second));
+    const std::uint64_t factor = room == Room::to_grow ? 2 : 1;
+    auto made = std::make_shared<SharedBuffers>(SharedBuffers{GrowingBuffer(factor * view.vertices.size_bytes()),
+                                                              GrowingBuffer(factor * view.indices.size_bytes()),
+                                                              GlVertexArray::create()});
+    sets_[view.buffers] = made;
+    describe_vertices(*made);
+    return made;
+}
+
+DrawnFragment FragmentStore::add(Cuttable& object, Room room)
+{
+    const DrawView view = object.draw_view();
+    bool is_new = false;
+    const std::shared_ptr<SharedBuffers> buffers = buffers_for(view, room, is_new);
+
+    bool has_moved = false;
+    const auto upload = [&](GrowingBuffer& buffer, std::span<const std::byte> content,
+                            const std::vector<ByteRange>& news) {
+        for (const ByteRange& range : news) {
+            has_moved |= buffer.write(range.offset, content.subspan(range.offset, range.size));
+            bytes_uploaded_ += range.size;
+        }
+    };
+    const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
+    // Buffers that were here once and were released must come anew, whole.
+    const std::vector<ByteRange> all_vertices{{0, vertices.size()}}, all_indices{{0, indices.size()}};
+    upload(buffers->vertices, vertices, is_new ? all_vertices : view.new_vertex_bytes);
+    upload(buffers->indices, indices, is_new ? all_indices : view.new_index_bytes);
+    if (has_moved) describe_vertices(*buffers);
+    object.mark_uploaded();
+
+    DrawnFragment drawn{buffers, batches_of(view, looks_), 0};
+    for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
+    return drawn;
+}
+
+void FragmentStore::release_unused()
+{
+    std::erase_if(sets_, [](const auto& entry) { return entry.second.use_count() == 1; });
+    std::erase_if(orphans_, [](const auto& buffers) { return buffers.use_count() == 1; });
+}
+
+std::uint64_t FragmentStore::bytes_held() const
+{
+    std::uint64_t bytes = 0;
+    const auto add = [&](const SharedBuffers& buffers) {
+        bytes += buffers.vertices.capacity() + buffers.indices.capacity();
+    };
+    for (const auto& [key, buffers] : sets_) add(*buffers);
+    for (const auto& buffers : orphans_) add(*buffers);
+    return bytes;
+}
+
+}  // namespace kerf::render

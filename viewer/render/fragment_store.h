@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "common/cut.h"
+#include "viewer/render/growing_buffer.h"
+#include "viewer/render/surface_look.h"
+
+namespace kerf::render {
+
+/// Vertex and index buffer that fragments share, and the vertex array over them.
+struct SharedBuffers
+{
+    GrowingBuffer vertices;
+    GrowingBuffer indices;
+    GlVertexArray vertex_array;
+};
+
+/// The ranges of an object that are drawn with one material: one glMultiDrawElements.
+struct DrawBatch
+{
+    std::uint32_t look = 0;  ///< index into the LookTable
+    std::uint32_t material = 0;
+    TriangleKind kind = TriangleKind::surface;
+    std::vector<GLsizei> counts;       ///< indices in each range
+    std::vector<const void*> offsets;  ///< bytes into the index buffer, as GL wants them
+};
+
+/// What is needed to draw an object, whatever becomes of its Cuttable. Cheap to keep, made anew after a cut.
+struct DrawnFragment
+{
+    std::shared_ptr<const SharedBuffers> buffers;
+    std::vector<DrawBatch> batches;
+    std::uint64_t triangles = 0;
+};
+
+/// How much larger than its content a buffer starts.
+enum class Room
+{
+    exact,    ///< for what will not grow
+    to_grow,  ///< twice the content: for an object that is about to be cut
+};
+
+/// Puts objects onto the graphics card and keeps count of every byte. Objects with equal DrawView::buffers share their
+/// buffers, and only what is new is uploaded.
+class FragmentStore
+{
+public:
+    explicit FragmentStore(LookTable& looks) : looks_(looks) {}
+
+    /// Uploads what is new of the object, tells it so, and gives what is needed to draw it. O(ranges + new bytes).
+    /// Add the fragments of a cut before the next release_unused(), so that they find their object's buffers.
+    /// @throws RenderError  the graphics card has no memory left; the object does not count as uploaded then
+    DrawnFragment add(Cuttable& object, Room room = Room::exact);
+
+    /// Frees the buffers that no DrawnFragment uses. For once a frame. O(objects)
+    void release_unused();
+
+    std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }  ///< ever; vertices and indices
+    std::size_t buffer_sets() const { return sets_.size(); }
+    std::uint64_t bytes_held() const;  ///< on the graphics card now
+
+private:
+    std::shared_ptr<SharedBuffers> buffers_for(const DrawView& view, Room room, bool& is_new);
+
+    LookTable& looks_;
+    std::unordered_map<const void*, std::shared_ptr<SharedBuffers>> sets_;  ///< by DrawView::buffers
+    std::vector<std::shared_ptr<SharedBuffers>> orphans_;  ///< still drawn, but their address has a new owner
+    std::uint64_t bytes_uploaded_ = 0;
+};
+
+}  // namespace kerf::render

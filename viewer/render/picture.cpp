@@ -1,0 +1,64 @@
+#include "viewer/render/picture.h"
+
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <utility>
+
+// stb is a library in headers; Debian compiles it as well, with the declarations below.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+#include "common/io/mesh_file.h"
+#include "common/io/output_file.h"
+
+namespace kerf::render {
+
+namespace {
+
+/// stb hands over what it has compressed piece by piece; its own code must not see an exception.
+void append(void* out, void* data, int size)
+{
+    static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Picture& picture)
+{
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(picture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
+        rgb.insert(rgb.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(i),
+                   picture.rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+    std::string bytes;
+    const int is_good =
+        stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width);
+    if (is_good == 0) throw io::FileError(path.string() + ": the picture cannot be compressed");
+    io::OutputFile file(path);
+    file.write(bytes);
+    file.finish();
+    file.commit();
+}
+
+Recording::Recording(std::filesystem::path folder) : folder_(std::move(folder))
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) throw io::FileError(folder_.string() + ": " + error.message());
+}
+
+void Recording::add(const Picture& picture)
+{
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "frame_%05d.png", count_);
+    write_png(folder_ / name.data(), picture);
+    ++count_;
+}
+
+}  // namespace kerf::render

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kerf::render {
+
+/// An sRGB picture, 4 bytes a pixel (red, green, blue, alpha), rows from the top.
+struct Picture
+{
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+
+    const std::uint8_t* pixel(int x, int y) const
+    {
+        return rgba.data() +
+               4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    }
+    friend bool operator==(const Picture&, const Picture&) = default;
+};
+
+/// Writes a PNG file, which appears complete or not at all. Alpha is left out.
+/// @throws io::FileError
+void write_png(const std::filesystem::path& path, const Picture& picture);
+
+/// Pictures numbered from 0 in a folder: frame_00000.png and so on, which every video encoder understands.
+class Recording
+{
+public:
+    /// Makes the folder where there is none. @throws io::FileError
+    explicit Recording(std::filesystem::path folder);
+
+    /// @throws io::FileError
+    void add(const Picture& picture);
+
+    int size() const { return count_; }
+
+private:
+    std::filesystem::path folder_;
+    int count_ = 0;
+};
+
+}  // namespace kerf::render

@@ -1,0 +1,43 @@
+// Smooth noise over an integer lattice, the same on every driver that does integers right.
+uint lattice_hash(ivec3 p)
+{
+    uint h = uint(p.x) * 0x9E3779B1u ^ uint(p.y) * 0x85EBCA77u ^ uint(p.z) * 0xC2B2AE3Du;
+    h ^= h >> 15;
+    h *= 0x2C1B3C6Du;
+    h ^= h >> 13;
+    return h;
+}
+
+float lattice_value(ivec3 p)
+{
+    return float(lattice_hash(p) & 0xFFFFu) / 65535.0;
+}
+
+// 0 to 1
+float noise(vec3 p)
+{
+    vec3 cell = floor(p);
+    ivec3 i = ivec3(cell);
+    vec3 t = p - cell;
+    t = t * t * (3.0 - 2.0 * t);
+    vec4 low = vec4(lattice_value(i), lattice_value(i + ivec3(1, 0, 0)), lattice_value(i + ivec3(0, 1, 0)),
+                    lattice_value(i + ivec3(1, 1, 0)));
+    vec4 high = vec4(lattice_value(i + ivec3(0, 0, 1)), lattice_value(i + ivec3(1, 0, 1)),
+                     lattice_value(i + ivec3(0, 1, 1)), lattice_value(i + ivec3(1, 1, 1)));
+    vec4 along_z = mix(low, high, t.z);
+    vec2 along_y = mix(along_z.xy, along_z.zw, t.y);
+    return mix(along_y.x, along_y.y, t.x);
+}
+
+// Octaves of noise, 0 to 1.
+float cloud(vec3 p, int octaves)
+{
+    float sum = 0.0, weight = 0.5, weights = 0.0;
+    for (int i = 0; i < octaves; ++i) {
+        sum += weight * noise(p);
+        weights += weight;
+        p = p.yzx * 2.03 + 17.1;
+        weight *= 0.5;
+    }
+    return sum / weights;
+}

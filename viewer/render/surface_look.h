@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/indexed_mesh.h"
+#include "viewer/render/gl_objects.h"
+
+namespace kerf::render {
+
+/// How a surface gets its colour from the place in the object: colour_of() in shaders/surface_look.glsl.
+enum class Pattern : std::uint8_t
+{
+    plain = 0,
+    coat = 1,     ///< paint, lacquer, ivory: hardly alive
+    wood = 2,     ///< rings around y, fibres along it
+    stone = 3,    ///< grains of three minerals
+    brushed = 4,  ///< metal brushed around y
+    fur = 5,      ///< streaks and tufts
+    foam = 6,     ///< crumbs and bubbles
+};
+
+/// What the textured shader draws a material with. Colours are linear.
+struct SurfaceLook
+{
+    Pattern pattern = Pattern::plain;
+    glm::vec3 colour{0.6f};  ///< the only one that the Lambert shader uses
+    glm::vec3 second{0.6f};
+    glm::vec3 third{0.6f};
+    float cells = 8.0f;         ///< of the pattern, over the object's size
+    float contrast = 0.5f;      ///< between the colours
+    float roughness = 0.5f;     ///< 0: mirror, 1: chalk
+    float reflectance = 0.04f;  ///< seen straight on; above 0.5 it is a metal
+    float fuzz = 0.0f;          ///< shine of hair and cloth
+    float bumps = 0.0f;         ///< depth of the pattern's relief, in sizes of the object
+
+    friend bool operator==(const SurfaceLook&, const SurfaceLook&) = default;
+};
+
+/// The look of one of an object's materials. Names that the viewer knows have looks of their own; others are plain in
+/// their colour. What a cut uncovers - a cap whose material is one that add_cap_material() named - looks like the
+/// inside of the object's surface materials: wood under paint, stuffing under fur.
+SurfaceLook look_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind);
+
+/// The looks in use, in a uniform buffer that all programs read.
+class LookTable
+{
+public:
+    /// As many as the shaders have room for: the uniform block stays below the 16 KiB that every driver offers.
+    static constexpr std::uint32_t kMostLooks = 128;
+
+    LookTable();
+
+    /// The index of look_of(...) in the table, which gets it if it is new. A full table gives 0, a neutral grey.
+    std::uint32_t index_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind);
+
+    /// Makes the table what the programs' uniform block "Looks" reads.
+    void bind() const;
+
+private:
+    std::vector<SurfaceLook> looks_;
+    GlBuffer buffer_;
+};
+
+}  // namespace kerf::render

@@ -1,0 +1,85 @@
+#include "viewer/render/wall.h"
+
+#include "viewer/render/render_error.h"
+
+namespace kerf::render {
+
+namespace {
+
+constexpr GLsizei kReliefSize = 1024;
+constexpr float kRepeats = 1.0f / 11.0f;  // of the relief, for one world unit
+constexpr float kReliefDepth = 0.02f;     // in sizes of the texture
+
+GlTexture relief_texture(GLenum internal_format, GLenum format, GLenum type)
+{
+    GlTexture texture = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), kReliefSize, kReliefSize, 0, format, type,
+                 nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
+void draw_over(const GlTexture& texture)
+{
+    const GlFramebuffer framebuffer = GlFramebuffer::create();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw RenderError("the graphics driver cannot draw the wall's texture");
+    glViewport(0, 0, kReliefSize, kReliefSize);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace
+
+Wall::Wall()
+    : nothing_(GlVertexArray::create()),
+      program_({"frame.glsl", "wall.vert"}, {"frame.glsl", "tone.glsl", "shadow.glsl", "wall.frag"})
+{
+    const ShaderProgram plaster({"screen.vert"}, {"noise.glsl", "plaster_height.frag"});
+    const ShaderProgram bake({"screen.vert"}, {"wall_bake.frag"});
+    glBindVertexArray(nothing_.id());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+
+    const GlTexture height = relief_texture(GL_R16F, GL_RED, GL_FLOAT);
+    plaster.use();
+    draw_over(height);
+
+    relief_ = relief_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+    glBindTexture(GL_TEXTURE_2D, height.id());
+    bake.use();
+    glUniform1i(bake.uniform("height_map"), 0);
+    glUniform1f(bake.uniform("depth"), kReliefDepth);
+    draw_over(relief_);
+
+    glBindTexture(GL_TEXTURE_2D, relief_.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindVertexArray(0);
+
+    program_.use();
+    glUniform1i(program_.uniform("shadow_map"), 0);
+    glUniform1i(program_.uniform("relief"), 1);
+    glUniform4f(program_.uniform("wall"), kHalfWidth, kHalfHeight, kZ, kRepeats);
+    glUniform3f(program_.uniform("colour_low"), 0.150f, 0.195f, 0.190f);
+    glUniform3f(program_.uniform("colour_high"), 0.285f, 0.335f, 0.315f);
+    glUniform1f(program_.uniform("light_radius"), kLightRadius);
+}
+
+void Wall::draw() const
+{
+    program_.use();
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, relief_.id());
+    glActiveTexture(GL_TEXTURE0);
+    glBindVertexArray(nothing_.id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace kerf::render
