@@ -45,10 +45,11 @@ glm::vec3 clear_of_rim(const Section& section, const SectionPath& path, const gl
 
 }  // namespace
 
-void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
-                    std::span<const SectionPath> paths, const glm::vec3& centre, double step, const Plane& plane,
-                    std::uint32_t material)
+std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
+                                          std::span<const SectionPath> paths, const glm::vec3& centre, double step,
+                                          const Plane& plane, std::uint32_t material)
 {
+    std::vector<std::uint32_t> path_of_triangle;
     IndexedMesh& mesh = builder.mesh;
     const PlaneFrame frame = PlaneFrame::of(plane.normal);
     const glm::vec3 normal(builder.side() == Side::negative ? plane.normal : -plane.normal);
@@ -101,8 +102,10 @@ void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& s
             else
                 builder.add_triangle({apex, to, from}, kNoSource);
         }
+        path_of_triangle.insert(path_of_triangle.end(), count, p);
         builder.close_group({0, 0, material, solid_of(p), TriangleKind::cap});
     }
+    return path_of_triangle;
 }
 
 }  // namespace kerf::baseline

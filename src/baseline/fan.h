@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "baseline/section.h"
 #include "baseline/side_builder.h"
@@ -16,9 +18,9 @@ glm::vec3 section_centre(const Section& section);
 /// falls on a point of the path, that copy moves aside by `step`, the unit in the last place of the mesh's largest
 /// coordinate: a fan from the rim could run along edges that the surface has already, or meet its apex's place again
 /// where the rim touches itself. Right where the section is star-shaped around the centre; that is what is being
-/// compared. Caps are grouped by solid. O(k).
-void close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
-                    std::span<const SectionPath> paths, const glm::vec3& centre, double step, const Plane& plane,
-                    std::uint32_t material);
+/// compared. Caps are grouped by solid. Returns the path of each triangle that is added. O(k).
+std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
+                                          std::span<const SectionPath> paths, const glm::vec3& centre, double step,
+                                          const Plane& plane, std::uint32_t material);
 
 }  // namespace kerf::baseline

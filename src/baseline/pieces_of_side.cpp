@@ -3,35 +3,13 @@
 #include <algorithm>
 
 #include "baseline/pair_table.h"
+#include "common/disjoint_sets.h"
 #include "common/half_edge_pairs.h"
 #include "common/mass_properties.h"
 
 namespace kerf::baseline {
 
 namespace {
-
-/// Numbers the triangles that hang together by edges.
-std::vector<std::uint32_t> flood(std::span<const std::uint32_t> twins, std::uint32_t& count)
-{
-    std::vector<std::uint32_t> part(twins.size() / 3, kNone), stack;
-    count = 0;
-    for (std::uint32_t seed = 0; seed < part.size(); ++seed) {
-        if (part[seed] != kNone) continue;
-        part[seed] = count;
-        stack.push_back(seed);
-        while (!stack.empty()) {
-            const std::uint32_t t = stack.back();
-            stack.pop_back();
-            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-                if (twins[h] == kNoTwin || part[twins[h] / 3] != kNone) continue;
-                part[twins[h] / 3] = count;
-                stack.push_back(twins[h] / 3);
-            }
-        }
-        ++count;
-    }
-    return part;
-}
 
 /// Signed crossings of a ray with each part that somebody asks for; one loop over all triangles a ray.
 class RayCounter
@@ -61,87 +39,101 @@ private:
 
 }  // namespace
 
-PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section)
+PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
+                       double noise)
 {
     const IndexedMesh& mesh = builder.mesh;
-    const Buffer<std::uint32_t> twins = half_edge_twins(mesh);
+    const auto triangle_count = static_cast<std::uint32_t>(mesh.triangles.size());
+    Buffer<Triangle> corners(triangle_count);
+    for (std::size_t t = 0; t < triangle_count; ++t)
+        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
+
+    // All triangles at an edge hang together. Where more run one way than the other the edge bounds the side.
+    DisjointSets joined(triangle_count);
+    PairTable triangle_at;  // by the points of boundary edges, the smaller one first
+    triangle_at.reset(section.edges.size());
+    EdgeRuns(mesh.point_count, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        const std::uint32_t first = edge.front().half_edge / 3;
+        std::int32_t surplus = 0;
+        for (const EdgeRuns::Side& side : edge) {
+            joined.unite(first, side.half_edge / 3);
+            surplus += corners[side.half_edge / 3][side.half_edge % 3] < side.larger_point ? 1 : -1;
+        }
+        if (surplus == 0) return;
+        const std::uint32_t one_end = corners[first][edge.front().half_edge % 3];
+        const std::uint32_t other_end = corners[first][(edge.front().half_edge % 3 + 1) % 3];
+        triangle_at(std::min(one_end, other_end), std::max(one_end, other_end)) = first;
+    });
+
     PartsOfSide side;
     std::uint32_t count = 0;
-    side.part_of_triangle = flood(twins, count);
-    side.parts.resize(count);
+    side.part_of_triangle.resize(triangle_count);
+    for (std::uint32_t t = 0; t < triangle_count; ++t) {
+        // The representative is the smallest, so it has its number already.
+        const std::uint32_t first = joined.find(t);
+        side.part_of_triangle[t] = first == t ? count++ : side.part_of_triangle[first];
+    }
 
-    // Whole shells need a sample and a volume; for those that turn out to be cut they do no harm.
+    // What whole shells need and what cut parts need: for the others it does no harm.
+    side.parts.resize(count);
     std::vector<MassMoments> moments(count);
-    const glm::dvec3 reference = mesh.vertices.empty() ? glm::dvec3(0) : glm::dvec3(mesh.vertices[0].position);
+    std::vector<Box> boxes(count);
+    std::vector<bool> is_far(count, false);
     for (const TriangleGroup& group : mesh.groups)
         for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
-            const auto& [a, b, c] = mesh.triangles[t];
-            const std::uint32_t part = side.part_of_triangle[t];
-            side.parts[part].solid = group.solid;
-            side.parts[part].sample = mesh.vertices[a].position;
-            moments[part].add(reference, mesh.vertices[a].position, mesh.vertices[b].position,
-                              mesh.vertices[c].position);
+            const std::uint32_t i = side.part_of_triangle[t];
+            SurfacePart& part = side.parts[i];
+            const std::array<glm::vec3, 3> p{mesh.vertices[mesh.triangles[t][0]].position,
+                                             mesh.vertices[mesh.triangles[t][1]].position,
+                                             mesh.vertices[mesh.triangles[t][2]].position};
+            if (boxes[i].empty()) part.sample = p[0];
+            part.solid = group.solid;
+            moments[i].add(glm::dvec3(part.sample), p[0], p[1], p[2]);
+            for (const glm::vec3& corner : p) {
+                boxes[i].add(corner);
+                const double distance = plane.signed_distance(corner);
+                is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);
+            }
         }
-    for (std::uint32_t i = 0; i < count; ++i) side.parts[i].volume6 = moments[i].volume6;
 
-    // The triangle at each section edge: the one whose boundary half-edge runs between the same points.
     const auto point_of = [&](std::uint32_t i) {
         const SectionPoint& point = section.points[i];
         return point.existing != kNone ? builder.point_of_existing(point.existing)
                                        : builder.point_of_cut(crossings, point.cut_point);
     };
-    PairTable triangle_at;
-    triangle_at.reset(section.edges.size());
-    for (std::uint32_t h = 0; h < twins.size(); ++h) {
-        if (twins[h] != kNoTwin) continue;
-        const std::uint32_t from = mesh.points[mesh.triangles[h / 3][h % 3]];
-        const std::uint32_t to = mesh.points[mesh.triangles[h / 3][(h % 3 + 1) % 3]];
-        triangle_at(from, to) = h / 3;
-    }
     side.part_of_edge.resize(section.edges.size());
     for (std::size_t i = 0; i < section.edges.size(); ++i) {
-        std::uint32_t from = point_of(section.edges[i].from), to = point_of(section.edges[i].to);
-        if (builder.side() == Side::negative) std::swap(from, to);
-        const std::uint32_t triangle = triangle_at.find(from, to);
+        const std::uint32_t a = point_of(section.edges[i].from), b = point_of(section.edges[i].to);
+        const std::uint32_t triangle = triangle_at.find(std::min(a, b), std::max(a, b));
         // An edge without a triangle on this side occurs on open meshes only, where a piece vanished at the boundary.
         const std::uint32_t part = triangle == kNone ? 0 : side.part_of_triangle[triangle];
         side.part_of_edge[i] = part;
         if (part < side.parts.size()) side.parts[part].is_cut = true;
     }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        SurfacePart& part = side.parts[i];
+        part.volume6 = moments[i].volume6;
+        part.is_flat = part.is_cut ? !is_far[i] : has_no_volume(part.volume6, boxes[i], noise);
+    }
     return side;
 }
 
-PiecesOfSide find_pieces(const SideBuilder& builder, const Section& section, const PartsOfSide& parts,
-                         std::span<const SectionPath> paths, const Plane& plane)
+std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
+                                                      const Section& section, const std::array<PartsOfSide, 2>& parts,
+                                                      const Plane& plane)
 {
-    const IndexedMesh& mesh = builder.mesh;
-    std::vector<std::vector<glm::vec3>> points;
-    std::vector<PartLoop> loops;
-    points.reserve(paths.size());
-    for (const SectionPath& path : paths) {
-        if (!path.closed) continue;
-        points.push_back(to_loop(section, path).points);
-        loops.push_back({path.tag, points.back()});
-    }
-    const std::vector<std::uint32_t> piece_of_part =
-        group_pieces(plane, builder.side(), parts.parts, loops, RayCounter(mesh, parts.part_of_triangle));
-
-    // A cap triangle belongs to the part at its rim: with the cap in place, flooding goes through the rim's edges.
-    PiecesOfSide pieces;
-    std::vector<std::uint32_t>& piece = pieces.of_triangle;
-    piece.resize(mesh.triangles.size(), kNone);
-    for (std::size_t t = 0; t < parts.part_of_triangle.size(); ++t) piece[t] = piece_of_part[parts.part_of_triangle[t]];
-    if (piece.size() > parts.part_of_triangle.size()) {
-        const Buffer<std::uint32_t> twins = half_edge_twins(mesh);
-        for (std::size_t t = parts.part_of_triangle.size(); t < piece.size(); ++t) {
-            const std::uint32_t rim = static_cast<std::uint32_t>(3 * t + 1);  // corner 0 is the fan's apex
-            if (twins[rim] != kNoTwin) piece[t] = piece[twins[rim] / 3];
-        }
-    }
-    // Left over: a cap whose surface vanished (open meshes). It stays with the first piece rather than being lost.
-    std::replace(piece.begin(), piece.end(), kNone, 0u);
-    for (const SectionPath& path : paths) pieces.of_path.push_back(piece_of_part.empty() ? 0 : piece_of_part[path.tag]);
-    return pieces;
+    std::vector<glm::vec3> points;
+    std::vector<OutlineEdge> outline;
+    points.reserve(section.points.size());
+    outline.reserve(section.edges.size());
+    for (const SectionPoint& point : section.points) points.push_back(point.position);
+    for (std::size_t i = 0; i < section.edges.size(); ++i)
+        outline.push_back(
+            {section.edges[i].from, section.edges[i].to, {parts[0].part_of_edge[i], parts[1].part_of_edge[i]}});
+    std::array<SideParts, 2> sides;
+    for (std::size_t side = 0; side < 2; ++side)
+        sides[side] = {parts[side].parts, RayCounter(builders[side].mesh, parts[side].part_of_triangle)};
+    return group_pieces(plane, sides, points, outline);
 }
 
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,20 +20,15 @@ struct PartsOfSide
     std::vector<SurfacePart> parts;
 };
 
-/// Floods the triangles collected so far, edge by edge. O(n).
-PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section);
+/// Floods the triangles collected so far: those that share two points, however many, hang together. O(n).
+PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
+                       double noise);
 
-/// Which piece of a side everything belongs to.
-struct PiecesOfSide
-{
-    std::vector<std::uint32_t> of_triangle;  ///< its cap included
-    std::vector<std::uint32_t> of_path;
-};
-
-/// Finds the pieces of a side. `paths` link edges of equal part and are in the order in which close_with_fan() got
-/// them. O(n), and for each whole cavity of a solid that falls apart a loop over the side's triangles.
-PiecesOfSide find_pieces(const SideBuilder& builder, const Section& section, const PartsOfSide& parts,
-                         std::span<const SectionPath> paths, const Plane& plane);
+/// The piece of each part, by side. O(n), and for each whole cavity of a solid that falls apart a loop over the side's
+/// triangles.
+std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
+                                                      const Section& section, const std::array<PartsOfSide, 2>& parts,
+                                                      const Plane& plane);
 
 /// Takes a fragment apart, each piece with just the vertices and points that it uses, in their old order. O(n).
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle);

@@ -57,7 +57,7 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> of_existing_;
 };
 
-/// Removes pairs of opposite edges.
+/// Removes pairs of opposite edges, whatever they were found in.
 void cancel_opposite_edges(std::vector<SectionEdge>& edges)
 {
     PairTable edge_between;
@@ -154,13 +154,14 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
         section.edges.push_back(
             {from, to, i, crossing.triangle, split.section_from, split.section_to, mesh.groups[crossing.group].solid});
     }
-    if (some_coincide || runs_forth_and_back(section)) cancel_opposite_edges(section.edges);
-
+    const std::size_t from_crossings = section.edges.size();
     for (const EdgeInPlane& edge : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
         const auto [from, to] = ends_of(mesh, edge);
         section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
                                  static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid});
     }
+    some_coincide |= section.edges.size() > from_crossings;
+    if (some_coincide || runs_forth_and_back(section)) cancel_opposite_edges(section.edges);
     return section;
 }
 

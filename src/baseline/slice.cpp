@@ -286,18 +286,28 @@ private:
             return;
         }
         statistics.phases[Phase::cap] += watch.lap();
+        const std::array<PartsOfSide, 2> parts{find_parts(builders_[0], crossings_, section_, plane_, whole_.noise),
+                                               find_parts(builders_[1], crossings_, section_, plane_, whole_.noise)};
+        const std::array<std::vector<std::uint32_t>, 2> piece_of_part = find_pieces(builders_, section_, parts, plane_);
+        statistics.phases[Phase::components] += watch.lap();
         for (SideBuilder& b : builders_) {
-            const PartsOfSide parts = find_parts(b, crossings_, section_);
-            statistics.phases[Phase::components] += watch.lap();
+            const auto side = static_cast<std::size_t>(b.side());
+            const std::vector<std::uint32_t>& piece = piece_of_part[side];
             // On each side edges of one part follow one another: where loops touch, the other way round would join
             // pieces.
-            const std::vector<SectionPath> paths_of_side = link_paths(section_, parts.part_of_edge);
+            const std::vector<SectionPath> paths_of_side = link_paths(section_, parts[side].part_of_edge);
+            std::vector<std::uint32_t> path_of_cap;
             if (options_.build_caps)
-                close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
+                path_of_cap = close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
             statistics.phases[Phase::cap] += watch.lap();
-            const auto side = static_cast<std::size_t>(b.side());
-            pieces_[side] = find_pieces(b, section_, parts, paths_of_side, plane_);
-            for (const SectionPath& path : paths_of_side) loops_of_side_[side].push_back(to_loop(section_, path));
+            for (const std::uint32_t part : parts[side].part_of_triangle)
+                piece_of_triangle_[side].push_back(piece[part]);
+            for (const std::uint32_t path : path_of_cap)
+                piece_of_triangle_[side].push_back(piece[paths_of_side[path].tag]);
+            for (const SectionPath& path : paths_of_side) {
+                piece_of_loop_[side].push_back(piece[path.tag]);
+                loops_of_side_[side].push_back(to_loop(section_, path));
+            }
             statistics.phases[Phase::components] += watch.lap();
         }
     }
@@ -331,7 +341,7 @@ private:
             std::vector<Fragment>& out = b.side() == Side::positive ? slices_.positive : slices_.negative;
             const auto side = static_cast<std::size_t>(b.side());
             if (options_.split_components)
-                out = extract_pieces(fragment, pieces_[side].of_triangle);
+                out = extract_pieces(fragment, piece_of_triangle_[side]);
             else if (some_snapped)
                 out = extract_pieces(fragment, std::vector<std::uint32_t>(fragment.mesh.triangles.size(), 0));
             else
@@ -339,7 +349,7 @@ private:
             // Every piece gets the loops that bound it, and no others: copies of all would cost pieces times loops.
             if (options_.split_components)
                 for (std::size_t i = 0; i < loops_of_side_[side].size(); ++i)
-                    out[pieces_[side].of_path[i]].section.push_back(std::move(loops_of_side_[side][i]));
+                    out[piece_of_loop_[side][i]].section.push_back(std::move(loops_of_side_[side][i]));
             else
                 out.front().section = loops_;
             for (Fragment& piece : out) {
@@ -369,8 +379,9 @@ private:
     std::vector<SectionLoop> loops_;
     std::vector<Material> materials_;
     std::uint32_t added_cap_material_ = kDefaultCapMaterial;
-    std::array<PiecesOfSide, 2> pieces_;
-    std::array<std::vector<SectionLoop>, 2> loops_of_side_;  ///< of pieces_, in the order of its paths
+    std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;  ///< caps included
+    std::array<std::vector<SectionLoop>, 2> loops_of_side_;
+    std::array<std::vector<std::uint32_t>, 2> piece_of_loop_;
 };
 
 }  // namespace

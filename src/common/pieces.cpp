@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
+#include "common/cut_geometry.h"
 #include "common/disjoint_sets.h"
 #include "common/nesting.h"
 
@@ -30,13 +32,14 @@ struct FlatLoop
     std::vector<PlanarPoint> points;
 };
 
-FlatLoop flatten(const PartLoop& loop, int axis, bool mirrored)
+FlatLoop flatten(const SortedOutline& outline, const OutlineLoop& loop, int axis, bool mirrored)
 {
     FlatLoop flat;
     flat.part = loop.part;
     flat.points.reserve(loop.points.size());
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const glm::vec3& p : loop.points) {
+    for (const std::uint32_t point : loop.points) {
+        const glm::vec3& p = outline.position(point);
         flat.points.push_back({p[u], p[v]});
         flat.box.add(glm::vec3(p[u], p[v], 0.0f));
     }
@@ -139,7 +142,7 @@ void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
         if (container[i] != kNoContainer) pieces.unite(loops[i].part, loops[container[i]].part);
 }
 
-/// The parts of one solid.
+/// The parts of one solid on one side.
 struct SolidParts
 {
     std::vector<std::uint32_t> shown;     ///< cut parts, and whole shells that are no cavities
@@ -148,8 +151,7 @@ struct SolidParts
 };
 
 /// Joins each cavity of a solid with the piece it lies in.
-void join_cavities(const SolidParts& solid, std::span<const SurfacePart> parts, const AxisRay& direction,
-                   const CountCrossings& count_crossings, DisjointSets& pieces)
+void join_cavities(const SolidParts& solid, const SideParts& side, const AxisRay& direction, DisjointSets& pieces)
 {
     if (solid.cavities.empty() || solid.shown.empty()) return;
     // Parts by piece, pieces in the order of their first part. Cavities are not among them: joining one changes nothing
@@ -163,12 +165,12 @@ void join_cavities(const SolidParts& solid, std::span<const SurfacePart> parts, 
         // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
         std::uint32_t home = by_piece.front().second;
         AxisRay ray = direction;
-        ray.origin = parts[cavity].sample;
+        ray.origin = side.parts[cavity].sample;
         for (std::size_t i = 0; i < by_piece.size() && !is_one;) {
             const std::size_t first = i;
             int winding = 0;
             for (; i < by_piece.size() && by_piece[i].first == by_piece[first].first; ++i)
-                winding += count_crossings(by_piece[i].second, ray);
+                winding += side.count_crossings(by_piece[i].second, ray);
             if (winding == 0) continue;
             home = by_piece[first].second;
             break;
@@ -189,54 +191,164 @@ std::vector<std::uint32_t> numbered(DisjointSets& pieces, std::size_t part_count
     return number;
 }
 
-/// Dense numbers for the solids that occur, in the order of their first part.
-std::vector<std::uint32_t> dense_solids(std::span<const SurfacePart> parts, std::size_t& count)
+/// One side while its pieces are found.
+class SideGrouping
 {
-    std::vector<std::uint32_t> ids;
-    for (const SurfacePart& part : parts) ids.push_back(part.solid);
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    count = ids.size();
-    std::vector<std::uint32_t> dense;
-    for (const SurfacePart& part : parts)
-        dense.push_back(static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), part.solid) - ids.begin()));
-    return dense;
+public:
+    SideGrouping(const SideParts& side, std::size_t at)
+        : pieces(static_cast<std::uint32_t>(side.parts.size())), side_(side), at_(at)
+    {
+        std::vector<std::uint32_t> ids;
+        for (const SurfacePart& part : side.parts) ids.push_back(part.solid);
+        std::sort(ids.begin(), ids.end());
+        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        for (const SurfacePart& part : side.parts)
+            solid_of_.push_back(
+                static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), part.solid) - ids.begin()));
+        solids_.resize(ids.size());
+        for (std::uint32_t part = 0; part < side.parts.size(); ++part) {
+            SolidParts& solid = solids_[solid_of_[part]];
+            const SurfacePart& p = side.parts[part];
+            const bool is_cavity = !p.is_cut && !p.is_flat && p.volume6 < 0.0;
+            (is_cavity ? solid.cavities : solid.shown).push_back(part);
+            solid.is_cut = solid.is_cut || p.is_cut;
+        }
+    }
+
+    /// Some solid has been cut into several parts, so that the outline matters.
+    bool has_come_apart() const
+    {
+        return std::any_of(solids_.begin(), solids_.end(),
+                           [](const SolidParts& solid) { return solid.is_cut && solid.shown.size() > 1; });
+    }
+
+    void join_holes_of_solids(const SortedOutline& outline, int axis, bool mirrored)
+    {
+        std::vector<std::vector<FlatLoop>> flat(solids_.size());
+        for (const OutlineLoop& loop : outline.loops(at_)) {
+            const std::uint32_t solid = solid_of_[loop.part];
+            if (loop.points.size() > 2 && solids_[solid].shown.size() > 1)
+                flat[solid].push_back(flatten(outline, loop, axis, mirrored));
+        }
+        for (const auto& loops : flat) join_holes(loops, pieces);
+    }
+
+    /// Joins pieces without volume with the first piece of their solid that has some: the one whose outline comes
+    /// first.
+    void join_flat_pieces(const SortedOutline& outline)
+    {
+        std::vector<bool> has_volume(side_.parts.size(), false);  // by a piece's representative
+        bool some_are_flat = false;
+        for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
+            some_are_flat = some_are_flat || side_.parts[part].is_flat;
+            if (!side_.parts[part].is_flat) has_volume[pieces.find(part)] = true;
+        }
+        if (!some_are_flat) return;
+        std::vector<std::uint32_t> home(solids_.size(), kNoContainer);
+        for (const OutlineEdge& edge : outline.edges()) {
+            std::uint32_t& first = home[solid_of_[edge.part[at_]]];
+            if (first == kNoContainer && has_volume[pieces.find(edge.part[at_])]) first = edge.part[at_];
+        }
+        for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
+            const std::uint32_t first = home[solid_of_[part]];
+            if (side_.parts[part].is_flat && first != kNoContainer && !has_volume[pieces.find(part)])
+                pieces.unite(part, first);
+        }
+    }
+
+    void join_the_rest(const AxisRay& away)
+    {
+        for (const SolidParts& solid : solids_) {
+            if (solid.is_cut) {
+                join_cavities(solid, side_, away, pieces);
+            } else {
+                const std::uint32_t first = (solid.shown.empty() ? solid.cavities : solid.shown).front();
+                for (const auto* some : {&solid.shown, &solid.cavities})
+                    for (const std::uint32_t part : *some) pieces.unite(first, part);
+            }
+        }
+    }
+
+    std::vector<std::uint32_t> result() { return numbered(pieces, side_.parts.size()); }
+
+    DisjointSets pieces;
+
+private:
+    const SideParts& side_;
+    std::size_t at_;
+    std::vector<std::uint32_t> solid_of_;  ///< dense numbers of the solids that occur
+    std::vector<SolidParts> solids_;
+};
+
+/// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
+/// then the pieces at that point become one. Not so where the outline itself ends.
+void join_where_loops_need_it(const SortedOutline& outline, const std::array<SideParts, 2>& sides,
+                              std::array<SideGrouping, 2>& grouping)
+{
+    struct End
+    {
+        std::uint32_t point, solid;
+        std::array<std::uint32_t, 2> piece;
+        std::int32_t leaves;  // +1 or -1
+    };
+    std::vector<End> ends;
+    ends.reserve(2 * outline.edges().size());
+    for (const OutlineEdge& edge : outline.edges()) {
+        const std::array<std::uint32_t, 2> piece{grouping[0].pieces.find(edge.part[0]),
+                                                 grouping[1].pieces.find(edge.part[1])};
+        const std::uint32_t solid = sides[0].parts[edge.part[0]].solid;
+        ends.push_back({edge.from, solid, piece, 1});
+        ends.push_back({edge.to, solid, piece, -1});
+    }
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+        return std::tie(a.point, a.solid, a.piece) < std::tie(b.point, b.solid, b.piece);
+    });
+    for (std::size_t first = 0, last; first < ends.size(); first = last) {
+        std::int32_t sum = 0;
+        for (last = first;
+             last < ends.size() && ends[last].point == ends[first].point && ends[last].solid == ends[first].solid;
+             ++last)
+            sum += ends[last].leaves;
+        if (sum != 0) continue;
+        const End* odd = nullptr;
+        for (std::size_t begin = first, end; begin < last; begin = end) {
+            for (end = begin; end < last && ends[end].piece == ends[begin].piece; ++end) sum += ends[end].leaves;
+            if (std::exchange(sum, 0) == 0) continue;
+            if (odd == nullptr) odd = &ends[begin];
+            for (std::size_t side = 0; side < 2; ++side)
+                grouping[side].pieces.unite(odd->piece[side], ends[begin].piece[side]);
+        }
+    }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> group_pieces(const Plane& plane, Side side, std::span<const SurfacePart> parts,
-                                        std::span<const PartLoop> loops, const CountCrossings& count_crossings)
+bool has_no_volume(double volume6, const Box& box, double noise)
 {
-    DisjointSets pieces(static_cast<std::uint32_t>(parts.size()));
-    std::size_t solid_count = 0;
-    const std::vector<std::uint32_t> solid_of = dense_solids(parts, solid_count);
-    std::vector<SolidParts> solids(solid_count);
-    for (std::uint32_t part = 0; part < parts.size(); ++part) {
-        SolidParts& solid = solids[solid_of[part]];
-        const bool is_cavity = !parts[part].is_cut && parts[part].volume6 < 0.0;
-        (is_cavity ? solid.cavities : solid.shown).push_back(part);
-        solid.is_cut = solid.is_cut || parts[part].is_cut;
-    }
+    const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
+    return std::abs(volume6) <= 12.0 * noise * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
 
+std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const std::array<SideParts, 2>& sides,
+                                                       std::span<const glm::vec3> points,
+                                                       std::span<const OutlineEdge> edges)
+{
+    std::array<SideGrouping, 2> grouping{SideGrouping(sides[0], 0), SideGrouping(sides[1], 1)};
     const int axis = dominant_axis(plane);
     const bool ascending = plane.normal[axis] > 0.0;
-    std::vector<std::vector<FlatLoop>> flat(solid_count);
-    for (const PartLoop& loop : loops)
-        if (loop.points.size() > 2) flat[solid_of[loop.part]].push_back(flatten(loop, axis, !ascending));
-
-    const AxisRay away{{}, axis, ascending == (side == Side::positive)};
-    for (std::size_t s = 0; s < solid_count; ++s) {
-        if (solids[s].is_cut) {
-            join_holes(flat[s], pieces);
-            join_cavities(solids[s], parts, away, count_crossings, pieces);
-        } else {
-            const std::uint32_t first = (solids[s].shown.empty() ? solids[s].cavities : solids[s].shown).front();
-            for (const auto* some : {&solids[s].shown, &solids[s].cavities})
-                for (const std::uint32_t part : *some) pieces.unite(first, part);
-        }
+    const std::array<bool, 2> apart{grouping[0].has_come_apart(), grouping[1].has_come_apart()};
+    if (apart[0] || apart[1]) {
+        const SortedOutline outline(points, edges);
+        for (std::size_t side = 0; side < 2; ++side)
+            if (apart[side]) grouping[side].join_holes_of_solids(outline, axis, !ascending);
+        // One piece a solid on either side: its loops keep to it.
+        if (apart[0] && apart[1]) join_where_loops_need_it(outline, sides, grouping);
+        for (std::size_t side = 0; side < 2; ++side)
+            if (apart[side]) grouping[side].join_flat_pieces(outline);
     }
-    return numbered(pieces, parts.size());
+    for (const Side side : {Side::negative, Side::positive})
+        grouping[static_cast<std::size_t>(side)].join_the_rest({{}, axis, ascending == (side == Side::positive)});
+    return {grouping[0].result(), grouping[1].result()};
 }
 
 }  // namespace kerf

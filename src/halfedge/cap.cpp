@@ -22,12 +22,13 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
     std::vector<std::size_t> closed;
     for (std::size_t i = 0; i < scratch.loops.size(); ++i)
         if (scratch.loops[i].closed) closed.push_back(i);
-    std::stable_sort(closed.begin(), closed.end(),
-                     [&](std::size_t a, std::size_t b) { return scratch.loops[a].solid < scratch.loops[b].solid; });
+    std::stable_sort(closed.begin(), closed.end(), [&](std::size_t a, std::size_t b) {
+        return scratch.loops[a].cap_group < scratch.loops[b].cap_group;
+    });
     for (std::size_t first = 0, last; first < closed.size(); first = last) {
-        const std::uint32_t solid = scratch.loops[closed[first]].solid;
-        for (last = first; last < closed.size() && scratch.loops[closed[last]].solid == solid;) ++last;
-        close_solid({closed.data() + first, last - first}, solid, scratch);
+        const Index group = scratch.loops[closed[first]].cap_group;
+        for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_group == group;) ++last;
+        close_group({closed.data() + first, last - first}, group, scratch);
     }
 }
 
@@ -99,9 +100,9 @@ void CapPlanner::connect(Index a, Index b, CutScratch& scratch)
         scratch.cancelled.push_back({scratch.loop_seams[a - kSeamLink], scratch.loop_seams[b - kSeamLink]});
 }
 
-void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t solid, CutScratch& scratch)
+void CapPlanner::close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch)
 {
-    SolidCap cap{solid, scratch.caps.size(), 0};
+    GroupCap cap{group, scratch.caps.size(), 0};
     upright_.clear();
     box_ = {};
     clear_outline();
@@ -117,7 +118,7 @@ void CapPlanner::close_solid(std::span<const std::size_t> loops, std::uint32_t s
     }
     close_outline(scratch);
     cap.count = scratch.caps.size() - cap.first;
-    scratch.solid_caps.push_back(cap);
+    scratch.group_caps.push_back(cap);
     order_spatially(cap, scratch);
 }
 
@@ -147,7 +148,7 @@ void CapPlanner::take_over(CutScratch& scratch)
     scratch.caps_merge_points |= mesh_.merged_points;
 }
 
-void CapPlanner::order_spatially(const SolidCap& cap, CutScratch& scratch)
+void CapPlanner::order_spatially(const GroupCap& cap, CutScratch& scratch)
 {
     // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
     const glm::dvec2 lo(box_.lo_x, box_.lo_y);

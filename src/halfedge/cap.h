@@ -5,18 +5,18 @@
 
 namespace kerf::halfedge {
 
-/// CAP: closes the loops of a section, solid by solid.
+/// CAP: closes the loops of a section, group by group.
 class CapPlanner
 {
 public:
     CapPlanner();
 
-    /// Fills `caps`, `solid_caps`, `cap_order` and, where seams cancel, `cancelled` from the closed loops in `scratch`.
+    /// Fills `caps`, `group_caps`, `cap_order` and, where seams cancel, `cancelled` from the closed loops in `scratch`.
     /// O(k) for one convex loop, otherwise O(k log k). May throw std::bad_alloc.
     void plan(const Plane& plane, CutScratch& scratch);
 
 private:
-    void close_solid(std::span<const std::size_t> loops, std::uint32_t solid, CutScratch& scratch);
+    void close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch);
     /// Appends a loop to the outline. Points that only differ along the dropped axis fall on one another: a triangle of
     /// no projected area takes the first of the two away. False, and nothing is appended, when less than three are
     /// left.
@@ -30,7 +30,7 @@ private:
     void take_over(CutScratch& scratch);
     /// Joins two edges: of cap triangles, or seams.
     static void connect(Index a, Index b, CutScratch& scratch);
-    void order_spatially(const SolidCap& cap, CutScratch& scratch);
+    void order_spatially(const GroupCap& cap, CutScratch& scratch);
     glm::dvec2 projected(const glm::vec3& p) const { return {p[axis_u_], p[axis_v_]}; }
 
     std::array<std::unique_ptr<CapTriangulator>, 5> ways_;  ///< in the order in which they are tried; the last can all
@@ -41,7 +41,7 @@ private:
     std::vector<Index> starts_;
     std::vector<Index> global_;  ///< point in `loop_points` of each local point
     std::vector<Index> edge_;    ///< what leaves each local point: kSeamLink + point, or an edge of a cap triangle
-    Box2 box_;                   ///< of the solid's points
+    Box2 box_;                   ///< of the group's points
     CapMesh mesh_;
     std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;
 };

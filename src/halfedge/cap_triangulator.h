@@ -10,8 +10,8 @@
 
 namespace kerf::halfedge {
 
-/// The loops of one solid, projected along a coordinate axis, which is exact: coordinates are those of the mesh. Outer
-/// loops run counter-clockwise. Seam i runs from point i to the next point of its loop.
+/// Loops that are closed together, projected along a coordinate axis, which is exact: coordinates are those of the
+/// mesh. Outer loops run counter-clockwise. Seam i runs from point i to the next point of its loop.
 struct CapOutline
 {
     std::span<const glm::dvec2> points;

@@ -20,7 +20,6 @@ void Components::separate(Universe& universe, CutScratch& scratch)
 {
     u_ = &universe;
     s_ = &scratch;
-    loose_.assign(scratch.targets.size(), {});
     crossing_mark_.assign(scratch.crossings.size(), {kNone, kNone});
     in_plane_edges_.clear();
     for (const InPlaneEdge& e : scratch.in_plane) in_plane_edges_.insert(e.negative_halfedge / 2);
@@ -34,7 +33,7 @@ void Components::separate(Universe& universe, CutScratch& scratch)
     for (Index i = 0; i < scratch.cut_shells.size(); ++i) {
         const CutShell& shell = scratch.cut_shells[i];
         // One curve on a connected shell: nothing to search.
-        if (shell.connected && shell.loops <= 1) continue;
+        if (shell.connected && shell.loops <= 1 && scratch.loops_are_all_curves()) continue;
         search_shell(i);
     }
 }
@@ -46,31 +45,39 @@ void Components::search_shell(Index shell)
     searches_.clear();
     // Stamps above those of the crossing triangles.
     mark_base_ = u_->stamp_base + s_->crossings.size() + s_->extra_stamps;
-    const bool connected = s_->cut_shells[shell].connected;
-    for (const Loop& loop : s_->loops) {
-        if (loop.shell != shell) continue;
-        for (std::size_t i = 0; i < loop.count; ++i)
-            for (const Side side : {Side::negative, Side::positive}) {
-                // A seam whose triangle keeps nothing on this side tells nothing: its neighbours on the loop do.
-                const Index face = s_->face_of_seam(s_->loop_seams[loop.first + i], side);
-                start(face, side);
-            }
-    }
-    if (!connected) seed_whole_shell(shell);
+    const CutShell& cut = s_->cut_shells[shell];
+    // What the section cuts off has a triangle at the section, if only at a part of it that has shrunk away.
+    const auto start_both = [&](Index negative_face, Index positive_face) {
+        start(negative_face, Side::negative);
+        start(positive_face, Side::positive);
+    };
+    for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
+        start_both(s_->crossings[i].face, s_->crossings[i].face);
+    for (const InPlaneEdge& e : s_->in_plane)
+        if (e.shell == shell) start_both(e.negative_face, e.positive_face);
+    if (!cut.connected) seed_whole_shell(shell);
 
-    for (const Side side : {Side::negative, Side::positive}) {
-        // A search that has met another one is advanced as part of it; all take the same number of steps a round.
-        for (bool more = true; more;) {
-            Index alive_groups = active(side);
-            more = alive_groups > (connected ? 1u : 0u);
-            for (Index i = 0; more && i < searches_.size(); ++i)
-                if (searches_[i].side == side) advance(i);
-        }
-    }
+    for (const Side side : {Side::negative, Side::positive}) search_side(side, cut.connected);
     assign_targets(shell);
     retarget(shell);
     s_->extra_stamps += searches_.size();
     for (const Search& search : searches_) s_->triangles_read += search.faces.size();
+}
+
+/// Searches that have something left take the same number of steps a round, until they all are one: the rest of a
+/// connected shell is theirs.
+void Components::search_side(Side side, bool connected)
+{
+    std::vector<Index> active;
+    for (Index i = 0; i < searches_.size(); ++i)
+        if (searches_[i].side == side && !is_finished(i)) active.push_back(i);
+    const auto are_one = [&] {
+        return std::all_of(active.begin(), active.end(), [&](Index i) { return find(i) == find(active.front()); });
+    };
+    while (!active.empty() && !(connected && are_one())) {
+        for (const Index i : active) advance(i);
+        std::erase_if(active, [&](Index i) { return is_finished(i); });
+    }
 }
 
 Index Components::crossing_of(Index face) const
@@ -79,6 +86,15 @@ Index Components::crossing_of(Index face) const
     return stamp >= u_->stamp_base && stamp - u_->stamp_base < s_->crossings.size()
                ? static_cast<Index>(stamp - u_->stamp_base)
                : kNone;
+}
+
+bool Components::keeps_something(Index face, Side side) const
+{
+    const Index crossing = crossing_of(face);
+    if (crossing == kNone) return true;
+    const TriangleSplit& split = s_->crossings[crossing].split;
+    return std::any_of(split.pieces.begin(), split.pieces.begin() + split.piece_count,
+                       [&](const TriangleSplit::Piece& piece) { return piece.side == side; });
 }
 
 void Components::start(Index face, Side side)
@@ -144,23 +160,6 @@ void Components::advance(Index search)
     }
 }
 
-/// Number of groups on a side that still have something to look at.
-Index Components::active(Side side) const
-{
-    Index count = 0;
-    std::vector<Index> roots;
-    for (Index i = 0; i < searches_.size(); ++i) {
-        if (searches_[i].side != side || searches_[i].next == searches_[i].faces.size()) continue;
-        Index root = i;
-        while (searches_[root].parent != root) root = searches_[root].parent;
-        if (std::find(roots.begin(), roots.end(), root) != roots.end()) continue;
-        roots.push_back(root);
-        ++count;
-        if (count > 1) break;
-    }
-    return count;
-}
-
 template <class Visit>
 void Components::for_each_neighbour(Index face, Side side, Visit visit) const
 {
@@ -193,6 +192,7 @@ void Components::for_each_neighbour(Index face, Side side, Visit visit) const
 void Components::seed_whole_shell(Index shell)
 {
     const CutShell& cut = s_->cut_shells[shell];
+    Index flooded = 0;
     for (std::size_t i = cut.first_op; i < cut.first_op + cut.op_count; ++i) {
         const TreeOp op = s_->ops[i];
         if (op.kind == TreeOp::Kind::whole) {
@@ -211,8 +211,8 @@ void Components::seed_whole_shell(Index shell)
             }
         }
         // Flood as we go, so that a search is started once for each part and not for each triangle.
-        for (Index search = 0; search < searches_.size(); ++search)
-            while (searches_[search].next < searches_[search].faces.size()) advance(search);
+        for (; flooded < searches_.size(); ++flooded)
+            while (!is_finished(flooded)) advance(flooded);
     }
 }
 
@@ -222,14 +222,17 @@ void Components::assign_targets(Index shell)
 {
     for (const Side side : {Side::negative, Side::positive}) {
         // The largest part keeps the target: the one that is not finished, or else the one with the most faces.
+        // Crossing triangles whose pieces vanished count for nothing: a part of such alone does not exist.
         Index largest = kNone;
         std::vector<std::size_t> size(searches_.size(), 0);
         std::vector<bool> unfinished(searches_.size(), false);
         for (Index i = 0; i < searches_.size(); ++i) {
             if (searches_[i].side != side) continue;
             const Index root = find(i);
-            size[root] += searches_[i].faces.size();
-            if (searches_[i].next < searches_[i].faces.size()) unfinished[root] = true;
+            const std::vector<Index>& faces = searches_[i].faces;
+            size[root] += static_cast<std::size_t>(
+                std::count_if(faces.begin(), faces.end(), [&](Index face) { return keeps_something(face, side); }));
+            if (!is_finished(i)) unfinished[root] = true;
         }
         const auto better = [&](Index a, Index b) {
             if (unfinished[a] != unfinished[b]) return bool(unfinished[a]);
@@ -237,6 +240,8 @@ void Components::assign_targets(Index shell)
         };
         for (Index i = 0; i < searches_.size(); ++i)
             if (searches_[i].side == side && find(i) == i && (largest == kNone || better(i, largest))) largest = i;
+        const Index default_target = 2 * shell + static_cast<Index>(side);
+        if (largest != kNone) s_->targets[default_target].is_empty = size[largest] == 0 && !unfinished[largest];
 
         Box& small = small_parts_[static_cast<std::size_t>(side)];
         small = Box();
@@ -244,19 +249,18 @@ void Components::assign_targets(Index shell)
             if (searches_[i].side != side) continue;
             Search& search = searches_[i];
             const Index root = find(i);
-            if (root == i && i != largest) {
+            if (root != i) {
+                search.target = searches_[root].target;
+            } else if (i == largest || (size[i] == 0 && !unfinished[i])) {
+                search.target = default_target;
+            } else {
                 Target t;
                 t.side = side;
                 t.shell = shell;
                 search.target = static_cast<Index>(s_->targets.size());
                 s_->targets.push_back(t);
-                loose_.emplace_back();
-            } else if (root == i) {
-                search.target = 2 * shell + static_cast<Index>(side);
             }
-            search.target = searches_[root].target;
-            if (!s_->cut_shells[shell].connected) measure(search);
-            if (root == largest) continue;
+            if (search.target == default_target) continue;
             for (const Index face : search.faces) {
                 Index h = u_->mesh.halfedge_of_face(face);
                 for (int corner = 0; corner < 3; ++corner, h = u_->mesh.next(h))
@@ -264,20 +268,6 @@ void Components::assign_targets(Index shell)
             }
         }
     }
-}
-
-void Components::measure(Search& search)
-{
-    LoosePart& part = loose_[search.target];
-    MassMoments moments;
-    for (const Index face : search.faces) {
-        std::array<glm::vec3, 3> p;
-        Index h = u_->mesh.halfedge_of_face(face);
-        for (std::size_t i = 0; i < 3; ++i, h = u_->mesh.next(h)) p[i] = u_->mesh.point(u_->mesh.from(h));
-        moments.add(u_->reference, p[0], p[1], p[2]);
-        part.sample = p[0];
-    }
-    part.volume6 += moments.volume6;
 }
 
 /// Rewrites the program of a shell: subtrees that reach into the small parts are opened.
@@ -296,6 +286,8 @@ void Components::retarget(Index shell)
                    ? searches_[static_cast<Index>(stamp - mark_base_)].target
                    : default_target(side);
     };
+    for (FlushEdge& e : s_->flush)
+        if (e.shell == shell) e.target = target_of(e.face, e.side);
     for (InPlaneEdge& e : s_->in_plane)
         if (e.shell == shell)
             e.target = {target_of(e.negative_face, Side::negative), target_of(e.positive_face, Side::positive)};

@@ -64,6 +64,7 @@ void CutScratch::clear()
     entries.clear();
     crossings.clear();
     in_plane.clear();
+    flush.clear();
     cut_shells.clear();
     nodes_visited = 0;
     triangles_read = 0;
@@ -71,13 +72,15 @@ void CutScratch::clear()
     cut_points.clear();
     boundary_cuts.clear();
     new_vertices = 0;
-    irregular = false;
+    irregular = collapsed = meets_boundary = false;
+    outline.clear();
+    outline_points.clear();
     loop_seams.clear();
     loop_points.clear();
     loops.clear();
     cancelled.clear();
     caps.clear();
-    solid_caps.clear();
+    group_caps.clear();
     cap_order.clear();
     caps_merge_points = false;
     targets.clear();

@@ -56,6 +56,15 @@ struct InPlaneEdge
     std::array<Index, 2> target{};  ///< by side, where its faces go
 };
 
+/// An existing edge in the plane at a face that is kept on the same side as the face across it.
+struct FlushEdge
+{
+    Index halfedge = kNone, face = kNone;
+    Index shell = 0;
+    Side side = Side::negative;
+    Index target = kNone;
+};
+
 /// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.
 struct TreeOp
 {
@@ -90,6 +99,7 @@ struct Target
 {
     Side side = Side::negative;
     Index shell = 0;           ///< of the cut shells
+    bool is_empty = false;     ///< all that would be in it has vanished
     Index bundle = 0;          ///< what it is joined with
     std::uint32_t count = 0;   ///< rewritten triangles
     std::uint32_t cursor = 0;  ///< next slot to write
@@ -97,7 +107,7 @@ struct Target
     Index root = kNone;
 };
 
-/// Targets that one cap joins: a shell of a fragment.
+/// Targets of one piece: a shell of a fragment.
 struct Bundle
 {
     Side side = Side::negative;
@@ -119,7 +129,8 @@ struct Loop
 {
     std::size_t first = 0, count = 0;  ///< in `loop_seams` and `loop_points`: seam i starts at point i
     std::uint32_t solid = 0;
-    Index shell = 0;  ///< of the cut shells
+    Index shell = 0;      ///< of the cut shells
+    Index cap_group = 0;  ///< loops of one group are closed together: they bound the same bundles on both sides
     bool closed = true;
     glm::vec3 end{0.0f};  ///< chains: the end of the last seam
 };
@@ -141,11 +152,18 @@ struct CapTriangle
     std::array<Index, 3> link;
 };
 
-/// The caps of one solid.
-struct SolidCap
+/// The caps of one group of loops.
+struct GroupCap
 {
-    std::uint32_t solid = 0;
+    Index group = 0;
     std::size_t first = 0, count = 0;  ///< triangles
+};
+
+/// A seam between classes of points that coincide.
+struct OutlineSeam
+{
+    SeamIndex seam = kNone;
+    Index from = 0, to = 0;  ///< in `outline_points`, as it runs in the surface of the positive side
 };
 
 class CapPlanner;
@@ -189,6 +207,7 @@ struct CutScratch
     std::vector<Index> entries;
     Recycled<Crossing> crossings;
     std::vector<InPlaneEdge> in_plane;
+    std::vector<FlushEdge> flush;
     std::vector<CutShell> cut_shells;
     std::uint64_t nodes_visited = 0;
     std::uint64_t triangles_read = 0;  ///< in leaves that were opened and handed over whole
@@ -202,6 +221,10 @@ struct CutScratch
     std::vector<BoundaryCut> boundary_cuts;
     std::size_t new_vertices = 0;  ///< written behind the universe's vertices so far
     bool irregular = false;        ///< some cut points coincide with vertices or each other, or edges lie in the plane
+    bool collapsed = false;        ///< a cut point fell on a corner off the plane, or on another: pieces vanish
+    bool meets_boundary = false;   ///< the section runs through a vertex on the boundary of the mesh
+    std::vector<OutlineSeam> outline;       ///< irregular sections: all seams that do not cancel
+    std::vector<glm::vec3> outline_points;  ///< irregular sections: by class
     std::vector<Index> loop_seams;
     std::vector<glm::vec3> loop_points;
     std::vector<Loop> loops;
@@ -209,8 +232,8 @@ struct CutScratch
 
     // CAP
     std::vector<CapTriangle> caps;
-    std::vector<SolidCap> solid_caps;
-    std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a solid
+    std::vector<GroupCap> group_caps;
+    std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a group
     bool caps_merge_points = false;
 
     // What goes where
@@ -233,6 +256,10 @@ struct CutScratch
     /// Stamps, from the universe's `stamp_base` on, that the last cut has put on faces.
     std::uint64_t stamps_used() const { return crossings.size() + extra_stamps; }
 
+    /// Each curve that the surface is cut along is a loop or chain of the outline. Not so where a curve shrinks to a
+    /// point (a thin neck) or to a path run forth and back (a thin sheet), or falls apart at the boundary.
+    bool loops_are_all_curves() const { return !collapsed && !meets_boundary && cancelled.empty(); }
+
     /// The face at a seam on one side, as it is before the cut.
     Index face_of_seam(SeamIndex seam, Side side) const
     {
@@ -245,6 +272,12 @@ struct CutScratch
     {
         const auto at = static_cast<std::size_t>(side);
         return seam < crossings.size() ? crossings[seam].target[at] : in_plane[seam - crossings.size()].target[at];
+    }
+    /// The bundles that a seam lies between, by side.
+    std::array<Index, 2> bundles_of_seam(SeamIndex seam) const
+    {
+        return {targets[target_of_seam(seam, Side::negative)].bundle,
+                targets[target_of_seam(seam, Side::positive)].bundle};
     }
 
 private:

@@ -66,12 +66,10 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     // All of a side can vanish: a spike so thin that its cut points are one.
     if (!keeps_triangles(Side::negative) || !keeps_triangles(Side::positive)) return result;
     walk_section(u, s);
-    clock.done(Phase::walk);
 
     for (const Loop& loop : s.loops) ++(loop.closed ? statistics.section_loops : statistics.open_chains);
     result.section_area = section_area(plane, s);
-    if (options.build_caps) s.cap_planner->plan(plane, s);
-    clock.done(Phase::cap);
+    clock.done(Phase::walk);
 
     for (Index i = 0; i < s.cut_shells.size(); ++i)
         for (const Side side : {Side::negative, Side::positive}) {
@@ -80,13 +78,18 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
             t.shell = i;
             s.targets.push_back(t);
         }
-    s.cap_bundle.resize(s.caps.size());
     if (options.split_components) {
         s.components->separate(u, s);
-        pieces_ = plan_pieces(u, plane, whole_, *s.components, s);
+        pieces_ = plan_pieces(u, plane, whole_, s);
     } else {
         pieces_ = plan_sides(whole_, s);
     }
+    group_loops(s);
+    clock.done(Phase::components);
+    if (options.build_caps) s.cap_planner->plan(plane, s);
+    clock.done(Phase::cap);
+    hand_out_caps(s);
+    if (options.split_components) divide_bundles(s);
     // Room for a material and a group for each cap, so that naming them later can't fail.
     u.materials.reserve(u.materials.size() + 1);
     u.groups.reserve(u.groups.size() + s.bundles.size());
@@ -166,6 +169,7 @@ void Cutter::find_shells(const Plane& plane)
         cut.solid = shells_[i].solid;
         cut.connected = shells_[i].connected;
         cut.first_op = s.ops.size();
+        const std::size_t first_flush = s.flush.size();
         cut.first_crossing = s.crossings.size();
         const std::array<bool, 2> present = find(u, shells_[i].root, plane, static_cast<Index>(s.cut_shells.size()), s);
         if (present[0] && present[1]) {
@@ -174,6 +178,7 @@ void Cutter::find_shells(const Plane& plane)
             s.cut_shells.push_back(cut);
         } else {
             s.ops.resize(cut.first_op);
+            s.flush.resize(first_flush);
             whole_[present[1] ? 1 : 0].push_back(shells_[i]);
         }
     }
@@ -206,22 +211,15 @@ void Cutter::make_fragments()
         for (Index i = 0; i < count; ++i) fragments_[at].push_back(std::make_unique<Fragment>(universe_, shells[i]));
         if (count == 0) continue;
 
-        // Every fragment gets the loops that bound it. A loop bounds several only where loops touch.
+        // Every fragment gets the loops that bound it.
         for (const Loop& loop : s.loops) {
             SectionLoop copy;
             copy.closed = loop.closed;
             const auto first = s.loop_points.begin() + static_cast<std::ptrdiff_t>(loop.first);
             copy.points.assign(first, first + static_cast<std::ptrdiff_t>(loop.count));
             if (!loop.closed) copy.points.push_back(loop.end);
-            Index last = kNone;
-            for (std::size_t i = loop.first; i < loop.first + loop.count; ++i) {
-                const Index fragment = s.bundles[s.targets[s.target_of_seam(s.loop_seams[i], side)].bundle].fragment;
-                if (fragment == last) continue;
-                auto& loops = fragments_[at][fragment]->loops_;
-                if (last != kNone && !loops.empty() && loops.back().points == copy.points) continue;
-                last = fragment;
-                loops.push_back(copy);
-            }
+            const Index bundle = s.bundles_of_seam(s.loop_seams[loop.first])[at];
+            fragments_[at][s.bundles[bundle].fragment]->loops_.push_back(std::move(copy));
         }
     }
 }

@@ -141,8 +141,8 @@ private:
                    : static_cast<Side>(above);
             ++kept[static_cast<std::size_t>(side)];
             entries[slot - node.first] = target(side);
-            if (on && side == Side::negative && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
-                add_in_plane_edges(u_.face_of_slot[slot], t, d, node.group);
+            if (on && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
+                add_in_plane_edges(u_.face_of_slot[slot], side, t, d, node.group);
         }
         if (crossing == 0 && (kept[0] == 0 || kept[1] == 0)) {
             s_.entries.resize(first_entry);
@@ -166,14 +166,18 @@ private:
         u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + s_.crossings.size() - 1);
     }
 
-    /// Edges in the plane between this face, which is kept on the negative side, and one kept on the positive side.
-    void add_in_plane_edges(Index face, const Triangle& t, const std::array<double, 3>& d, Index group)
+    /// Edges in the plane at a face, each once: by the face on the negative side where the two are kept on different
+    /// sides, by the one of the smaller half-edge otherwise.
+    void add_in_plane_edges(Index face, Side side, const Triangle& t, const std::array<double, 3>& d, Index group)
     {
         Index h = u_.mesh.halfedge_of_face(face);
         for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
             if (d[i] != 0.0 || d[(i + 1) % 3] != 0.0) continue;
             const Index neighbour = u_.mesh.face(h ^ 1u);
-            if (neighbour == kNone || side_of_face(neighbour) == Side::negative) continue;
+            const bool is_flush = neighbour == kNone || side_of_face(neighbour) == side;
+            if (is_flush && (neighbour == kNone || h < (h ^ 1u)))
+                s_.flush.push_back({h, face, shell_, side, target(side)});
+            if (is_flush || side == Side::positive) continue;
             s_.in_plane.push_back({h,
                                    h ^ 1u,
                                    face,

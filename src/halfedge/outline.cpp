@@ -49,126 +49,132 @@ private:
     std::unordered_map<Index, Index> of_vertex_;
 };
 
-struct Edge
+/// The element of a corner of a crossing triangle.
+Index element_of_code(const Universe& u, const Crossing& c, std::uint8_t code, PointClasses& classes)
 {
-    SeamIndex seam;
-    Index from, to;
-    bool used = false;
-};
+    if (code == TriangleSplit::kCutNext) return c.n_cut();
+    if (code == TriangleSplit::kCutPrevious) return c.p_cut();
+    return classes.of_vertex(u.mesh, c.point[code]);
+}
 
+void unite_coinciding(const Universe& u, const CutScratch& s, PointClasses& classes)
+{
+    for (const Crossing& c : s.crossings) {
+        if (c.n_cut() != kNone) classes.unite(c.n_cut(), element_of_code(u, c, c.split.next_code, classes));
+        if (c.p_cut() != kNone) classes.unite(c.p_cut(), element_of_code(u, c, c.split.previous_code, classes));
+    }
+}
+
+/// Collects the seams with the classes of their ends.
+void collect_seams(const Universe& u, CutScratch& s)
+{
+    PointClasses classes(s);
+    unite_coinciding(u, s, classes);
+    const auto add = [&](SeamIndex seam, Index from, Index to) {
+        from = classes.find(from);
+        to = classes.find(to);
+        if (from != to) s.outline.push_back({seam, from, to});
+    };
+    for (SeamIndex i = 0; i < s.crossings.size(); ++i) {
+        const Crossing& c = s.crossings[i];
+        if (!c.split.has_section_edge()) continue;
+        const Index from = element_of_code(u, c, c.split.section_from, classes);
+        add(i, from, element_of_code(u, c, c.split.section_to, classes));
+    }
+    for (SeamIndex i = 0; i < s.in_plane.size(); ++i) {
+        // As seen in the positive side's surface.
+        const Index h = s.in_plane[i].positive_halfedge;
+        const Index from = classes.of_vertex(u.mesh, u.mesh.from(h));
+        add(static_cast<SeamIndex>(s.crossings.size()) + i, from, classes.of_vertex(u.mesh, u.mesh.to(h)));
+    }
+    s.outline_points.resize(classes.size());
+    for (Index i = 0; i < classes.size(); ++i) s.outline_points[i] = classes.position(i);
+}
+
+/// Takes out pairs of seams that run forth and back.
+void cancel_seams(CutScratch& s)
+{
+    std::vector<OutlineSeam>& seams = s.outline;
+    std::vector<Index> order(seams.size());
+    for (Index i = 0; i < order.size(); ++i) order[i] = i;
+    const auto key = [&](Index i) { return std::minmax(seams[i].from, seams[i].to); };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+    std::vector<bool> gone(seams.size(), false);
+    for (std::size_t first = 0, last; first < order.size(); first = last) {
+        for (last = first + 1; last < order.size() && key(order[last]) == key(order[first]);) ++last;
+        std::size_t back = first;
+        for (std::size_t i = first; i < last; ++i) {
+            const OutlineSeam& e = seams[order[i]];
+            if (e.from > e.to) continue;
+            while (back < last && seams[order[back]].from < seams[order[back]].to) ++back;
+            if (back == last) break;
+            s.cancelled.push_back({e.seam, seams[order[back]].seam});
+            gone[order[i]] = gone[order[back++]] = true;
+        }
+    }
+    std::size_t kept = 0;
+    for (Index i = 0; i < seams.size(); ++i)
+        if (!gone[i]) seams[kept++] = seams[i];
+    seams.resize(kept);
+}
+
+/// Follows unused seams from point to point, those of one tag after one another. Where the path comes back to a point
+/// that it has passed, the loop between is cut off, so loops are simple and a pinch separates two loops.
+template <class Tag>
 class OutlineLinker
 {
 public:
-    OutlineLinker(const Universe& universe, CutScratch& scratch) : u_(universe), s_(scratch), classes_(scratch) {}
+    OutlineLinker(const Universe& universe, CutScratch& scratch, Tag tag)
+        : u_(universe),
+          s_(scratch),
+          tag_(tag),
+          start_(scratch.outline_points.size() + 1, 0),
+          is_used_(scratch.outline.size(), false),
+          position_on_path_(scratch.outline_points.size(), kNone)
+    {
+    }
 
     void run()
     {
-        collect();
-        cancel();
-        link();
-    }
-
-private:
-    Index element_of_code(const Crossing& c, std::uint8_t code)
-    {
-        if (code == TriangleSplit::kCutNext) return c.n_cut();
-        if (code == TriangleSplit::kCutPrevious) return c.p_cut();
-        return classes_.of_vertex(u_.mesh, c.point[code]);
-    }
-
-    void collect()
-    {
-        for (const Crossing& c : s_.crossings) {
-            if (c.n_cut() != kNone) classes_.unite(c.n_cut(), element_of_code(c, c.split.next_code));
-            if (c.p_cut() != kNone) classes_.unite(c.p_cut(), element_of_code(c, c.split.previous_code));
-        }
-        for (SeamIndex i = 0; i < s_.crossings.size(); ++i) {
-            const Crossing& c = s_.crossings[i];
-            if (!c.split.has_section_edge()) continue;
-            edges_.push_back({i, element_of_code(c, c.split.section_from), element_of_code(c, c.split.section_to)});
-        }
-        for (SeamIndex i = 0; i < s_.in_plane.size(); ++i) {
-            // As seen in the positive side's surface.
-            const Index h = s_.in_plane[i].positive_halfedge;
-            edges_.push_back({static_cast<SeamIndex>(s_.crossings.size()) + i,
-                              classes_.of_vertex(u_.mesh, u_.mesh.from(h)),
-                              classes_.of_vertex(u_.mesh, u_.mesh.to(h))});
-        }
-        for (Edge& e : edges_) {
-            e.from = classes_.find(e.from);
-            e.to = classes_.find(e.to);
-        }
-        std::erase_if(edges_, [](const Edge& e) { return e.from == e.to; });
-    }
-
-    void cancel()
-    {
-        std::vector<Index> order(edges_.size());
-        for (Index i = 0; i < order.size(); ++i) order[i] = i;
-        const auto key = [&](Index i) { return std::minmax(edges_[i].from, edges_[i].to); };
-        std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-        for (std::size_t first = 0, last; first < order.size(); first = last) {
-            for (last = first + 1; last < order.size() && key(order[last]) == key(order[first]);) ++last;
-            std::size_t back = first;
-            for (std::size_t i = first; i < last; ++i) {
-                Edge& e = edges_[order[i]];
-                if (e.from > e.to || e.used) continue;
-                while (back < last && (edges_[order[back]].from < edges_[order[back]].to || edges_[order[back]].used))
-                    ++back;
-                if (back == last) break;
-                Edge& f = edges_[order[back]];
-                e.used = f.used = true;
-                s_.cancelled.push_back({e.seam, f.seam});
-            }
-        }
-        std::erase_if(edges_, [](const Edge& e) { return e.used; });
-    }
-
-    /// Follows unused edges from point to point. Where the path comes back to a point that it has passed, the loop
-    /// between is cut off, so loops are simple and a pinch separates two loops.
-    void link()
-    {
-        // Edges by their origin; `start` is indexed by class element.
-        std::vector<Index> start(classes_.size() + 1, 0), out(edges_.size());
-        std::vector<int> excess(classes_.size(), 0);
-        for (const Edge& e : edges_) {
-            ++start[e.from + 1];
+        // Seams by their origin.
+        std::vector<int> excess(s_.outline_points.size(), 0);
+        for (const OutlineSeam& e : s_.outline) {
+            ++start_[e.from + 1];
             ++excess[e.from];
             --excess[e.to];
         }
-        for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-        std::vector<Index> cursor(start.begin(), start.end() - 1);
-        for (Index i = 0; i < edges_.size(); ++i) out[cursor[edges_[i].from]++] = i;
-        std::copy(start.begin(), start.end() - 1, cursor.begin());
+        for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+        leaving_.resize(s_.outline.size());
+        std::vector<Index> fill(start_.begin(), start_.end() - 1);
+        for (Index i = 0; i < s_.outline.size(); ++i) leaving_[fill[s_.outline[i].from]++] = i;
 
-        position_on_path_.assign(classes_.size(), kNone);
-        const auto follow = [&](Index at) {
-            path_.clear();
-            position_on_path_[at] = 0;
-            for (;;) {
-                Index& next = cursor[at];
-                if (next == start[at + 1]) break;
-                const Index e = out[next++];
-                path_.push_back(e);
-                at = edges_[e].to;
-                if (position_on_path_[at] == kNone) {
-                    position_on_path_[at] = static_cast<Index>(path_.size());
-                } else {
-                    emit(position_on_path_[at], true);
-                }
-            }
-            if (!path_.empty()) {
-                const Index end = edges_[path_.back()].to;
-                emit(0, false);
-                position_on_path_[end] = kNone;
-            }
-            position_on_path_[at] = kNone;
-        };
-        // Chains first: they start where more edges leave than arrive.
+        // Chains first: they start where more seams leave than arrive.
         for (Index i = 0; i < excess.size(); ++i)
-            for (int n = excess[i]; n > 0; --n) follow(i);
-        for (const Edge& e : edges_)
-            while (cursor[e.from] != start[e.from + 1]) follow(e.from);
+            for (Index j = start_[i]; j < start_[i + 1] && excess[i] > 0; ++j)
+                if (!is_used_[leaving_[j]]) {
+                    --excess[i];
+                    follow(leaving_[j]);
+                }
+        for (Index i = 0; i < s_.outline.size(); ++i)
+            if (!is_used_[i]) follow(i);
+    }
+
+private:
+    void follow(Index first)
+    {
+        const auto tag = tag_(s_.outline[first]);
+        path_.clear();
+        for (Index i = first; i != kNone;) {
+            is_used_[i] = true;
+            position_on_path_[s_.outline[i].from] = static_cast<Index>(path_.size());
+            path_.push_back(i);
+            const Index at = s_.outline[i].to;
+            if (position_on_path_[at] != kNone) emit(position_on_path_[at], true);
+            i = kNone;
+            for (Index j = start_[at]; j < start_[at + 1] && i == kNone; ++j)
+                if (!is_used_[leaving_[j]] && tag_(s_.outline[leaving_[j]]) == tag) i = leaving_[j];
+        }
+        if (!path_.empty()) emit(0, false);
     }
 
     /// Takes the path from position `first` on as a loop or chain.
@@ -178,38 +184,91 @@ private:
         loop.first = s_.loop_seams.size();
         loop.count = path_.size() - first;
         loop.closed = closed;
-        const SeamIndex seam = edges_[path_[first]].seam;
+        const SeamIndex seam = s_.outline[path_[first]].seam;
         const bool crossing = seam < s_.crossings.size();
         loop.solid =
             u_.groups[crossing ? s_.crossings[seam].group : s_.in_plane[seam - s_.crossings.size()].group].solid;
         loop.shell = crossing ? s_.crossings[seam].shell : s_.in_plane[seam - s_.crossings.size()].shell;
         for (std::size_t i = first; i < path_.size(); ++i) {
-            const Edge& e = edges_[path_[i]];
+            const OutlineSeam& e = s_.outline[path_[i]];
             s_.loop_seams.push_back(e.seam);
-            s_.loop_points.push_back(classes_.position(e.from));
-            if (i > first) position_on_path_[e.from] = kNone;
+            s_.loop_points.push_back(s_.outline_points[e.from]);
+            position_on_path_[e.from] = kNone;
         }
-        if (!closed) {
-            loop.end = classes_.position(edges_[path_.back()].to);
-            position_on_path_[edges_[path_[first]].from] = kNone;
-        }
+        if (!closed) loop.end = s_.outline_points[s_.outline[path_.back()].to];
         s_.loops.push_back(loop);
         path_.resize(first);
     }
 
     const Universe& u_;
     CutScratch& s_;
-    PointClasses classes_;
-    std::vector<Edge> edges_;
+    Tag tag_;
+    std::vector<Index> start_, leaving_;  // the seams that leave each point
+    std::vector<bool> is_used_;
     std::vector<Index> path_;
-    std::vector<Index> position_on_path_;
+    std::vector<Index> position_on_path_;  // of the seam that leaves a point
 };
 
 }  // namespace
 
 void link_outline(const Universe& universe, CutScratch& scratch)
 {
-    OutlineLinker(universe, scratch).run();
+    collect_seams(universe, scratch);
+    cancel_seams(scratch);
+    OutlineLinker(universe, scratch, [](const OutlineSeam&) { return 0; }).run();
+}
+
+void relink_outline(const Universe& universe, CutScratch& scratch)
+{
+    scratch.loops.clear();
+    scratch.loop_seams.clear();
+    scratch.loop_points.clear();
+    OutlineLinker(universe, scratch, [&](const OutlineSeam& e) { return scratch.bundles_of_seam(e.seam); }).run();
+}
+
+std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, const CutScratch& s)
+{
+    PointClasses classes(s);
+    unite_coinciding(u, s, classes);
+    struct Place
+    {
+        Side side;
+        Index from, to, target;
+        auto operator<=>(const Place&) const = default;
+    };
+    std::vector<Place> places;
+    const auto add = [&](Side side, Index a, Index b, Index target) {
+        a = classes.find(a);
+        b = classes.find(b);
+        places.push_back({side, std::min(a, b), std::max(a, b), target});
+    };
+    for (const Crossing& c : s.crossings)
+        for (std::size_t i = 0; i < c.split.piece_count; ++i) {
+            const TriangleSplit::Piece& piece = c.split.pieces[i];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Index from = element_of_code(u, c, piece.corners[corner], classes);
+                add(piece.side, from, element_of_code(u, c, piece.corners[(corner + 1) % 3], classes),
+                    c.target[static_cast<std::size_t>(piece.side)]);
+            }
+        }
+    const auto add_halfedge = [&](Side side, Index h, Index target) {
+        const Index from = classes.of_vertex(u.mesh, u.mesh.from(h));
+        add(side, from, classes.of_vertex(u.mesh, u.mesh.to(h)), target);
+    };
+    for (const InPlaneEdge& e : s.in_plane) {
+        add_halfedge(Side::negative, e.negative_halfedge, e.target[0]);
+        add_halfedge(Side::positive, e.positive_halfedge, e.target[1]);
+    }
+    for (const FlushEdge& e : s.flush) add_halfedge(e.side, e.halfedge, e.target);
+
+    std::sort(places.begin(), places.end());
+    std::vector<std::array<Index, 2>> pairs;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const Place &a = places[i - 1], &b = places[i];
+        if (a.side == b.side && a.from == b.from && a.to == b.to && a.target != b.target)
+            pairs.push_back({a.target, b.target});
+    }
+    return pairs;
 }
 
 }  // namespace kerf::halfedge

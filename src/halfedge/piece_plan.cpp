@@ -1,10 +1,12 @@
 #include "halfedge/piece_plan.h"
 
 #include <algorithm>
+#include <map>
 
 #include "common/disjoint_sets.h"
 #include "common/pieces.h"
 #include "halfedge/export.h"
+#include "halfedge/outline.h"
 
 namespace kerf::halfedge {
 
@@ -40,172 +42,319 @@ int count_crossings(const Universe& u, Index root, const AxisRay& ray)
     return count;
 }
 
-/// Plans the pieces of one side.
-class SidePieces
+/// Visits what goes to a target: subtrees by `visit_node`, single triangles by `visit_triangle`.
+template <class VisitNode, class VisitTriangle>
+void for_each_of_target(const Universe& u, const CutScratch& s, Index target, VisitNode visit_node,
+                        VisitTriangle visit_triangle)
+{
+    const CutShell& shell = s.cut_shells[s.targets[target].shell];
+    const Side side = s.targets[target].side;
+    for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
+        const TreeOp& op = s.ops[i];
+        if (op.kind == TreeOp::Kind::whole && op.argument == target) visit_node(op.node);
+        if (op.kind != TreeOp::Kind::leaf) continue;
+        const Node& node = u.tree.nodes[op.node];
+        for (Index e = 0; e < node.count; ++e) {
+            const Index entry = s.entries[op.argument + e];
+            const Triangle& t = u.slots[node.first + e];
+            if (entry == target)
+                visit_triangle(u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position);
+            if (entry < kCrossingEntry) continue;
+            const Crossing& c = s.crossings[entry - kCrossingEntry];
+            if (c.target[static_cast<std::size_t>(side)] != target) continue;
+            const auto position = [&](std::uint8_t code) {
+                if (code == TriangleSplit::kCutNext) return c.split.cut_next.position;
+                if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
+                return u.vertices[c.corner[code]].position;
+            };
+            for (std::size_t p = 0; p < c.split.piece_count; ++p) {
+                const TriangleSplit::Piece& piece = c.split.pieces[p];
+                if (piece.side == side)
+                    visit_triangle(position(piece.corners[0]), position(piece.corners[1]), position(piece.corners[2]));
+            }
+        }
+    }
+}
+
+/// Describes a closed shell by sums over its subtrees and triangles.
+class ClosedShell
 {
 public:
-    SidePieces(const Universe& universe, const Plane& plane, Side side, const std::vector<Shell>& whole,
-               const Components& components, CutScratch& scratch)
-        : u_(universe), plane_(plane), side_(side), whole_(whole), components_(components), s_(scratch)
+    explicit ClosedShell(const Universe& universe) : u_(universe) {}
+
+    void add(Index root)
     {
+        const Node& node = u_.tree.nodes[root];
+        box_.add(node.box);
+        volume6_ += u_.tree.moments[root].volume6;
+        roots_.push_back(root);
+        sample_ = node.box.lo;
+    }
+    void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+    {
+        for (const glm::vec3& p : {a, b, c}) box_.add(p);
+        triangles_.push_back({a, b, c});
     }
 
-    Index run(std::vector<Index>& whole_fragment)
+    void describe(SurfacePart& part)
     {
-        list_parts();
-        list_loops();
-        const std::vector<std::uint32_t> piece =
-            group_pieces(plane_, side_, parts_, loops_,
-                         [&](std::uint32_t part, const AxisRay& ray) { return crossings_of_part(part, ray); });
-        return number(piece, whole_fragment);
+        if (!roots_.empty()) {
+            Index n = roots_.front();
+            while (!u_.tree.nodes[n].is_leaf()) n = u_.tree.nodes[n].left;
+            part.sample = u_.vertices[u_.slots[u_.tree.nodes[n].first][0]].position;
+        } else if (!triangles_.empty()) {
+            part.sample = triangles_.front()[0];
+        }
+        part.volume6 = volume6_ + sum_of_triangles(u_.reference);
+        // Sums about a point far away have no digits left for what is very small.
+        const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kUnitsAcross * u_.noise;
+        if (std::abs(part.volume6) <= kLostDigits * far * far * far) {
+            part.volume6 = sum_of_triangles(part.sample);
+            MassMoments moments;
+            for (const Index root : roots_)
+                for_each_slot(u_, root, [&](Index slot) {
+                    const Triangle& t = u_.slots[slot];
+                    moments.add(part.sample, u_.vertices[t[0]].position, u_.vertices[t[1]].position,
+                                u_.vertices[t[2]].position);
+                });
+            part.volume6 += moments.volume6;
+        }
+        part.is_flat = has_no_volume(part.volume6, box_, u_.noise);
     }
 
 private:
-    std::size_t at() const { return static_cast<std::size_t>(side_); }
+    static constexpr double kLostDigits = 1e-11;
+    static constexpr double kUnitsAcross = 0x1p20;  ///< noise units that a mesh reaches from the origin
 
-    void list_parts()
+    double sum_of_triangles(const glm::dvec3& reference) const
     {
-        part_of_target_.assign(s_.targets.size(), kNone);
+        MassMoments moments;
+        for (const auto& [a, b, c] : triangles_) moments.add(reference, a, b, c);
+        return moments.volume6;
+    }
+
+    const Universe& u_;
+    Box box_;
+    double volume6_ = 0.0;
+    glm::vec3 sample_{0.0f};
+    std::vector<Index> roots_;
+    std::vector<std::array<glm::vec3, 3>> triangles_;
+};
+
+/// The parts of one side: what hangs together by edges.
+class PartsOfSide
+{
+public:
+    PartsOfSide(const Universe& universe, const Plane& plane, Side side, const std::vector<Shell>& whole,
+                const CutScratch& scratch)
+        : u_(universe), plane_(plane), side_(side), whole_(whole), s_(scratch)
+    {
+    }
+
+    /// Numbers the parts: targets first, then whole shells. `same` are targets that are one part.
+    void list(DisjointSets& same)
+    {
+        of_target_.assign(s_.targets.size(), kNone);
         for (Index t = 0; t < s_.targets.size(); ++t) {
-            const Target& target = s_.targets[t];
-            if (target.side != side_) continue;
-            const CutShell& shell = s_.cut_shells[target.shell];
-            SurfacePart part;
-            part.solid = shell.solid;
-            part.is_cut = shell.connected;
-            part.sample = components_.loose()[t].sample;
-            part.volume6 = components_.loose()[t].volume6;
-            part_of_target_[t] = static_cast<Index>(parts_.size());
-            targets_.push_back(t);
-            parts_.push_back(part);
+            if (s_.targets[t].side != side_ || s_.targets[t].is_empty) continue;
+            Index& part = of_target_[same.find(t)];
+            if (part == kNone) part = add(t);
+            of_target_[t] = part;
         }
+        // What has vanished is with what is left of its solid. A solid of which nothing is left makes no fragment.
+        for (Index t = 0; t < s_.targets.size(); ++t) {
+            if (s_.targets[t].side != side_ || !s_.targets[t].is_empty) continue;
+            const std::uint32_t solid = solid_of(t);
+            Index part = 0;
+            while (part < parts_.size() && parts_[part].solid != solid) ++part;
+            of_target_[t] = part < parts_.size() ? part : add(t);
+        }
+        cut_count_ = static_cast<Index>(parts_.size());
         for (const Shell& shell : whole_) {
             SurfacePart part;
             part.solid = shell.solid;
-            part.volume6 = u_.tree.moments[shell.root].volume6;
-            Index n = shell.root;
-            while (!u_.tree.nodes[n].is_leaf()) n = u_.tree.nodes[n].left;
-            part.sample = u_.vertices[u_.slots[u_.tree.nodes[n].first][0]].position;
             parts_.push_back(part);
         }
     }
 
-    void list_loops()
+    void mark_cut(Index part) { parts_[part].is_cut = true; }
+
+    /// Measures what group_pieces() may ask for: nothing where each solid is in one part.
+    void measure()
     {
-        std::vector<Index> bounded;
-        for (const Loop& loop : s_.loops) {
-            bounded.clear();
-            for (std::size_t i = loop.first; i < loop.first + loop.count; ++i) {
-                const Index part = part_of_target_[s_.target_of_seam(s_.loop_seams[i], side_)];
-                if (bounded.empty() || bounded.back() != part) bounded.push_back(part);
+        std::vector<std::uint32_t> solids;
+        for (const SurfacePart& part : parts_) solids.push_back(part.solid);
+        std::sort(solids.begin(), solids.end());
+        const auto has_several = [&](std::uint32_t solid) {
+            const auto [first, last] = std::equal_range(solids.begin(), solids.end(), solid);
+            return last - first > 1;
+        };
+        std::vector<bool> is_far(parts_.size(), false);
+        mark_far_parts(is_far, has_several);
+        for (Index i = 0; i < parts_.size(); ++i) {
+            SurfacePart& part = parts_[i];
+            if (!has_several(part.solid)) continue;
+            if (part.is_cut) {
+                part.is_flat = !is_far[i];
+                continue;
             }
-            std::sort(bounded.begin(), bounded.end());
-            bounded.erase(std::unique(bounded.begin(), bounded.end()), bounded.end());
-            for (const Index part : bounded) {
-                parts_[part].is_cut = true;
-                if (loop.closed) loops_.push_back({part, {&s_.loop_points[loop.first], loop.count}});
+            ClosedShell shell(u_);
+            if (i >= cut_count_) {
+                shell.add(whole_[i - cut_count_].root);
+            } else {
+                for_each_target_of(i, [&](Index t) {
+                    for_each_of_target(
+                        u_, s_, t, [&](Index node) { shell.add(node); },
+                        [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { shell.add(a, b, c); });
+                });
             }
+            shell.describe(part);
         }
     }
 
-    int crossings_of_part(Index part, const AxisRay& ray) const
+    int count_crossings(Index part, const AxisRay& ray) const
     {
-        if (part >= targets_.size()) return count_crossings(u_, whole_[part - targets_.size()].root, ray);
-        const Index target = targets_[part];
-        const CutShell& shell = s_.cut_shells[s_.targets[target].shell];
+        if (part >= cut_count_) return halfedge::count_crossings(u_, whole_[part - cut_count_].root, ray);
         int count = 0;
-        for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
-            const TreeOp& op = s_.ops[i];
-            if (op.kind == TreeOp::Kind::whole && op.argument == target) {
-                count += count_crossings(u_, op.node, ray);
-            } else if (op.kind == TreeOp::Kind::leaf) {
-                const Node& node = u_.tree.nodes[op.node];
-                for (Index e = 0; e < node.count; ++e) {
-                    // The ray runs away from the plane, so it meets a crossing triangle where this side's piece is.
-                    const Index entry = s_.entries[op.argument + e];
-                    const Index goes_to =
-                        entry < kCrossingEntry ? entry : s_.crossings[entry - kCrossingEntry].target[at()];
-                    if (goes_to != target) continue;
-                    const Triangle& t = u_.slots[node.first + e];
-                    count += ray_crossing(ray, u_.vertices[t[0]].position, u_.vertices[t[1]].position,
-                                          u_.vertices[t[2]].position);
-                }
-            }
-        }
+        for_each_target_of(part, [&](Index t) {
+            for_each_of_target(
+                u_, s_, t, [&](Index node) { count += halfedge::count_crossings(u_, node, ray); },
+                [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+                    count += ray_crossing(ray, a, b, c);
+                });
+        });
         return count;
     }
 
-    /// Caps may join what group_pieces() left apart (self-intersecting input); then numbers the pieces, makes bundles
-    /// and hands out the caps.
-    Index number(const std::vector<std::uint32_t>& piece, std::vector<Index>& whole_fragment)
+    /// Makes a bundle of the targets of each piece.
+    Index make_bundles(const std::vector<std::uint32_t>& piece, CutScratch& s, std::vector<Index>& whole_fragment) const
     {
-        std::uint32_t piece_count = 0;
-        for (const std::uint32_t p : piece) piece_count = std::max(piece_count, p + 1);
-        DisjointSets joined(piece_count);
-        DisjointSets caps(static_cast<std::uint32_t>(s_.caps.size()));
-        std::vector<Index> piece_of_cap(s_.caps.size(), kNone);
-        for (Index t = 0; t < s_.caps.size(); ++t)
-            for (const Index link : s_.caps[t].link)
-                if ((link & kSeamLink) == 0) caps.unite(t, link / 3);
-        for (Index t = 0; t < s_.caps.size(); ++t)
-            for (const Index link : s_.caps[t].link) {
-                if ((link & kSeamLink) == 0) continue;
-                const Index target = s_.target_of_seam(s_.loop_seams[link - kSeamLink], side_);
-                Index& known = piece_of_cap[caps.find(t)];
-                if (known == kNone)
-                    known = piece[part_of_target_[target]];
-                else
-                    joined.unite(known, piece[part_of_target_[target]]);
-            }
-
-        std::vector<Index> fragment(piece_count, kNone), bundle(piece_count, kNone), targets_in(piece_count, 0);
-        Index fragments = 0;
-        const auto fragment_of = [&](std::uint32_t p) {
-            Index& number = fragment[joined.find(p)];
-            if (number == kNone) number = fragments++;
-            return number;
-        };
-        for (std::size_t i = 0; i < targets_.size(); ++i) {
-            const std::uint32_t p = joined.find(piece[i]);
+        Index count = 0;
+        for (const std::uint32_t p : piece) count = std::max(count, p + 1);
+        std::vector<Index> bundle(count, kNone);
+        for (Index t = 0; t < of_target_.size(); ++t) {
+            if (of_target_[t] == kNone) continue;
+            const std::uint32_t p = piece[of_target_[t]];
             if (bundle[p] == kNone) {
                 Bundle b;
                 b.side = side_;
-                b.solid = parts_[i].solid;
-                b.fragment = fragment_of(p);
-                bundle[p] = static_cast<Index>(s_.bundles.size());
-                s_.bundles.push_back(b);
+                b.solid = solid_of(t);
+                b.fragment = p;
+                bundle[p] = static_cast<Index>(s.bundles.size());
+                s.bundles.push_back(b);
             }
-            s_.targets[targets_[i]].bundle = bundle[p];
-            ++targets_in[p];
+            s.targets[t].bundle = bundle[p];
         }
-        whole_fragment.clear();
-        for (std::size_t i = targets_.size(); i < piece.size(); ++i) whole_fragment.push_back(fragment_of(piece[i]));
+        whole_fragment.assign(piece.begin() + cut_count_, piece.end());
+        return count;
+    }
 
-        std::vector<Index> caps_in(piece_count, 0);
-        for (Index t = 0; t < s_.caps.size(); ++t) {
-            const Index known = piece_of_cap[caps.find(t)];
-            const std::uint32_t p = joined.find(known == kNone ? 0 : known);
-            if (caps.find(t) == t) ++caps_in[p];
-            s_.cap_bundle[t][at()] = bundle[p];
-            ++s_.bundles[bundle[p]].cap_count;
+    Index of_target(Index target) const { return of_target_[target]; }
+    const std::vector<SurfacePart>& parts() const { return parts_; }
+
+private:
+    std::uint32_t solid_of(Index target) const { return s_.cut_shells[s_.targets[target].shell].solid; }
+
+    Index add(Index target)
+    {
+        SurfacePart part;
+        part.solid = solid_of(target);
+        parts_.push_back(part);
+        return static_cast<Index>(parts_.size() - 1);
+    }
+
+    template <class Visit>
+    void for_each_target_of(Index part, Visit visit) const
+    {
+        for (Index t = 0; t < of_target_.size(); ++t)
+            if (of_target_[t] == part) visit(t);
+    }
+
+    /// Finds the parts that have a vertex beyond the noise, in one run over the programs.
+    template <class HasSeveral>
+    void mark_far_parts(std::vector<bool>& is_far, HasSeveral has_several) const
+    {
+        const int sign = side_ == Side::positive ? 1 : -1;
+        const auto at = static_cast<std::size_t>(side_);
+        const auto is_beyond = [&](double distance) { return sign * distance > u_.noise; };
+        for (const CutShell& shell : s_.cut_shells) {
+            if (!has_several(shell.solid)) continue;
+            for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
+                const TreeOp& op = s_.ops[i];
+                if (op.kind == TreeOp::Kind::whole) {
+                    const Index part = of_target_[op.argument];
+                    if (part != kNone && !is_far[part])
+                        is_far[part] = reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign);
+                }
+                if (op.kind != TreeOp::Kind::leaf) continue;
+                const Node& node = u_.tree.nodes[op.node];
+                for (Index e = 0; e < node.count; ++e) {
+                    const Index entry = s_.entries[op.argument + e];
+                    const bool crosses = entry >= kCrossingEntry;
+                    const Crossing* const c = crosses ? &s_.crossings[entry - kCrossingEntry] : nullptr;
+                    const Index part = of_target_[crosses ? c->target[at] : entry];
+                    if (part == kNone || is_far[part]) continue;
+                    if (!crosses) {
+                        for (const Index v : u_.slots[node.first + e])
+                            if (is_beyond(plane_.signed_distance(u_.vertices[v].position))) is_far[part] = true;
+                        continue;
+                    }
+                    for (std::size_t p = 0; p < c->split.piece_count; ++p)
+                        for (const std::uint8_t code : c->split.pieces[p].corners)
+                            if (c->split.pieces[p].side == side_ && code < 3 && is_beyond(c->distance[code]))
+                                is_far[part] = true;
+                }
+            }
         }
-        // Several parts hang together by edges if one connected cap joins them all.
-        for (std::uint32_t p = 0; p < piece_count; ++p)
-            if (bundle[p] != kNone) s_.bundles[bundle[p]].connected = targets_in[p] == 1 || caps_in[p] == 1;
-        return fragments;
     }
 
     const Universe& u_;
     const Plane& plane_;
     const Side side_;
     const std::vector<Shell>& whole_;
-    const Components& components_;
-    CutScratch& s_;
-    std::vector<SurfacePart> parts_;  // targets of this side, then whole shells
-    std::vector<Index> targets_;      // of the first parts
-    std::vector<Index> part_of_target_;
-    std::vector<PartLoop> loops_;
+    const CutScratch& s_;
+    std::vector<SurfacePart> parts_;
+    std::vector<Index> of_target_;
+    Index cut_count_ = 0;
 };
+
+/// The outline as group_pieces() wants it.
+struct PiecesOutline
+{
+    std::vector<glm::vec3> points;
+    std::vector<OutlineEdge> edges;
+};
+
+PiecesOutline outline_of(const CutScratch& s, std::array<PartsOfSide, 2>& sides)
+{
+    PiecesOutline outline;
+    const auto add = [&](SeamIndex seam, Index from, Index to) {
+        OutlineEdge edge{from, to, {}};
+        for (const Side side : kSides) {
+            const auto at = static_cast<std::size_t>(side);
+            edge.part[at] = sides[at].of_target(s.target_of_seam(seam, side));
+            sides[at].mark_cut(edge.part[at]);
+        }
+        outline.edges.push_back(edge);
+    };
+    if (s.irregular) {
+        outline.points = s.outline_points;
+        for (const OutlineSeam& e : s.outline) add(e.seam, e.from, e.to);
+        return outline;
+    }
+    outline.points = s.loop_points;
+    for (const Loop& loop : s.loops) {
+        const auto first = static_cast<Index>(loop.first), last = static_cast<Index>(loop.first + loop.count - 1);
+        for (Index i = first; i < last; ++i) add(s.loop_seams[i], i, i + 1);
+        Index end = first;
+        if (!loop.closed) {
+            end = static_cast<Index>(outline.points.size());
+            outline.points.push_back(loop.end);
+        }
+        add(s.loop_seams[last], last, end);
+    }
+    return outline;
+}
 
 }  // namespace
 
@@ -233,7 +382,7 @@ PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch&
                 b.solid = shell.solid;
                 b.shell = t.shell;
                 // One curve on a connected shell leaves one part on each side, whatever the shell's genus.
-                b.connected = shell.connected && shell.loops == 1;
+                b.connected = shell.connected && shell.loops == 1 && s.loops_are_all_curves();
                 s.bundles.push_back(b);
             }
         t.bundle = bundle + static_cast<Index>(t.side);
@@ -241,24 +390,98 @@ PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch&
         Bundle& b = s.bundles[t.bundle];
         b.connected = b.connected && b.shell == t.shell;
     }
-    for (const SolidCap& cap : s.solid_caps) {
-        const Index bundle = bundle_of(cap.solid);
-        for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) s.cap_bundle[t] = {bundle, bundle + 1};
-        for (Index i = bundle; i < bundle + 2; ++i) s.bundles[i].cap_count += static_cast<std::uint32_t>(cap.count);
-    }
     return plan;
 }
 
 PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::array<std::vector<Shell>, 2>& whole,
-                      const Components& components, CutScratch& scratch)
+                      CutScratch& s)
 {
+    std::array<PartsOfSide, 2> sides{PartsOfSide(universe, plane, Side::negative, whole[0], s),
+                                     PartsOfSide(universe, plane, Side::positive, whole[1], s)};
+    DisjointSets same(static_cast<std::uint32_t>(s.targets.size()));
+    if (s.irregular && s.targets.size() > 2 * s.cut_shells.size())
+        for (const auto& [a, b] : targets_that_share_edges(universe, s)) same.unite(a, b);
+    for (PartsOfSide& side : sides) side.list(same);
+    const PiecesOutline outline = outline_of(s, sides);
+    for (PartsOfSide& side : sides) side.measure();
+
+    std::array<SideParts, 2> input;
+    for (std::size_t at = 0; at < 2; ++at)
+        input[at] = {sides[at].parts(), [&parts = sides[at]](std::uint32_t part, const AxisRay& ray) {
+                         return parts.count_crossings(part, ray);
+                     }};
+    const std::array<std::vector<std::uint32_t>, 2> piece = group_pieces(plane, input, outline.points, outline.edges);
     PiecePlan plan;
-    for (const Side side : kSides) {
-        const auto at = static_cast<std::size_t>(side);
-        plan.fragment_count[at] =
-            SidePieces(universe, plane, side, whole[at], components, scratch).run(plan.whole_fragment[at]);
-    }
+    for (std::size_t at = 0; at < 2; ++at)
+        plan.fragment_count[at] = sides[at].make_bundles(piece[at], s, plan.whole_fragment[at]);
+    if (s.irregular) relink_outline(universe, s);
     return plan;
+}
+
+void group_loops(CutScratch& s)
+{
+    std::map<std::array<Index, 2>, Index> groups;
+    for (Loop& loop : s.loops)
+        loop.cap_group =
+            groups.try_emplace(s.bundles_of_seam(s.loop_seams[loop.first]), Index(groups.size())).first->second;
+}
+
+void hand_out_caps(CutScratch& s)
+{
+    std::vector<std::array<Index, 2>> bundles_of_group;
+    for (const Loop& loop : s.loops) {
+        if (loop.cap_group >= bundles_of_group.size()) bundles_of_group.resize(loop.cap_group + 1);
+        bundles_of_group[loop.cap_group] = s.bundles_of_seam(s.loop_seams[loop.first]);
+    }
+    s.cap_bundle.resize(s.caps.size());
+    for (const GroupCap& cap : s.group_caps) {
+        const std::array<Index, 2> bundles = bundles_of_group[cap.group];
+        for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) s.cap_bundle[t] = bundles;
+        for (const Index bundle : bundles) s.bundles[bundle].cap_count += static_cast<std::uint32_t>(cap.count);
+    }
+}
+
+void divide_bundles(CutScratch& s)
+{
+    const auto targets = static_cast<std::uint32_t>(s.targets.size()), caps = static_cast<std::uint32_t>(s.caps.size());
+    std::vector<std::uint32_t> targets_in(s.bundles.size(), 0);
+    for (const Target& t : s.targets) ++targets_in[t.bundle];
+    if (std::none_of(targets_in.begin(), targets_in.end(), [](std::uint32_t count) { return count > 1; })) return;
+
+    // Targets, then the caps of either side.
+    DisjointSets joined(targets + 2 * caps);
+    const auto cap_number = [&](Side side, Index t) { return targets + static_cast<std::uint32_t>(side) * caps + t; };
+    for (const Side side : kSides) {
+        for (std::uint32_t t = 0; t < caps; ++t)
+            for (const Index link : s.caps[t].link)
+                joined.unite(cap_number(side, t), (link & kSeamLink) == 0
+                                                      ? cap_number(side, link / 3)
+                                                      : s.target_of_seam(s.loop_seams[link - kSeamLink], side));
+        for (const auto& [a, b] : s.cancelled) joined.unite(s.target_of_seam(a, side), s.target_of_seam(b, side));
+    }
+    // The first target of a bundle keeps it together with all that is connected with it.
+    std::vector<Index> first(s.bundles.size(), kNone), bundle_of_set(targets, kNone);
+    for (Index t = 0; t < targets; ++t) {
+        const Index set = joined.find(t), old = s.targets[t].bundle;
+        if (first[old] == kNone) {
+            first[old] = t;
+            bundle_of_set[set] = old;
+        }
+        if (bundle_of_set[set] == kNone) {
+            bundle_of_set[set] = static_cast<Index>(s.bundles.size());
+            Bundle b = s.bundles[old];
+            b.cap_count = 0;
+            s.bundles.push_back(b);
+        }
+        s.targets[t].bundle = bundle_of_set[set];
+    }
+    for (const Side side : kSides)
+        for (std::uint32_t t = 0; t < caps; ++t) {
+            Index& bundle = s.cap_bundle[t][static_cast<std::size_t>(side)];
+            --s.bundles[bundle].cap_count;
+            bundle = bundle_of_set[joined.find(cap_number(side, t))];
+            ++s.bundles[bundle].cap_count;
+        }
 }
 
 }  // namespace kerf::halfedge

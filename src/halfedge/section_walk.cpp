@@ -9,6 +9,22 @@
 
 namespace kerf::halfedge {
 
+namespace {
+
+/// Notes what is special about a triangle whose cut points coincide with corners or with each other.
+void note_coincidences(const Universe& u, const Crossing& c, CutScratch& s)
+{
+    s.irregular = true;
+    for (const auto& [code, own] : {std::pair{c.split.next_code, TriangleSplit::kCutNext},
+                                    std::pair{c.split.previous_code, TriangleSplit::kCutPrevious}}) {
+        if (code == own) continue;
+        if (code >= 3 || c.distance[code] != 0.0) s.collapsed = true;
+        if (code < 3 && u.mesh.is_boundary(u.mesh.halfedge_of_vertex(c.point[code]))) s.meets_boundary = true;
+    }
+}
+
+}  // namespace
+
 void split_crossings(const Universe& u, CutScratch& s)
 {
     // What a triangle leads to is asked for some triangles ahead: its face, then its half-edges.
@@ -35,9 +51,12 @@ void split_crossings(const Universe& u, CutScratch& s)
             h = u.mesh.next(h);
         }
         if (c.split.next_code != TriangleSplit::kCutNext || c.split.previous_code != TriangleSplit::kCutPrevious)
-            s.irregular = true;
+            note_coincidences(u, c, s);
     }
     if (!s.in_plane.empty()) s.irregular = true;
+    for (const InPlaneEdge& e : s.in_plane)
+        for (const Index h : {e.negative_halfedge, e.positive_halfedge})
+            if (u.mesh.is_boundary(u.mesh.halfedge_of_vertex(u.mesh.to(h)))) s.meets_boundary = true;
 }
 
 namespace {

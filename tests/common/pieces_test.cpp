@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "common/cut_geometry.h"
 #include "common/shapes.h"
 
 namespace kerf {
@@ -16,6 +17,44 @@ int no_crossings(std::uint32_t, const AxisRay&)
 {
     ADD_FAILURE() << "nobody should have to count crossings";
     return 0;
+}
+
+using Pieces = std::vector<std::uint32_t>;
+
+/// A closed loop and the part that it bounds.
+struct Loop
+{
+    std::uint32_t part = 0;
+    std::vector<glm::vec3> points;
+};
+
+/// The pieces of `side`, where each solid is in one part on the other side. Loops share no points.
+Pieces pieces_of(const Plane& plane, Side side, const std::vector<SurfacePart>& parts, const std::vector<Loop>& loops,
+                 const CountCrossings& count_crossings)
+{
+    const auto at = static_cast<std::size_t>(side);
+    std::map<std::uint32_t, std::uint32_t> other_part;
+    std::vector<SurfacePart> other_parts;
+    std::vector<glm::vec3> points;
+    std::vector<OutlineEdge> outline;
+    for (const Loop& loop : loops) {
+        const std::uint32_t solid = parts[loop.part].solid;
+        const auto [entry, is_new] = other_part.try_emplace(solid, static_cast<std::uint32_t>(other_parts.size()));
+        if (is_new) other_parts.push_back({solid, true, false, {}, 0.0});
+        const auto first = static_cast<std::uint32_t>(points.size()),
+                   count = static_cast<std::uint32_t>(loop.points.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            points.push_back(loop.points[i]);
+            OutlineEdge edge{first + i, first + (i + 1) % count, {}};
+            edge.part[at] = loop.part;
+            edge.part[1 - at] = entry->second;
+            outline.push_back(edge);
+        }
+    }
+    std::array<SideParts, 2> sides;
+    sides[at] = {parts, count_crossings};
+    sides[1 - at] = {other_parts, no_crossings};
+    return group_pieces(plane, sides, points, outline)[at];
 }
 
 /// Loops of one section, each with a part of its own, drawn in the plane's frame: u to the right, v up.
@@ -28,10 +67,11 @@ public:
     std::uint32_t add(const std::vector<glm::dvec2>& points, std::uint32_t solid = 0)
     {
         const PlaneFrame frame = PlaneFrame::of(plane_.normal);
-        auto& loop = loops_.emplace_back();
+        Loop& loop = loops_.emplace_back();
+        loop.part = static_cast<std::uint32_t>(parts_.size());
         for (const glm::dvec2& p : points)
-            loop.push_back(glm::vec3(plane_.offset * plane_.normal + p.x * frame.u + p.y * frame.v));
-        parts_.push_back({solid, true, {}, 0.0});
+            loop.points.push_back(glm::vec3(plane_.offset * plane_.normal + p.x * frame.u + p.y * frame.v));
+        parts_.push_back({solid, true, false, {}, 0.0});
         return static_cast<std::uint32_t>(parts_.size() - 1);
     }
 
@@ -44,20 +84,16 @@ public:
 
     std::vector<std::uint32_t> pieces() const
     {
-        std::vector<PartLoop> loops;
-        for (std::uint32_t i = 0; i < loops_.size(); ++i) loops.push_back({i, loops_[i]});
-        const auto positive = group_pieces(plane_, Side::positive, parts_, loops, no_crossings);
-        EXPECT_EQ(positive, group_pieces(plane_, Side::negative, parts_, loops, no_crossings));
+        const Pieces positive = pieces_of(plane_, Side::positive, parts_, loops_, no_crossings);
+        EXPECT_EQ(positive, pieces_of(plane_, Side::negative, parts_, loops_, no_crossings));
         return positive;
     }
 
 private:
     Plane plane_;
     std::vector<SurfacePart> parts_;
-    std::vector<std::vector<glm::vec3>> loops_;
+    std::vector<Loop> loops_;
 };
-
-using Pieces = std::vector<std::uint32_t>;
 
 TEST(Pieces, AHoleJoinsTheOuterLoopAroundIt)
 {
@@ -117,8 +153,9 @@ TEST(Pieces, AHoleInTheBayOfAConcaveLoopIsNotInIt)
 
 TEST(Pieces, ASolidThatIsNotCutStaysOnePiece)
 {
-    const std::vector<SurfacePart> parts{{4, false, {}, 1.0}, {9, false, {}, 1.0}, {4, false, {}, -0.5}};
-    EXPECT_EQ(group_pieces({}, Side::positive, parts, {}, no_crossings), (Pieces{0, 1, 0}));
+    const std::vector<SurfacePart> parts{
+        {4, false, false, {}, 1.0}, {9, false, false, {}, 1.0}, {4, false, false, {}, -0.5}};
+    EXPECT_EQ(pieces_of({}, Side::positive, parts, {}, no_crossings), (Pieces{0, 1, 0}));
 }
 
 /// The outlines of nested regions: outer loops with holes with outer loops, turned and shifted at random.
@@ -211,25 +248,23 @@ public:
             if (p.z < 0 && q.z < 0 && r.z < 0) continue;
             triangles.push_back(inside_out ? std::array{p, r, q} : std::array{p, q, r});
         }
-        parts.push_back({0, is_cut, triangles.front()[0], inside_out ? -1.0 : 1.0});
+        parts.push_back({0, is_cut, false, triangles.front()[0], inside_out ? -1.0 : 1.0});
         if (is_cut) {
-            auto& loop = loop_points_.emplace_back();
+            Loop& loop = loops_.emplace_back();
+            loop.part = static_cast<std::uint32_t>(parts.size() - 1);
             const double r = std::sqrt(double(radius) * radius - double(centre.z) * centre.z);
             for (int i = 0; i < 60; ++i) {
                 const double angle = 6.283185307179586 / 60 * (inside_out ? -i : i);
-                loop.push_back(centre + glm::vec3(r * std::cos(angle), r * std::sin(angle), -centre.z));
+                loop.points.push_back(centre + glm::vec3(r * std::cos(angle), r * std::sin(angle), -centre.z));
             }
-            loop_parts_.push_back(static_cast<std::uint32_t>(parts.size() - 1));
         }
         return static_cast<std::uint32_t>(parts.size() - 1);
     }
 
     Pieces pieces() const
     {
-        std::vector<PartLoop> loops;
-        for (std::size_t i = 0; i < loop_parts_.size(); ++i) loops.push_back({loop_parts_[i], loop_points_[i]});
         const Plane plane{{0, 0, 1}, 0.0};
-        return group_pieces(plane, Side::positive, parts, loops, [&](std::uint32_t part, const AxisRay& ray) {
+        return pieces_of(plane, Side::positive, parts, loops_, [&](std::uint32_t part, const AxisRay& ray) {
             EXPECT_EQ(ray.axis, 2);
             EXPECT_TRUE(ray.ascending);
             int sum = 0;
@@ -242,8 +277,7 @@ public:
 
 private:
     std::vector<std::vector<std::array<glm::vec3, 3>>> triangles_;
-    std::vector<std::vector<glm::vec3>> loop_points_;
-    std::vector<std::uint32_t> loop_parts_;
+    std::vector<Loop> loops_;
 };
 
 TEST(Pieces, AWholeCavityJoinsThePieceItLiesIn)

@@ -274,10 +274,16 @@ TEST_P(CutProperties, FragmentsOfAChainOfCutsAddUpToTheWhole)
 // Pieces
 // ---------------------------------------------------------------------------------------------------------------
 
-/// The surface of a mesh as comparable triangles, taken apart by flooding over shared edges (point ids). A referee of
-/// its own: an ordered map of edges and relabelling until nothing changes. Where rounding has brought four triangles to
-/// one edge, it does not say which of them belong together, so neither does the referee.
-std::vector<std::vector<referee::SurfaceTriangle>> edge_components(const IndexedMesh& mesh)
+/// What hangs together by edges on one side of a plane.
+struct EdgeComponent
+{
+    std::vector<referee::SurfaceTriangle> surface;
+    bool is_flat = true;  ///< no vertex lies beyond the noise of the plane
+};
+
+/// A mesh taken apart by flooding over shared edges: pairs of point ids, however many triangles meet at them. A referee
+/// of its own: an ordered map of edges and relabelling until nothing changes.
+std::vector<EdgeComponent> edge_components(const IndexedMesh& mesh, const Plane& plane, double noise)
 {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> at_edge;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -290,7 +296,6 @@ std::vector<std::vector<referee::SurfaceTriangle>> edge_components(const Indexed
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& [edge, triangles] : at_edge) {
-            if (triangles.size() > 2) continue;
             std::size_t least = label[triangles.front()];
             for (const std::size_t t : triangles) least = std::min(least, label[t]);
             for (const std::size_t t : triangles) {
@@ -300,6 +305,7 @@ std::vector<std::vector<referee::SurfaceTriangle>> edge_components(const Indexed
         }
     }
     std::map<std::size_t, IndexedMesh> parts;
+    std::map<std::size_t, EdgeComponent> components;
     for (const TriangleGroup& group : mesh.groups)
         for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
             IndexedMesh& part = parts[label[t]];
@@ -313,10 +319,15 @@ std::vector<std::vector<referee::SurfaceTriangle>> edge_components(const Indexed
                 {static_cast<std::uint32_t>(part.triangles.size()), 1, group.material, group.solid, group.kind});
             part.triangles.push_back(mesh.triangles[t]);
             part.sources.push_back(mesh.sources[t]);
+            for (const std::uint32_t v : mesh.triangles[t])
+                if (std::abs(plane.signed_distance(mesh.vertices[v].position)) > noise)
+                    components[label[t]].is_flat = false;
         }
-    std::vector<std::vector<referee::SurfaceTriangle>> result;
-    for (const auto& [root, part] : parts) result.push_back(referee::canonical_surface(part));
-    std::sort(result.begin(), result.end());
+    std::vector<EdgeComponent> result;
+    for (const auto& [root, part] : parts) {
+        components[root].surface = referee::canonical_surface(part);
+        result.push_back(components[root]);
+    }
     return result;
 }
 
@@ -326,6 +337,29 @@ std::vector<std::vector<referee::SurfaceTriangle>> surfaces_of(const Fragments& 
     for (const auto& piece : pieces) result.push_back(referee::canonical_surface(piece->to_indexed_mesh()));
     std::sort(result.begin(), result.end());
     return result;
+}
+
+bool contains(const std::vector<referee::SurfaceTriangle>& whole, const std::vector<referee::SurfaceTriangle>& part)
+{
+    return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
+}
+
+/// Each piece holds one component; those that are flat are no pieces, but stay with one.
+void assert_pieces_are_components(const Fragments& pieces, const IndexedMesh& side, const Case& c)
+{
+    const auto homes = surfaces_of(pieces);
+    std::vector<std::size_t> held(homes.size(), 0);
+    std::size_t count = 0;
+    for (const EdgeComponent& component : edge_components(side, c.plane, c.noise())) {
+        count += component.surface.size();
+        const auto home =
+            std::find_if(homes.begin(), homes.end(), [&](const auto& h) { return contains(h, component.surface); });
+        RC_ASSERT(home != homes.end());
+        if (!component.is_flat) ++held[static_cast<std::size_t>(home - homes.begin())];
+    }
+    RC_ASSERT(held == std::vector<std::size_t>(homes.size(), 1));
+    for (const auto& home : homes) count -= home.size();
+    RC_ASSERT(count == 0u);
 }
 
 CutOptions in_pieces()
@@ -355,8 +389,8 @@ TEST_P(CutProperties, PiecesWithoutHolesAreWhatHangsTogetherByEdges)
         RC_ASSERT(pieces.status == sides.status);
         if (sides.status == Status::missed) return;
         RC_CLASSIFY(pieces.positive.size() + pieces.negative.size() > 2, "fell apart");
-        RC_ASSERT(surfaces_of(pieces.positive) == edge_components(sides.positive.front()->to_indexed_mesh()));
-        RC_ASSERT(surfaces_of(pieces.negative) == edge_components(sides.negative.front()->to_indexed_mesh()));
+        assert_pieces_are_components(pieces.positive, sides.positive.front()->to_indexed_mesh(), c);
+        assert_pieces_are_components(pieces.negative, sides.negative.front()->to_indexed_mesh(), c);
     }));
 }
 
@@ -376,12 +410,36 @@ TEST_P(CutProperties, PiecesAreClosedAndKeepTogetherWhatHangsTogether)
         for (const auto& [whole, parts] :
              {std::pair{&sides.positive, &pieces.positive}, {&sides.negative, &pieces.negative}}) {
             const auto homes = surfaces_of(*parts);
-            for (const auto& component : edge_components(whole->front()->to_indexed_mesh())) {
-                const bool has_home = std::any_of(homes.begin(), homes.end(), [&](const auto& home) {
-                    return std::includes(home.begin(), home.end(), component.begin(), component.end());
-                });
-                RC_ASSERT(has_home);
-            }
+            for (const auto& component : edge_components(whole->front()->to_indexed_mesh(), c.plane, c.noise()))
+                RC_ASSERT(std::any_of(homes.begin(), homes.end(),
+                                      [&](const auto& home) { return contains(home, component.surface); }));
+        }
+    }));
+}
+
+TEST_P(CutProperties, PiecesAreTheSameForEveryBackEnd)
+{
+    const auto first = test::backends().front().make();
+    EXPECT_TRUE(rc::check([&, this] {
+        const Case c = any_case();
+        RC_LOG() << "case: " << c.name << " seed " << c.seed;
+        // The pieces of pieces as well: both cut the same mesh, caps included.
+        Random random(c.seed);
+        std::vector<IndexedMesh> meshes{c.mesh};
+        Plane plane = c.plane;
+        for (int generation = 0; generation < 3; ++generation) {
+            const std::size_t chosen = below(static_cast<std::uint32_t>(meshes.size()));
+            const IndexedMesh mesh = meshes[chosen];
+            if (generation > 0) plane = some_plane(mesh, random);
+            const CutResult expected = cut(std::move(first->prepare(mesh).object), plane, in_pieces());
+            const CutResult result = cut(prepare(mesh), plane, in_pieces());
+            RC_ASSERT(result.status == expected.status);
+            if (result.status == Status::missed) return;
+            RC_ASSERT(surfaces_of(result.positive) == surfaces_of(expected.positive));
+            RC_ASSERT(surfaces_of(result.negative) == surfaces_of(expected.negative));
+            meshes.clear();
+            for (const Fragments* side : {&result.positive, &result.negative})
+                for (const auto& piece : *side) meshes.push_back(piece->to_indexed_mesh());
         }
     }));
 }

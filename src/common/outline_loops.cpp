@@ -1,0 +1,107 @@
+#include "common/outline_loops.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "common/cut_geometry.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Removes pairs of opposite edges. They bound the same part on either side: whatever has the same two points is joined
+/// by them.
+void cancel_opposite_edges(std::vector<OutlineEdge>& edges)
+{
+    std::sort(edges.begin(), edges.end(), [](const OutlineEdge& a, const OutlineEdge& b) {
+        return std::tuple(std::minmax(a.from, a.to), a.from, a.part) <
+               std::tuple(std::minmax(b.from, b.to), b.from, b.part);
+    });
+    std::size_t kept = 0;
+    for (std::size_t first = 0, last; first < edges.size(); first = last) {
+        const auto ends = std::minmax(edges[first].from, edges[first].to);
+        last = first;
+        while (last < edges.size() && std::minmax(edges[last].from, edges[last].to) == ends) ++last;
+        std::size_t middle = first;
+        while (middle < last && edges[middle].from == edges[first].from) ++middle;
+        const std::size_t forth = middle - first, back = last - middle, gone = std::min(forth, back);
+        for (std::size_t i = first + gone; i < middle; ++i) edges[kept++] = edges[i];
+        for (std::size_t i = middle + gone; i < last; ++i) edges[kept++] = edges[i];
+    }
+    edges.resize(kept);
+}
+
+}  // namespace
+
+SortedOutline::SortedOutline(std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
+    : edges_(edges.begin(), edges.end())
+{
+    std::vector<std::uint32_t> order(points.size()), rank(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        if (same_position(points[a], points[b])) return a < b;
+        return lexicographically_less(points[a], points[b]);
+    });
+    positions_.reserve(points.size());
+    for (const std::uint32_t point : order) {
+        rank[point] = static_cast<std::uint32_t>(positions_.size());
+        positions_.push_back(points[point]);
+    }
+    for (OutlineEdge& edge : edges_) {
+        edge.from = rank[edge.from];
+        edge.to = rank[edge.to];
+    }
+    std::erase_if(edges_, [](const OutlineEdge& edge) { return edge.from == edge.to; });
+    cancel_opposite_edges(edges_);
+    std::sort(edges_.begin(), edges_.end(), [](const OutlineEdge& a, const OutlineEdge& b) {
+        return std::tie(a.from, a.to, a.part) < std::tie(b.from, b.to, b.part);
+    });
+    row_.assign(positions_.size() + 1, 0);
+    for (const OutlineEdge& edge : edges_) ++row_[edge.from + 1];
+    for (std::size_t i = 1; i < row_.size(); ++i) row_[i] += row_[i - 1];
+}
+
+std::vector<OutlineLoop> SortedOutline::loops(std::size_t side) const
+{
+    std::vector<bool> is_used(edges_.size(), false);
+    const auto next_edge = [&](std::uint32_t point, std::uint32_t part) {
+        for (std::uint32_t i = row_[point]; i < row_[point + 1]; ++i)
+            if (!is_used[i] && edges_[i].part[side] == part) return i;
+        return kNone;
+    };
+
+    std::vector<OutlineLoop> loops;
+    std::vector<std::uint32_t> place(positions_.size(), kNone);  // where on the path a point's outgoing edge is
+    std::vector<std::uint32_t> path;
+    for (std::uint32_t first = 0; first < edges_.size(); ++first) {
+        if (is_used[first]) continue;
+        const std::uint32_t part = edges_[first].part[side];
+        path.clear();
+        for (std::uint32_t edge = first; edge != kNone;) {
+            is_used[edge] = true;
+            place[edges_[edge].from] = static_cast<std::uint32_t>(path.size());
+            path.push_back(edge);
+            const std::uint32_t to = edges_[edge].to;
+            if (place[to] != kNone) {
+                // Back at a point of the path: what lies between is a loop that visits no point twice.
+                OutlineLoop& loop = loops.emplace_back();
+                loop.part = part;
+                const std::size_t begin = place[to];
+                for (std::size_t i = begin; i < path.size(); ++i) {
+                    loop.points.push_back(edges_[path[i]].from);
+                    place[edges_[path[i]].from] = kNone;
+                }
+                path.resize(begin);
+            }
+            edge = next_edge(to, part);
+        }
+        for (const std::uint32_t edge : path) place[edges_[edge].from] = kNone;
+    }
+    return loops;
+}
+
+}  // namespace kerf
