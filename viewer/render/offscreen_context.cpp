@@ -44,7 +44,7 @@ EGLDisplay open_display()
 OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>())
 {
     impl_->display = open_display();
-    if (impl_->display == EGL_NO_DISPLAY) throw RenderError("there is no EGL display to draw on without a screen");
+    if (impl_->display == EGL_NO_DISPLAY) throw NoDisplay("there is no EGL display to draw on without a screen");
     eglBindAPI(EGL_OPENGL_API);
     constexpr std::array<EGLint, 9> kAttributes{EGL_CONTEXT_MAJOR_VERSION,
                                                 3,
@@ -58,7 +58,7 @@ OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>())
     impl_->context = eglCreateContext(impl_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes.data());
     if (impl_->context == EGL_NO_CONTEXT ||
         !eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context))
-        throw RenderError("there is no OpenGL 3.3 driver that draws without a screen");
+        throw NoDisplay("there is no OpenGL 3.3 driver that draws without a screen");
 }
 
 OffscreenContext::~OffscreenContext() = default;

@@ -10,7 +10,7 @@ namespace kerf::render {
 class OffscreenContext
 {
 public:
-    /// @throws RenderError  no EGL display, or it has no OpenGL 3.3
+    /// @throws NoDisplay  no EGL display, or it has no OpenGL 3.3
     OffscreenContext();
     ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;

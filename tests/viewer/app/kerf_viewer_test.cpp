@@ -1,0 +1,192 @@
+#include <stb_image.h>
+
+#include "tools/program.h"
+#include "viewer/app/virtual_display.h"
+
+// The program kerf-viewer as a user runs it.
+
+namespace kerf::test {
+
+using tools::expect_unusable;
+using tools::Json;
+using tools::Outcome;
+
+namespace {
+
+class KerfViewerTest : public tools::ProgramTest
+{
+protected:
+    /// Records ninety frames of swipes, which know where seed 3 throws its first models.
+    void write_swipes() const
+    {
+        report("--headless --autopilot --seed 3 --frames 90 --draw 0 --size 16x9 --save-script swipes.kerf");
+    }
+
+    Json report(const std::string& arguments, const std::string& before = "") const
+    {
+        const Outcome outcome = kerf(arguments, before);
+        EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        Json json = Json::parse(outcome.out, nullptr, false);
+        EXPECT_FALSE(json.is_discarded()) << outcome.out;
+        EXPECT_EQ(json["gl_errors"], 0) << json["gl_messages"];
+        return json;
+    }
+
+    struct Png
+    {
+        int width = 0, height = 0;
+        int colours = 0;  ///< different ones
+    };
+    Png read_png(const std::string& name) const
+    {
+        Png png;
+        int channels = 0;
+        stbi_uc* const pixels = stbi_load((folder_ / name).c_str(), &png.width, &png.height, &channels, 3);
+        if (pixels == nullptr) return png;
+        std::vector<int> colours;
+        for (int i = 0; i < png.width * png.height; ++i)
+            colours.push_back((pixels[3 * i] << 16) | (pixels[3 * i + 1] << 8) | pixels[3 * i + 2]);
+        stbi_image_free(pixels);
+        std::sort(colours.begin(), colours.end());
+        png.colours = static_cast<int>(std::unique(colours.begin(), colours.end()) - colours.begin());
+        return png;
+    }
+};
+
+}  // namespace
+
+TEST_F(KerfViewerTest, PlaysNinetyFramesOnBothBackEnds)
+{
+    write_swipes();
+    const Json json = report("--headless --backend halfedge,baseline --script swipes.kerf --frames 90 --size 640x360");
+    ASSERT_EQ(json["runs"].size(), 2u);
+    for (const Json& run : json["runs"]) {
+        EXPECT_EQ(run["ticks"], 180);
+        EXPECT_EQ(run["frame_ms"]["count"], 90);
+        ASSERT_GE(run["cuts"].size(), 2u);
+        for (const Json& cut : run["cuts"]) {
+            EXPECT_EQ(cut["status"], "cut");
+            EXPECT_GT(cut["crossing"], 0);
+            EXPECT_GE(cut["pieces"].size(), 2u);
+            EXPECT_GT(cut["bytes_uploaded"], 0);
+        }
+    }
+    EXPECT_EQ(json["runs"][0]["backend"], "halfedge");
+    EXPECT_EQ(json["runs"][1]["backend"], "baseline/hash");
+    // The same swipes meet the same object in the same frame and leave the same surface.
+    const Json &ours = json["runs"][0]["cuts"][0], &theirs = json["runs"][1]["cuts"][0];
+    for (const char* what : {"frame", "object", "crossing", "surface_hash"}) EXPECT_EQ(ours[what], theirs[what]);
+}
+
+TEST_F(KerfViewerTest, GivesTheSameStateTwice)
+{
+    write_swipes();
+    const std::string run = "--headless --script swipes.kerf --frames 90 --size 32x18 --draw 0 --backend ";
+    for (const std::string backend : {"halfedge", "baseline/remap"})
+        EXPECT_EQ(report(run + backend)["runs"][0]["state_hash"], report(run + backend)["runs"][0]["state_hash"]);
+}
+
+TEST_F(KerfViewerTest, SavesAScriptThatRepeatsTheRun)
+{
+    const std::string run = "--headless --frames 120 --size 32x18 --draw 0 ";
+    const Json played = report(run + "--autopilot --seed 5 --save-script played.kerf")["runs"][0];
+    const Json repeated = report(run + "--script played.kerf")["runs"][0];
+    EXPECT_GE(played["cuts"].size(), 2u);
+    EXPECT_EQ(repeated["seed"], 5);
+    EXPECT_EQ(repeated["state_hash"], played["state_hash"]);
+    EXPECT_EQ(repeated["cuts"].size(), played["cuts"].size());
+}
+
+TEST_F(KerfViewerTest, GivesTheSameStateInAWindow)
+{
+    write_swipes();
+    const VirtualDisplay display;
+    const std::string run = "--script swipes.kerf --frames 60 --size 320x180 ";
+    const Json in_window = report(run + "--screenshot window.png")["runs"][0];
+    const Json without = report(run + "--headless")["runs"][0];
+    EXPECT_EQ(in_window["state_hash"], without["state_hash"]);
+    EXPECT_GE(in_window["cuts"].size(), 1u);
+    EXPECT_EQ(read_png("window.png").width, 320);
+}
+
+TEST_F(KerfViewerTest, SaysThatThereIsNoDisplay)
+{
+    const Outcome outcome = kerf("", "unset DISPLAY WAYLAND_DISPLAY;");
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("no display"), std::string::npos) << outcome.err;
+}
+
+TEST_F(KerfViewerTest, WritesPicturesOfTheirSize)
+{
+    report(
+        "--headless --frames 3 --size 200x120 --screenshot last.png --record all --panel --keys --proxies --wireframe");
+    const Png last = read_png("last.png");
+    EXPECT_EQ(last.width, 200);
+    EXPECT_EQ(last.height, 120);
+    EXPECT_GT(last.colours, 100);
+    EXPECT_EQ(read_png("all/frame_00000.png").width, 200);
+    EXPECT_EQ(text_of("all/frame_00002.png"), text_of("last.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "all/frame_00003.png"));
+}
+
+TEST_F(KerfViewerTest, DrawsAPictureOfOnePixel)
+{
+    report("--headless --frames 2 --size 1x1 --panel --screenshot dot.png");
+    EXPECT_EQ(read_png("dot.png").width, 1);
+}
+
+TEST_F(KerfViewerTest, LightingsGiveDifferentPictures)
+{
+    const std::string run = "--headless --frames 50 --draw 0 --size 160x90 --seed 2 ";
+    report(run + "--lighting lambert --screenshot lambert.png");
+    report(run + "--lighting textured --screenshot textured.png");
+    EXPECT_NE(text_of("lambert.png"), text_of("textured.png"));
+}
+
+TEST_F(KerfViewerTest, ThrowsWhatItCanReadAndSaysWhatItCannot)
+{
+    write("broken.obj", "v 0 0 nonsense\n");
+    const Outcome outcome = kerf("--headless --frames 2 --size 32x18 broken.obj '" KERF_DATA_DIR "/models/cube.obj'");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("broken.obj"), std::string::npos) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["messages"].size(), 1u);
+    EXPECT_EQ(json["runs"][0]["bodies"], 1);
+}
+
+TEST_F(KerfViewerTest, NeedsOneModelAtLeast)
+{
+    expect_unusable(kerf("--headless --frames 2 nowhere.obj"), "nowhere.obj");
+}
+
+TEST_F(KerfViewerTest, RefusesBadScripts)
+{
+    write("bad.kerf", "kerf-script 1\n12 jump 0 0\n");
+    expect_unusable(kerf("--headless --script bad.kerf"), "bad.kerf:2");
+    expect_unusable(kerf("--headless --script none.kerf"), "none.kerf");
+}
+
+TEST_F(KerfViewerTest, LeavesNoHalfAPictureBehind)
+{
+    expect_unusable(kerf("--headless --frames 1 --size 16x9 --screenshot no/such/folder.png"), "no/such/folder.png");
+    EXPECT_TRUE(names_in_folder().empty());
+}
+
+TEST_F(KerfViewerTest, ExplainsWrongUse)
+{
+    for (const char* arguments : {"--size 12", "--size 0x5", "--backend magic", "--headless", "--frames -3", "--what",
+                                  "--backend halfedge,baseline --frames 3",
+                                  "--headless --frames 3 --backend halfedge,baseline --screenshot a.png"}) {
+        const Outcome outcome = kerf(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.error_lines(), 2) << arguments << ": " << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    }
+    EXPECT_EQ(kerf("--help").status, 0);
+    EXPECT_EQ(kerf("--version").status, 0);
+}
+
+}  // namespace kerf::test

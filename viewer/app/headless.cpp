@@ -1,0 +1,137 @@
+#include "viewer/app/headless.h"
+
+#include <iostream>
+#include <optional>
+
+#include "common/cpu_stopwatch.h"
+#include "common/stopwatch.h"
+#include "viewer/app/autopilot.h"
+#include "viewer/app/exit_status.h"
+#include "viewer/app/painter.h"
+#include "viewer/app/panel.h"
+#include "viewer/app/run_report.h"
+#include "viewer/app/session.h"
+#include "viewer/app/user_interface.h"
+#include "viewer/render/offscreen_context.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Frames until a second after the last input: time to see what it did.
+std::int64_t frames_of(const Options& options, const sim::Script& script)
+{
+    if (options.frames > 0) return options.frames;
+    const sim::Microseconds end = script.events.empty() ? 0 : script.events.back().time;
+    return sim::tick_of(end + 1'000'000) / sim::kTicksPerFrame;
+}
+
+/// One run with one back end.
+class HeadlessRun
+{
+public:
+    HeadlessRun(const Options& options, const Session& session, const std::string& backend)
+        : options_(options),
+          frames_(frames_of(options, session.script)),
+          simulation_(session.models, with_backend(session.settings, backend)),
+          painter_(options.width, options.height),
+          autopilot_(session.settings.seed)
+    {
+        if (!options.record.empty()) recording_.emplace(options.record);
+        if (options.view.panel || options.view.help) interface_.emplace(options.view.ui_scale);
+        simulation_.push(session.script.events);
+    }
+
+    Json play()
+    {
+        for (std::int64_t frame = 0; frame < frames_; ++frame) {
+            Stopwatch whole, simulate;
+            if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
+            simulation_.advance(sim::kTicksPerFrame);
+            times_.simulate_ms.push_back(simulate.lap());
+            if (std::string message = simulation_.take_message(); !message.empty())
+                std::cerr << "kerf-viewer: " << message << "\n";
+
+            CpuStopwatch submit;
+            painter_.sync(simulation_);
+            if (wants_picture(frame)) {
+                painter_.paint(simulation_, options_.view);
+                times_.submit_cpu_ms.push_back(1e3 * submit.lap());
+                finish_picture(frame);
+                times_.frame_ms.push_back(whole.lap());
+                statistics_.add(times_.frame_ms.back());
+            }
+        }
+        if (!options_.save_script.empty()) sim::write_script(options_.save_script, simulation_.recording());
+        return report_of(simulation_, painter_.world(), times_);
+    }
+
+private:
+    static sim::Settings with_backend(sim::Settings settings, const std::string& backend)
+    {
+        settings.backend = backend;
+        settings.hash_surfaces = true;
+        return settings;
+    }
+
+    bool is_last(std::int64_t frame) const { return frame + 1 == frames_; }
+
+    bool wants_picture(std::int64_t frame) const
+    {
+        if (recording_ || (is_last(frame) && !options_.screenshot.empty())) return true;
+        return options_.draw_every > 0 && frame % options_.draw_every == 0;
+    }
+
+    void finish_picture(std::int64_t frame)
+    {
+        if (interface_) {
+            PanelState state{simulation_, painter_, statistics_, options_.view, {}};
+            state.simulation_ms = times_.simulate_ms.back();
+            interface_->begin(options_.width, options_.height, 1.0 / 60.0);
+            show_panel(state);
+            interface_->draw();
+        }
+        glFinish();
+        if (recording_) recording_->add(painter_.target().read());
+        if (is_last(frame) && !options_.screenshot.empty())
+            render::write_png(options_.screenshot, painter_.target().read());
+    }
+
+    Options options_;
+    std::int64_t frames_;
+    sim::Simulation simulation_;
+    Painter painter_;
+    Autopilot autopilot_;
+    std::optional<render::Recording> recording_;
+    std::optional<UserInterface> interface_;
+    FrameStatistics statistics_;
+    FrameTimes times_;
+};
+
+}  // namespace
+
+int run_headless(const Options& options)
+{
+    const Session session = open_session(options);
+    for (const std::string& message : session.messages) std::cerr << "kerf-viewer: " << message << "\n";
+    const render::OffscreenContext context;
+    render::GlErrorLog errors;
+
+    std::vector<std::string> backends = options.backends;
+    if (backends.empty()) backends.push_back(session.settings.backend);
+    Json runs = Json::array();
+    for (const std::string& backend : backends) runs.push_back(HeadlessRun(options, session, backend).play());
+
+    errors.check();
+    const Json report{{"version", KERF_VERSION},      {"graphics", render::describe_current_context()},
+                      {"width", options.width},       {"height", options.height},
+                      {"gl_errors", errors.count()},  {"gl_messages", errors.messages()},
+                      {"messages", session.messages}, {"runs", std::move(runs)}};
+    std::cout << report.dump(2) << "\n";
+    for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
+    return errors.count() == 0 ? kDone : kUnusable;
+}
+
+}  // namespace kerf::app

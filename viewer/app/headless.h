@@ -1,0 +1,12 @@
+#pragma once
+
+#include "viewer/app/options.h"
+
+namespace kerf::app {
+
+/// Plays without a window: fixed steps, two ticks a frame. Prints a report as JSON on standard output, messages on
+/// standard error. Gives the exit status: kUnusable when the graphics driver complained.
+/// @throws io::FileError, render::RenderError, std::invalid_argument
+int run_headless(const Options& options);
+
+}  // namespace kerf::app

@@ -1,0 +1,113 @@
+#include "viewer/app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <map>
+
+#include "viewer/app/exit_status.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/proxy_names.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// "1280x720".
+bool parse_size(const std::string& text, int& width, int& height)
+{
+    char rest = 0;
+    constexpr int kMost = 16384;
+    return std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 &&
+           width <= kMost && height <= kMost;
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::vector<std::string> proxy_names()
+{
+    std::vector<std::string> names;
+    for (const ProxyKind kind : sim::kProxyKinds) names.emplace_back(name_of(kind));
+    return names;
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, char** argv)
+{
+    Options options;
+    options.data_folder = KERF_DATA_DIR;
+    std::string size, lighting;
+    bool no_panel = false, panel = false, no_vsync = false;
+
+    CLI::App program("Throws models and lets you cut them with the mouse, with either back end.", "kerf-viewer");
+    program.set_version_flag("--version", "kerf-viewer " KERF_VERSION);
+    program.add_option("FILE", options.files, "models to throw (default: the report's fifteen)");
+    program.add_option("--data", options.data_folder, "folder that holds models/")->type_name("DIR");
+    program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(sim::scene_names()));
+    program
+        .add_option("--backend", options.backends,
+                    "what cuts: " + joined(sim::backend_names()) + "; several with --headless, one run each")
+        ->delimiter(',')
+        ->type_name("NAME");
+    program.add_option("--proxy", options.proxy, "what stands for pieces in the physics engine")
+        ->check(CLI::IsMember(proxy_names()));
+    program.add_option("--seed", options.seed, "of everything that looks random")->type_name("N");
+    program.add_option("--script", options.script, "play recorded input")->type_name("FILE");
+    program.add_option("--save-script", options.save_script, "save the input of this run")->type_name("FILE");
+    program.add_flag("--autopilot", options.autopilot, "let the program swipe");
+    program.add_flag("--headless", options.headless, "no window: fixed steps, results as JSON");
+    program.add_option("--frames", options.frames, "frames of 1/60 s to run (0: to the script's end)")
+        ->check(CLI::NonNegativeNumber);
+    program.add_option("--draw", options.draw_every, "with --headless: draw every N-th frame; 0: only a screenshot")
+        ->check(CLI::NonNegativeNumber);
+    program.add_option("--size", size, "of the picture or window in pixels")->type_name("WxH");
+    program.add_option("--screenshot", options.screenshot, "write the last frame as PNG")->type_name("FILE");
+    program.add_option("--record", options.record, "write all frames as PNG into a folder")->type_name("DIR");
+    program.add_option("--lighting", lighting, "how surfaces are shaded")
+        ->check(CLI::IsMember({"lambert", "textured"}));
+    program.add_flag("--wireframe", options.view.wireframe, "show the triangles");
+    program.add_flag("--proxies", options.view.proxies, "show the collision proxies");
+    program.add_flag("--panel", panel, "show the panel in pictures of --headless");
+    program.add_flag("--no-panel", no_panel, "start without the panel");
+    program.add_flag("--keys", options.view.help, "show the list of keys");
+    program.add_option("--ui-scale", options.view.ui_scale, "size of texts (default: the screen's)")
+        ->check(CLI::Range(0.5, 8.0));
+    program.add_flag("--fullscreen", options.fullscreen, "start on the whole screen");
+    program.add_flag("--no-vsync", no_vsync, "do not wait for the screen");
+    program.footer("Exit status: 0 done, 1 a file cannot be used or a GL error happened, 2 wrong use, 3 no display.");
+
+    try {
+        program.parse(argc, argv);
+        if (!size.empty() && !parse_size(size, options.width, options.height))
+            throw CLI::ValidationError("--size", "'" + size + "' is no size like 1280x720");
+        for (std::string& name : options.backends) {
+            const std::string found = sim::find_backend(name);
+            if (found.empty()) throw CLI::ValidationError("--backend", "there is no back end '" + name + "'");
+            name = found;
+        }
+        if (options.backends.size() > 1 && !options.headless)
+            throw CLI::ValidationError("--backend", "several need --headless");
+        const bool has_output = !options.screenshot.empty() || !options.record.empty() || !options.save_script.empty();
+        if (options.backends.size() > 1 && has_output)
+            throw CLI::ValidationError("--backend", "several cannot share one file for pictures or script");
+        if (options.headless && options.frames == 0 && options.script.empty())
+            throw CLI::ValidationError("--headless", "needs --frames or --script");
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+            return {std::nullopt, program.exit(error)};
+        std::cerr << "kerf-viewer: " << error.what() << "\nRun kerf-viewer --help for more.\n";
+        return {std::nullopt, kWrongUse};
+    }
+    if (lighting == "lambert") options.view.lighting = render::Lighting::lambert;
+    options.vsync = !no_vsync;
+    options.view.panel = options.headless ? panel : !no_panel;
+    return {options, kDone};
+}
+
+}  // namespace kerf::app

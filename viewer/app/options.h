@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/app/view_settings.h"
+#include "viewer/sim/simulation.h"
+
+namespace kerf::app {
+
+/// The command line of kerf-viewer.
+struct Options
+{
+    std::vector<std::filesystem::path> files;  ///< models to throw; empty: the report's fifteen
+    std::filesystem::path data_folder;         ///< where `models/` lies
+    std::string scene;                         ///< empty: the script's, or "report"
+    std::vector<std::string> backends;         ///< several: one run each, without a screen only
+    std::string proxy;                         ///< empty: the script's, or the default
+    std::optional<std::uint64_t> seed;         ///< none: the script's, or 1
+    std::filesystem::path script;              ///< input to play
+    std::filesystem::path save_script;         ///< where to put what was played
+    bool autopilot = false;
+
+    bool headless = false;
+    std::int64_t frames = 0;  ///< 0: without a screen as long as the script, with one until the window is closed
+    int draw_every = 1;       ///< without a screen: pictures; 0: only the last, when somebody wants to see it
+    int width = 1280, height = 720;
+    std::filesystem::path screenshot;  ///< of the last frame
+    std::filesystem::path record;      ///< folder for all frames
+
+    ViewSettings view;
+    bool vsync = true;
+    bool fullscreen = false;
+};
+
+/// What parsing a command line led to: options, or an exit status when everything is said already.
+struct ParsedOptions
+{
+    std::optional<Options> options;
+    int exit_status = 0;
+};
+
+/// Prints help, version or what is wrong.
+ParsedOptions parse_options(int argc, char** argv);
+
+}  // namespace kerf::app

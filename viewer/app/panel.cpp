@@ -1,0 +1,227 @@
+#include "viewer/app/panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "viewer/app/keys.h"
+#include "viewer/app/run_report.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/proxy_names.h"
+
+namespace kerf::app {
+
+namespace {
+
+constexpr int kCutsShown = 7;
+const ImVec4 kAccent(0.98f, 0.70f, 0.40f, 1.0f);
+
+/// 12345678 -> "11.8 MB".
+std::string bytes_text(std::uint64_t bytes)
+{
+    std::array<char, 32> text{};
+    if (bytes < 10'000)
+        std::snprintf(text.data(), text.size(), "%llu B", static_cast<unsigned long long>(bytes));
+    else if (bytes < 10'000'000)
+        std::snprintf(text.data(), text.size(), "%.1f kB", 1e-3 * double(bytes));
+    else
+        std::snprintf(text.data(), text.size(), "%.1f MB", 1e-6 * double(bytes));
+    return text.data();
+}
+
+void heading(const char* text)
+{
+    ImGui::Spacing();
+    ImGui::TextColored(kAccent, "%s", text);
+    ImGui::Separator();
+}
+
+void show_frames(PanelState& state)
+{
+    FrameStatistics& frames = state.frames;
+    const double mean = frames.mean();
+    ImGui::Text("%.1f ms", frames.last());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%.0f frames/s", mean > 0.0 ? 1000.0 / mean : 0.0);
+    ImGui::SameLine();
+    ImGui::TextDisabled("   min %.1f   max %.1f", frames.least(), frames.most());
+    const float top = std::max(20.0f, static_cast<float>(1.15 * frames.most()));
+    ImGui::PlotLines("##frames", frames.values(), static_cast<int>(frames.size()),
+                     frames.size() == FrameStatistics::kShown ? static_cast<int>(frames.offset()) : 0, nullptr, 0.0f,
+                     top, ImVec2(ImGui::GetContentRegionAvail().x, 2.6f * ImGui::GetTextLineHeight()));
+    ImGui::Text("worst since reset  %.1f ms", frames.worst_since_reset());
+    ImGui::SameLine();
+    if (ImGui::SmallButton("reset")) frames.reset_worst();
+    ImGui::TextDisabled("simulation %.2f ms   %zu pieces   %llu draws of %llu ranges", state.simulation_ms,
+                        state.simulation.bodies().size(),
+                        static_cast<unsigned long long>(state.painter.statistics().calls),
+                        static_cast<unsigned long long>(state.painter.statistics().ranges));
+    ImGui::TextDisabled("on the card %s", bytes_text(state.painter.world().store().bytes_held()).c_str());
+}
+
+void show_choices(PanelState& state)
+{
+    const float wide = 11.5f * ImGui::GetFontSize();
+    ImGui::SetNextItemWidth(wide);
+    if (ImGui::BeginCombo("back end", state.simulation.backend().c_str())) {
+        for (const std::string& name : sim::backend_names())
+            if (ImGui::Selectable(name.c_str(), name == state.simulation.backend()))
+                state.commands.push_back("backend " + name);
+        ImGui::EndCombo();
+    }
+    ImGui::SetNextItemWidth(wide);
+    const std::string shown(name_of(state.simulation.proxy()));
+    if (ImGui::BeginCombo("proxy", shown.c_str())) {
+        for (const ProxyKind kind : sim::kProxyKinds) {
+            const std::string name(name_of(kind));
+            if (ImGui::Selectable(name.c_str(), kind == state.simulation.proxy()))
+                state.commands.push_back("proxy " + name);
+        }
+        ImGui::EndCombo();
+    }
+    bool textured = state.view.lighting == render::Lighting::textured;
+    if (ImGui::Checkbox("textured", &textured))
+        state.view.lighting = textured ? render::Lighting::textured : render::Lighting::lambert;
+    ImGui::SameLine();
+    ImGui::Checkbox("edges", &state.view.wireframe);
+    ImGui::SameLine();
+    ImGui::Checkbox("proxies", &state.view.proxies);
+}
+
+void show_phases(const sim::CutRecord& cut)
+{
+    const double total = std::max(cut.statistics.phases.total(), 1e-6);
+    for (std::size_t i = 0; i < kPhaseCount; ++i) {
+        const double ms = cut.statistics.phases.ms[i];
+        if (ms <= 0.0) continue;
+        std::array<char, 48> label{};
+        std::snprintf(label.data(), label.size(), "%.3f ms", ms);
+        ImGui::ProgressBar(static_cast<float>(ms / total), ImVec2(9.0f * ImGui::GetFontSize(), 0.0f), label.data());
+        ImGui::SameLine();
+        const std::string name(name_of(static_cast<Phase>(i)));
+        ImGui::TextUnformatted(name.c_str());
+    }
+}
+
+void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelShelf& models)
+{
+    ImGui::Text("%s", models.model(cut.model).name.c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s, %s", cut.backend.c_str(), std::string(name_of(cut.status)).c_str());
+    ImGui::Text("%llu triangles, %llu crossing, %llu loops", static_cast<unsigned long long>(cut.statistics.triangles),
+                static_cast<unsigned long long>(cut.statistics.crossing_triangles),
+                static_cast<unsigned long long>(cut.statistics.section_loops));
+    show_phases(cut);
+    ImGui::Text("cut %.3f ms   proxies %.3f ms", cut.cut_ms, cut.proxy_ms);
+    ImGui::Text("uploaded %s   swipe to upload %.3f ms", bytes_text(upload.bytes).c_str(),
+                cut_to_upload_ms(cut, upload));
+}
+
+void show_table(const sim::Simulation& simulation, const DrawnWorld& world)
+{
+    const auto& cuts = simulation.cuts();
+    const auto& uploads = world.cut_uploads();
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+    if (!ImGui::BeginTable("cuts", 6, kFlags)) return;
+    for (const char* title : {"model", "triangles", "k", "cut ms", "proxy ms", "upload"})
+        ImGui::TableSetupColumn(title);
+    ImGui::TableHeadersRow();
+    int shown = 0;
+    for (std::size_t i = std::min(cuts.size(), uploads.size()); i-- > 0 && shown < kCutsShown; ++shown) {
+        const sim::CutRecord& cut = cuts[i];
+        ImGui::TableNextRow();
+        const auto cell = [](const std::string& text) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(text.c_str());
+        };
+        const auto number = [](double value) {
+            std::array<char, 32> text{};
+            std::snprintf(text.data(), text.size(), "%.3f", value);
+            return std::string(text.data());
+        };
+        cell(simulation.models().model(cut.model).name);
+        cell(std::to_string(cut.statistics.triangles));
+        cell(std::to_string(cut.statistics.crossing_triangles));
+        cell(number(cut.cut_ms));
+        cell(number(cut.proxy_ms));
+        cell(bytes_text(uploads[i].bytes));
+    }
+    ImGui::EndTable();
+}
+
+void show_main(PanelState& state)
+{
+    const float margin = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(27.0f * ImGui::GetFontSize(), 0.0f));
+    ImGui::Begin("Kerf", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoScrollbar);
+    ImGui::TextColored(kAccent, "Kerf");
+    ImGui::SameLine();
+    ImGui::TextDisabled("drag to cut    H: keys    Tab: hide");
+    if (state.paused || state.slow_motion) {
+        ImGui::SameLine();
+        ImGui::TextColored(kAccent, "%s", state.paused ? "  paused" : "  slow motion");
+    }
+    show_choices(state);
+    heading("Frames");
+    show_frames(state);
+    const auto& cuts = state.simulation.cuts();
+    const auto& uploads = state.painter.world().cut_uploads();
+    if (!cuts.empty() && uploads.size() == cuts.size()) {
+        heading("Last cut");
+        show_cut(cuts.back(), uploads.back(), state.simulation.models());
+        heading("Cuts");
+        show_table(state.simulation, state.painter.world());
+    }
+    ImGui::End();
+}
+
+constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
+                                      ImGuiWindowFlags_NoSavedSettings;
+
+void show_keys()
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, 0.5f * size.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowBgAlpha(0.92f);
+    ImGui::Begin("Keys", nullptr, kOverlay);
+    ImGui::TextColored(kAccent, "Keys");
+    ImGui::Separator();
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const KeyBinding& binding : kKeyBindings) {
+            ImGui::TableNextColumn();
+            ImGui::TextColored(kAccent, "%s", binding.key);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(binding.description);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("Drag with the left mouse button to cut.");
+    ImGui::End();
+}
+
+void show_message(const std::string& message)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, size.y - ImGui::GetFontSize()), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+    ImGui::Begin("Message", nullptr, kOverlay);
+    ImGui::TextUnformatted(message.c_str());
+    ImGui::End();
+}
+
+}  // namespace
+
+void show_panel(PanelState& state)
+{
+    if (state.view.panel) show_main(state);
+    if (state.view.help) show_keys();
+    if (!state.message.empty()) show_message(state.message);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,287 @@
+#include "viewer/app/player.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+#include "common/cpu_stopwatch.h"
+#include "common/stopwatch.h"
+#include "viewer/app/exit_status.h"
+#include "viewer/app/panel.h"
+#include "viewer/render/offscreen_context.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/camera.h"
+#include "viewer/sim/proxy_names.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kMessageTime{6};
+
+sim::Settings recorded(sim::Settings settings)
+{
+    settings.hash_surfaces = false;
+    return settings;
+}
+
+bool is_baseline(const std::string& backend)
+{
+    return backend.starts_with("baseline");
+}
+
+/// The element after `current`, round and round.
+template <typename Range, typename Value>
+auto next_of(const Range& range, const Value& current)
+{
+    auto found = std::find(std::begin(range), std::end(range), current);
+    if (found != std::end(range)) ++found;
+    return found == std::end(range) ? *std::begin(range) : *found;
+}
+
+}  // namespace
+
+Player::Player(const Options& options, const Session& session)
+    : options_(options),
+      window_(options.width, options.height, options.fullscreen, "Kerf"),
+      painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
+      interface_(options.view.ui_scale * window_.content_scale(), window_.handle()),
+      simulation_(session.models, recorded(session.settings)),
+      autopilot_(session.settings.seed)
+{
+    window_.set_vsync(options.vsync);
+    if (!options.record.empty()) recording_.emplace(options.record);
+    simulation_.push(session.script.events);
+    if (!session.messages.empty()) say(session.messages.front());
+}
+
+bool Player::frame()
+{
+    window_.poll();
+    if (window_.should_close()) return false;
+    pause_without_focus();
+    take_input();
+    simulate();
+    if (const glm::ivec2 size = window_.framebuffer_size(); size.x > 0 && size.y > 0) show();
+    errors_.check();
+    ++frame_;
+    const bool is_last = fixed_step() && frame_ >= options_.frames;
+    if (is_last && !options_.screenshot.empty()) save_picture(options_.screenshot);
+    return !is_last;
+}
+
+void Player::pause_without_focus()
+{
+    const bool has_focus = window_.has_focus();
+    if (!fixed_step() && had_focus_ && !has_focus && !clock_.paused()) {
+        clock_.set_paused(true);
+        paused_by_focus_ = true;
+    }
+    if (has_focus && paused_by_focus_) {
+        clock_.set_paused(false);
+        paused_by_focus_ = false;
+    }
+    had_focus_ = has_focus;
+}
+
+void Player::take_input()
+{
+    for (const KeyAction action : window_.take_keys())
+        if (!interface_.wants_keyboard()) act(action);
+    const glm::dvec2 size(window_.size());
+    if (size.x < 1.0 || size.y < 1.0) return;
+    const sim::Camera camera(size.x / size.y);
+    for (const WindowPointer& change : window_.take_pointer()) {
+        using Kind = sim::PointerChange::Kind;
+        const bool is_press = change.kind == WindowPointer::Kind::press;
+        if (is_press && (interface_.wants_mouse() || clock_.paused())) continue;
+        const Kind kind = is_press                                   ? Kind::press
+                          : change.kind == WindowPointer::Kind::move ? Kind::move
+                                                                     : Kind::release;
+        pointer_.push_back({kind, camera.screen_to_stage(change.position, size)});
+    }
+}
+
+void Player::simulate()
+{
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
+    if (frame_ > 0) statistics_.add(1e3 * seconds);
+    const sim::Tick ticks = fixed_step() ? sim::kTicksPerFrame : clock_.advance(seconds);
+    Stopwatch watch;
+    if (ticks > 0) {
+        if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
+        const sim::Microseconds end = sim::time_of(simulation_.now() + ticks);
+        simulation_.push(sampler_.frame(simulation_.time(), end, pointer_));
+        pointer_.clear();
+        simulation_.advance(ticks);
+    }
+    simulate_ms_ = watch.lap();
+    times_.simulate_ms.push_back(simulate_ms_);
+    if (std::string message = simulation_.take_message(); !message.empty()) say(std::move(message));
+}
+
+void Player::show()
+{
+    Stopwatch whole;
+    CpuStopwatch submit;
+    const glm::ivec2 pixels = window_.framebuffer_size();
+    painter_.resize(pixels.x, pixels.y);
+    painter_.sync(simulation_);
+    painter_.paint(simulation_, options_.view, fixed_step() ? 1.0 : clock_.fraction());
+    times_.submit_cpu_ms.push_back(1e3 * submit.lap());
+
+    if (Clock::now() > message_until_) message_.clear();
+    PanelState state{simulation_, painter_, statistics_, options_.view, message_};
+    state.simulation_ms = simulate_ms_;
+    state.paused = clock_.paused();
+    state.slow_motion = clock_.slow_motion();
+    interface_.begin();
+    show_panel(state);
+    interface_.draw();
+    for (const std::string& command : state.commands) simulation_.command(command);
+
+    if (recording_) recording_->add(painter_.target().read());
+    painter_.target().show(pixels.x, pixels.y);
+    window_.swap();
+    times_.frame_ms.push_back(whole.lap());
+}
+
+void Player::act(KeyAction action)
+{
+    switch (action) {
+        case KeyAction::next_backend:
+            switch_backend();
+            break;
+        case KeyAction::next_lookup:
+            switch_lookup();
+            break;
+        case KeyAction::next_proxy:
+            switch_proxy();
+            break;
+        case KeyAction::wireframe:
+            options_.view.wireframe = !options_.view.wireframe;
+            break;
+        case KeyAction::proxies:
+            options_.view.proxies = !options_.view.proxies;
+            break;
+        case KeyAction::lighting:
+            options_.view.lighting = options_.view.lighting == render::Lighting::textured ? render::Lighting::lambert
+                                                                                          : render::Lighting::textured;
+            break;
+        case KeyAction::gesture:
+            simulation_.command("gesture " + std::string(name_of(simulation_.blade().gesture() == sim::Gesture::blade
+                                                                     ? sim::Gesture::segment
+                                                                     : sim::Gesture::blade)));
+            break;
+        case KeyAction::pause:
+            clock_.set_paused(!clock_.paused());
+            break;
+        case KeyAction::single_step:
+            clock_.step_once();
+            break;
+        case KeyAction::slow_motion:
+            clock_.set_slow_motion(!clock_.slow_motion());
+            break;
+        case KeyAction::repeat_throw:
+            simulation_.command("repeat");
+            break;
+        case KeyAction::next_throw:
+            simulation_.command("throw");
+            break;
+        case KeyAction::panel:
+            options_.view.panel = !options_.view.panel;
+            break;
+        case KeyAction::help:
+            options_.view.help = !options_.view.help;
+            break;
+        case KeyAction::screenshot: {
+            std::array<char, 32> name{};
+            std::snprintf(name.data(), name.size(), "kerf_%03d.png", pictures_++);
+            save_picture(name.data());
+            break;
+        }
+        case KeyAction::fullscreen:
+            window_.set_fullscreen(!window_.fullscreen());
+            break;
+        case KeyAction::vsync:
+            window_.set_vsync(!window_.vsync());
+            say(window_.vsync() ? "frames wait for the screen" : "frames do not wait for the screen");
+            break;
+        case KeyAction::quit:
+            window_.close();
+            break;
+    }
+}
+
+void Player::switch_backend()
+{
+    const std::string& current = simulation_.backend();
+    if (is_baseline(current)) last_baseline_ = current;
+    const auto& names = sim::backend_names();
+    const auto other = std::find_if(names.begin(), names.end(), [](const auto& name) { return !is_baseline(name); });
+    const std::string wanted = !is_baseline(current) || other == names.end() ? last_baseline_ : *other;
+    simulation_.command("backend " + wanted);
+    say("the next throw is cut by " + sim::find_backend(wanted));
+}
+
+void Player::switch_lookup()
+{
+    std::vector<std::string> lookups;
+    for (const std::string& name : sim::backend_names())
+        if (is_baseline(name)) lookups.push_back(name);
+    const std::string wanted = next_of(lookups, simulation_.backend());
+    simulation_.command("backend " + wanted);
+    say("the next throw is cut by " + wanted);
+}
+
+void Player::switch_proxy()
+{
+    const std::string wanted(name_of(next_of(sim::kProxyKinds, simulation_.proxy())));
+    simulation_.command("proxy " + wanted);
+    say("the next throw collides as " + wanted);
+}
+
+void Player::say(std::string message)
+{
+    message_ = std::move(message);
+    message_until_ = Clock::now() + kMessageTime;
+}
+
+void Player::save_picture(const std::filesystem::path& path)
+{
+    try {
+        render::write_png(path, painter_.target().read());
+        say("saved " + path.string());
+    } catch (const io::FileError& error) {
+        // Nobody loses a game over a full disk.
+        if (fixed_step()) throw;
+        say(error.what());
+    }
+}
+
+int run_player(const Options& options)
+{
+    const Session session = open_session(options);
+    for (const std::string& message : session.messages) std::cerr << "kerf-viewer: " << message << "\n";
+    Player player(options, session);
+    while (player.frame()) {
+    }
+    if (!options.save_script.empty()) sim::write_script(options.save_script, player.simulation().recording());
+    const render::GlErrorLog& errors = player.errors();
+    for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
+    if (options.frames > 0) {
+        const nlohmann::ordered_json report{
+            {"version", KERF_VERSION},      {"graphics", render::describe_current_context()},
+            {"gl_errors", errors.count()},  {"gl_messages", errors.messages()},
+            {"messages", session.messages}, {"runs", nlohmann::ordered_json::array({player.report()})}};
+        std::cout << report.dump(2) << "\n";
+    }
+    return errors.count() == 0 ? kDone : kUnusable;
+}
+
+}  // namespace kerf::app

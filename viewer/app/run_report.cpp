@@ -1,0 +1,95 @@
+#include "viewer/app/run_report.h"
+
+#include <array>
+#include <cstdio>
+
+namespace kerf::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string hexadecimal(std::uint64_t word)
+{
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(word));
+    return text.data();
+}
+
+Json json_of(const TimeSummary& s)
+{
+    return {{"count", s.count}, {"min", s.least}, {"median", s.median},
+            {"mean", s.mean},   {"p99", s.p99},   {"max", s.most}};
+}
+
+Json json_of(const sim::PieceRecord& piece)
+{
+    return {{"id", piece.id},
+            {"side", piece.positive ? "positive" : "negative"},
+            {"mass_kg", piece.mass},
+            {"triangles", piece.triangles},
+            {"surface_hash", hexadecimal(piece.surface_hash)}};
+}
+
+Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelShelf& models)
+{
+    Json pieces = Json::array(), phases = Json::object();
+    for (const sim::PieceRecord& piece : cut.pieces) pieces.push_back(json_of(piece));
+    for (std::size_t i = 0; i < kPhaseCount; ++i)
+        if (cut.statistics.phases.ms[i] > 0.0)
+            phases[std::string(name_of(static_cast<Phase>(i)))] = cut.statistics.phases.ms[i];
+    return {{"number", cut.number},
+            {"frame", cut.frame()},
+            {"object", cut.object},
+            {"model", models.model(cut.model).name},
+            {"backend", cut.backend},
+            {"status", name_of(cut.status)},
+            {"triangles", cut.statistics.triangles},
+            {"crossing", cut.statistics.crossing_triangles},
+            {"loops", cut.statistics.section_loops},
+            {"surface_hash", hexadecimal(cut.surface_hash)},
+            {"pieces", std::move(pieces)},
+            {"bytes_to_upload", cut.statistics.bytes_to_upload},
+            {"bytes_uploaded", upload.bytes},
+            {"cut_ms", cut.cut_ms},
+            {"phases_ms", std::move(phases)},
+            {"proxy_ms", cut.proxy_ms},
+            {"bodies_ms", cut.bodies_ms},
+            {"upload_cpu_ms", upload.cpu_ms},
+            {"cut_to_upload_cpu_ms", cut_to_upload_ms(cut, upload)}};
+}
+
+}  // namespace
+
+double cut_to_upload_ms(const sim::CutRecord& cut, const CutUpload& upload)
+{
+    return cut.cpu_ms + upload.cpu_ms;
+}
+
+nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnWorld& world, const FrameTimes& times)
+{
+    Json cuts = Json::array();
+    std::vector<double> to_upload;
+    for (std::size_t i = 0; i < simulation.cuts().size(); ++i) {
+        const sim::CutRecord& cut = simulation.cuts()[i];
+        const CutUpload& upload = world.cut_uploads()[i];
+        cuts.push_back(json_of(cut, upload, simulation.models()));
+        if (!cut.pieces.empty()) to_upload.push_back(cut_to_upload_ms(cut, upload));
+    }
+    return {{"scene", simulation.scene().name()},
+            {"backend", simulation.backend()},
+            {"proxy", name_of(simulation.proxy())},
+            {"seed", simulation.settings().seed},
+            {"ticks", simulation.now()},
+            {"bodies", simulation.bodies().size()},
+            {"state_hash", hexadecimal(simulation.state_hash())},
+            {"cut_to_upload_cpu_ms", json_of(summary_of(std::move(to_upload)))},
+            {"simulate_ms", json_of(summary_of(times.simulate_ms))},
+            {"submit_cpu_ms", json_of(summary_of(times.submit_cpu_ms))},
+            {"frame_ms", json_of(summary_of(times.frame_ms))},
+            {"bytes_uploaded", world.store().bytes_uploaded()},
+            {"bytes_on_card", world.store().bytes_held()},
+            {"cuts", std::move(cuts)}};
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "viewer/app/drawn_world.h"
+#include "viewer/app/frame_statistics.h"
+#include "viewer/render/gl_error_log.h"
+#include "viewer/sim/simulation.h"
+
+namespace kerf::app {
+
+/// Times of a run's frames.
+struct FrameTimes
+{
+    std::vector<double> simulate_ms;    ///< ticks with their cuts, wall clock
+    std::vector<double> submit_cpu_ms;  ///< uploads and the commands of a picture, time of this thread on a processor
+    std::vector<double> frame_ms;       ///< the whole frame until the picture is finished, wall clock
+};
+
+/// Everything about one run: what it was, the state hash, the cut log, times. Hashes are hexadecimal text.
+nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnWorld& world, const FrameTimes& times);
+
+/// Milliseconds of one cut from the hit to the last byte uploaded, on this thread's processor time.
+double cut_to_upload_ms(const sim::CutRecord& cut, const CutUpload& upload);
+
+}  // namespace kerf::app

@@ -1,0 +1,44 @@
+#include "viewer/app/session.h"
+
+#include "common/io/mesh_file.h"
+#include "viewer/sim/proxy_names.h"
+
+namespace kerf::app {
+
+namespace {
+
+const std::string& first_said(const std::string& by_command_line, const std::string& by_script,
+                              const std::string& otherwise)
+{
+    if (!by_command_line.empty()) return by_command_line;
+    return by_script.empty() ? otherwise : by_script;
+}
+
+}  // namespace
+
+Session open_session(const Options& options)
+{
+    Session session;
+    session.models = std::make_shared<sim::ModelShelf>();
+    if (options.files.empty()) session.models->add_report_models(options.data_folder / "models");
+    for (const std::filesystem::path& file : options.files) {
+        try {
+            session.models->add_file(file);
+        } catch (const io::FileError& error) {
+            session.messages.emplace_back(error.what());
+        }
+    }
+    if (session.models->empty()) throw io::FileError(session.messages.front());
+
+    if (!options.script.empty()) session.script = sim::read_script(options.script);
+    sim::Settings& settings = session.settings;
+    settings.scene = first_said(options.scene, session.script.scene, settings.scene);
+    settings.backend =
+        first_said(options.backends.empty() ? std::string() : options.backends.front(), session.script.backend, {});
+    if (const auto kind = sim::find_proxy(first_said(options.proxy, session.script.proxy, {}))) settings.proxy = *kind;
+    settings.seed = options.seed.value_or(session.script.seed.value_or(settings.seed));
+    settings.record = !options.save_script.empty();
+    return session;
+}
+
+}  // namespace kerf::app

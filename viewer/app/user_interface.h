@@ -1,0 +1,33 @@
+#pragma once
+
+struct GLFWwindow;
+
+namespace kerf::app {
+
+/// Dear ImGui over the picture: with a window, or without one for pictures. One at a time; needs a current GL context.
+class UserInterface
+{
+public:
+    /// @param scale   of texts and spacing; 1 at 96 dots per inch
+    /// @param window  gets call-backs for mouse and keyboard, before which its own must be set; null: nobody types
+    explicit UserInterface(float scale, GLFWwindow* window = nullptr);
+    ~UserInterface();
+    UserInterface(const UserInterface&) = delete;
+    UserInterface& operator=(const UserInterface&) = delete;
+
+    /// Starts a frame of the window.
+    void begin();
+    /// Starts a frame of so many pixels.
+    void begin(int width, int height, double seconds);
+    /// Draws what was shown since begin() into the current framebuffer.
+    void draw();
+
+    /// The pointer is on a panel: it does not cut.
+    bool wants_mouse() const;
+    bool wants_keyboard() const;
+
+private:
+    GLFWwindow* window_;
+};
+
+}  // namespace kerf::app
