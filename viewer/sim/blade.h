@@ -71,6 +71,8 @@ public:
     /// Oldest first, at most kTrail before `now`: for drawing. With the gesture `segment` press point and pointer.
     std::vector<TrailPoint> trail(Microseconds now) const;
 
+    /// Points that are kept: bounded by time, however long a swipe lasts.
+    std::size_t remembered() const { return path_.size() + corners_.size(); }
     void hash(StateHash& hash) const;
 
 private:

@@ -1,0 +1,124 @@
+#include "viewer/sim/script.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "common/shapes/random.h"
+
+namespace kerf::sim {
+namespace {
+
+Script parse(const std::string& text)
+{
+    std::istringstream in(text);
+    return read_script(in, "test.script");
+}
+
+std::string complaint(const std::string& text)
+{
+    try {
+        parse(text);
+    } catch (const io::FileError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Script, ReadsWhatItsDocumentationShows)
+{
+    const Script script = parse(
+        "# a comment\n\nkerf-script 1\nscene report\nbackend baseline/hash\nproxy box\nseed 42\n"
+        "250000 press -1.5 0.25\n258333 move -1.25 0.25\r\n400000 release 1.5 0.25\n900000 command backend halfedge\n");
+    EXPECT_EQ(script.scene, "report");
+    EXPECT_EQ(script.backend, "baseline/hash");
+    EXPECT_EQ(script.proxy, "box");
+    EXPECT_EQ(script.seed, 42u);
+    ASSERT_EQ(script.events.size(), 4u);
+    EXPECT_EQ(script.events[0], (InputEvent{250'000, InputKind::press, {-1.5, 0.25}, ""}));
+    EXPECT_EQ(script.events[2].kind, InputKind::release);
+    EXPECT_EQ(script.events[3], (InputEvent{900'000, InputKind::command, {}, "backend halfedge"}));
+}
+
+RC_GTEST_PROP(Script, WhatIsWrittenReadsBackBitForBit, ())
+{
+    shapes::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+    Script script;
+    script.scene = "report";
+    script.seed = random.next();
+    Microseconds time = 0;
+    for (std::uint32_t i = random.below(40); i > 0; --i) {
+        InputEvent event;
+        event.time = time += random.below(100'000);
+        event.kind = InputKind(random.below(4));
+        if (event.kind == InputKind::command) {
+            event.text = "throw rook";
+        } else {
+            event.position = {20 * random.unit() - 10, (random.unit() - 0.5) * 1e-12};
+        }
+        script.events.push_back(event);
+    }
+    std::stringstream text;
+    write_script(text, script);
+    RC_ASSERT(read_script(text, "test") == script);
+}
+
+TEST(Script, EveryMistakeIsNamedWithFileAndLine)
+{
+    const struct
+    {
+        const char* text;
+        const char* expected;
+    } cases[] = {
+        {"", "test.script:0: this is no script"},
+        {"hello\n", "test.script:1: this is no script"},
+        {"kerf-script\n", "test.script:1: this is no script"},
+        {"kerf-script 1 2\n", "test.script:1: this is no script"},
+        {"kerf-script 2\n", "test.script:1: script version 2 is not known"},
+        {"kerf-script 1\nspeed 3\n", "test.script:2: 'speed' is not known"},
+        {"kerf-script 1\nseed\n", "test.script:2: 'seed' needs a value"},
+        {"kerf-script 1\nseed -3\n", "test.script:2: '-3' is no seed"},
+        {"kerf-script 1\nseed 99999999999999999999999\n", "is no seed"},
+        {"kerf-script 1\n10 press 1 2\nseed 3\n", "test.script:3: 'seed' must come before the first event"},
+        {"kerf-script 1\n10 jump 1 2\n", "test.script:2: 'jump' is not known"},
+        {"kerf-script 1\n10\n", "test.script:2: '' is not known"},
+        {"kerf-script 1\n10 press 1\n", "test.script:2: '' is no place"},
+        {"kerf-script 1\n10 press 1 nan\n", "test.script:2: 'nan' is no place"},
+        {"kerf-script 1\n10 press 1 inf\n", "test.script:2: 'inf' is no place"},
+        {"kerf-script 1\n10 press 1 2 3\n", "test.script:2: 'press' takes two numbers"},
+        {"kerf-script 1\n1.5 press 1 2\n", "test.script:2: '1.5' is no time"},
+        {"kerf-script 1\n99999999999999999999 press 1 2\n", "is no time"},
+        {"kerf-script 1\n\n# x\n20 press 1 2\n10 move 1 2\n", "test.script:5: time goes backwards"},
+        {"kerf-script 1\n10 command\n", "test.script:2: 'command' needs a text"},
+    };
+    for (const auto& [text, expected] : cases) {
+        const std::string said = complaint(text);
+        EXPECT_NE(said.find(expected), std::string::npos) << "for\n" << text << "it says: " << said;
+    }
+}
+
+TEST(Script, AFileThatIsNoneIsSaidToBe)
+{
+    EXPECT_THROW(read_script(std::filesystem::path("/nowhere/at/all.script")), io::FileError);
+    EXPECT_THROW(read_script(std::filesystem::temp_directory_path()), io::FileError);
+    EXPECT_THROW(write_script(std::filesystem::path("/nowhere/at/all.script"), Script{}), io::FileError);
+}
+
+TEST(Script, AFileReadsBack)
+{
+    const auto path = std::filesystem::temp_directory_path() / "kerf-script-test.script";
+    Script script;
+    script.scene = "report";
+    script.events.push_back({5, InputKind::press, {0.1, -0.2}, ""});
+    write_script(path, script);
+    EXPECT_EQ(read_script(path), script);
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace kerf::sim
