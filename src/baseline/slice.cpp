@@ -324,6 +324,8 @@ private:
     {
         slices_.status = slices_.statistics.open_chains == 0 ? Status::cut : Status::open_section;
         slices_.statistics.crossing_triangles = crossings_.triangles.size();
+        for (const CrossingTriangle& c : crossings_.triangles)
+            if (mesh_.groups[c.group].kind == TriangleKind::surface) ++slices_.statistics.crossing_surface;
         // A vertex may be left without a triangle where cut points fell on corners or on one another: a piece vanished.
         const bool some_snapped =
             std::any_of(crossings_.triangles.begin(), crossings_.triangles.end(), [](const CrossingTriangle& c) {

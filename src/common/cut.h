@@ -64,6 +64,7 @@ struct CutStatistics
 {
     std::uint64_t triangles = 0;           ///< of the object before the cut
     std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
+    std::uint64_t crossing_surface = 0;    ///< those of them that are no caps: the same number for every back end
     std::uint64_t section_loops = 0;       ///< closed loops of the section
     std::uint64_t open_chains = 0;         ///< section polylines that end at the boundary of an open mesh
     std::uint64_t nodes_visited = 0;       ///< tree nodes looked at

@@ -124,6 +124,8 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     clock.done(Phase::rebuild);
 
     statistics.crossing_triangles = s.crossings.size();
+    for (const Crossing& c : s.crossings)
+        if (u.groups[c.group].kind == TriangleKind::surface) ++statistics.crossing_surface;
     statistics.triangles_touched = s.entries.size() + s.triangles_read + 2 * s.crossings.size() + 2 * s.caps.size();
     statistics.bytes_to_upload =
         s.rebuilder->new_vertices() * sizeof(Vertex) + s.rebuilder->new_slots() * sizeof(Triangle);

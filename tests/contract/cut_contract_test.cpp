@@ -149,6 +149,20 @@ TEST_P(CutContract, SurfaceTrianglesAreThoseOfTheFirstBackEndBitForBit)
     }
 }
 
+TEST_P(CutContract, CrossingSurfaceIsTheSameAfterEarlierCutsAlthoughCapsDiffer)
+{
+    const auto reference = test::backends().front().make();
+    const IndexedMesh mesh = test::closed_shape("torus");
+    const Plane first = *Plane::through({0.05, 0.02, 0.01}, {1, 0.2, 0.3}),
+                second = *Plane::through({0, 0, 0}, {0.1, 0.2, 1});
+    CutResult a = cut(prepare(mesh), first), b = cut(std::move(reference->prepare(mesh).object), first);
+    EXPECT_EQ(a.statistics.crossing_surface, a.statistics.crossing_triangles) << "there was no cap yet";
+    a = cut(std::move(a.positive.front()), second);
+    b = cut(std::move(b.positive.front()), second);
+    EXPECT_EQ(a.statistics.crossing_surface, b.statistics.crossing_surface);
+    EXPECT_LT(a.statistics.crossing_surface, a.statistics.crossing_triangles) << "the cap is crossed as well";
+}
+
 TEST_P(CutContract, TheSameCutGivesTheSameBytes)
 {
     for (const NamedMesh& shape : closed_shapes()) {
