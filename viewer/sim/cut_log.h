@@ -28,7 +28,7 @@ struct CutRecord
     std::uint32_t swipe = 0;
     std::string backend;
     Status status = Status::missed;
-    CutStatistics statistics;  ///< `crossing_triangles` is k
+    CutStatistics statistics;  ///< `crossing_surface` is the k that back ends agree on
     std::vector<PieceRecord> pieces;
     std::uint64_t surface_hash = 0;  ///< over all pieces, by side; 0 when not asked for
     glm::dvec3 normal{0.0};          ///< of the plane, world axes, towards the positive side

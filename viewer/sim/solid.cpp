@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "common/plane.h"
+
 namespace kerf::sim {
 namespace {
 
@@ -31,10 +33,13 @@ Solid box_solid(const Box& bounds, double scale)
     return solid;
 }
 
-bool inside(const glm::dvec3& p, const Box& box)
+/// The centre of mass of a sliver may lie outside its box by the rounding of its vertices.
+bool about_inside(const glm::dvec3& p, const Box& box)
 {
-    const glm::dvec3 lo(box.lo), hi(box.hi);
-    return p.x >= lo.x && p.y >= lo.y && p.z >= lo.z && p.x <= hi.x && p.y <= hi.y && p.z <= hi.z;
+    const double slack = plane_noise(box.largest_coordinate());
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(p[axis] >= double(box.lo[axis]) - slack && p[axis] <= double(box.hi[axis]) + slack)) return false;
+    return true;
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ Solid solid_of(const MassProperties& properties, const Box& bounds, double scale
     if (bounds.empty()) return box_solid(bounds, scale);
     const glm::dvec3 side = glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo);
     const double least = kLeastVolumeShare * side.x * side.y * side.z;
-    if (!(properties.volume > least) || !inside(properties.centre, bounds)) return box_solid(bounds, scale);
+    if (!(properties.volume > least) || !about_inside(properties.centre, bounds)) return box_solid(bounds, scale);
 
     Solid solid;
     solid.mass = kDensity * properties.volume * scale * scale * scale;
