@@ -11,6 +11,9 @@ namespace kerf::bench {
 void register_model_benchmarks();
 void register_scale_benchmarks();
 void register_chain_benchmarks();
+#ifdef KERF_HAS_VIEWER
+void register_sim_benchmarks();
+#endif
 }  // namespace kerf::bench
 
 int main(int argc, char** argv)
@@ -25,6 +28,9 @@ int main(int argc, char** argv)
         kerf::bench::register_model_benchmarks();
         kerf::bench::register_scale_benchmarks();
         kerf::bench::register_chain_benchmarks();
+#ifdef KERF_HAS_VIEWER
+        kerf::bench::register_sim_benchmarks();
+#endif
         benchmark::Initialize(&argc, argv);
         if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
         benchmark::RunSpecifiedBenchmarks();
