@@ -242,11 +242,13 @@ def print_crossing_costs(table):
 
 def print_chains(table):
     rows = [[name.split("/", 1)[1], milliseconds(c["cut_ms"][0]), milliseconds(c["worst_cut_ms"][0]),
-             f"{c['ns_per_crossing'][0]:.0f}", f"{c['most_draw_ranges'][0]:.0f}"]
+             f"{c['ns_per_crossing'][0]:.0f}", f"{c['worst_to_predicted'][0]:.2f}", f"{c['most_draw_ranges'][0]:.0f}"]
             for name, c in table.items() if name.startswith("Recut/")]
     if rows:
-        print("A chain of 100 cuts, always the largest piece through its centre of mass: ms per cut, draw ranges of a piece.\n")
-        print_table(["", "mean cut", "worst cut", "ns per crossing triangle", "most ranges"], rows)
+        print("A chain of 100 cuts, always the largest piece through its centre of mass: ms per cut, draw ranges of a piece.")
+        print("\"worst to predicted\": the cut that costs the most compared with what its crossing triangles predict, by a line through")
+        print("all cuts of the chain; each cut is the median of five chains.\n")
+        print_table(["", "mean cut", "worst cut", "ns per crossing triangle", "worst to predicted", "most ranges"], rows)
     rows = [[name.split("/", 1)[1], milliseconds(c["real_time"][0]), f"{c['ns_per_triangle'][0]:.0f}",
              f"{c['bytes_per_triangle'][0]:.0f}"]
             for name, c in table.items() if name.startswith("Prepare/") and "bytes_per_triangle" in c]
