@@ -4,9 +4,11 @@
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
@@ -138,11 +140,14 @@ void recut(benchmark::State& state, const Backend& backend, const std::string& s
     state.counters["most_draw_ranges"] = double(chain.most_ranges);
 }
 
-/// Bytes that the program has allocated and not freed.
-double allocated_bytes()
+/// Bytes of memory that the program has, what it has freed given back first. Addresses without memory don't count.
+double resident_bytes()
 {
-    const struct mallinfo2 info = mallinfo2();
-    return double(info.uordblks) + double(info.hblkhd);
+    malloc_trim(0);
+    std::ifstream statm("/proc/self/statm");
+    double pages = 0.0, resident = 0.0;
+    statm >> pages >> resident;
+    return resident * double(sysconf(_SC_PAGESIZE));
 }
 
 void prepare_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
@@ -157,14 +162,14 @@ void prepare_shape(benchmark::State& state, const Backend& backend, const std::s
     }
     double seconds = 0.0, bytes = 0.0;
     for (auto _ : state) {
-        const double before = allocated_bytes();
+        const double before = resident_bytes();
         IndexedMesh copy = mesh;
         CpuStopwatch watch;
         PrepareResult result = backend.prepare(std::move(copy));
         const double iteration = watch.lap();
         copy = {};
         if (!result.object) return state.SkipWithError(result.reason.c_str());
-        bytes = allocated_bytes() - before;
+        bytes = resident_bytes() - before;
         state.SetIterationTime(iteration);
         seconds += iteration;
     }

@@ -6,8 +6,8 @@
 namespace kerf::halfedge {
 
 CapPlanner::CapPlanner()
-    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_constrained_triangulator(),
-            make_untangling_triangulator(), make_topological_triangulator()}
+    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_untangling_triangulator(),
+            make_topological_triangulator()}
 {
 }
 
@@ -96,8 +96,9 @@ void CapPlanner::connect(Index a, Index b, CutScratch& scratch)
     const bool a_is_seam = (a & kSeamLink) != 0, b_is_seam = (b & kSeamLink) != 0;
     if (!a_is_seam) scratch.caps[a / 3].link[a % 3] = b;
     if (!b_is_seam) scratch.caps[b / 3].link[b % 3] = a;
-    if (a_is_seam && b_is_seam)
-        scratch.cancelled.push_back({scratch.loop_seams[a - kSeamLink], scratch.loop_seams[b - kSeamLink]});
+    if (!a_is_seam || !b_is_seam) return;
+    scratch.cancelled.push_back({scratch.loop_seams[a - kSeamLink], scratch.loop_seams[b - kSeamLink]});
+    for (const SeamIndex seam : scratch.cancelled.back()) scratch.share_ends(seam);
 }
 
 void CapPlanner::close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch)
@@ -145,7 +146,7 @@ void CapPlanner::take_over(CutScratch& scratch)
             connect(edge, (link & kSeamLink) != 0 ? edge_[link - kSeamLink] : offset + link, scratch);
         }
     for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b], scratch);
-    scratch.caps_merge_points |= mesh_.merged_points;
+    for (const Index i : mesh_.shared_points) scratch.share_point(global_[i]);
 }
 
 void CapPlanner::order_spatially(const GroupCap& cap, CutScratch& scratch)

@@ -134,7 +134,6 @@ private:
             } else {
                 return;
             }
-            cap.merged_points = true;
         }
     }
 
@@ -145,7 +144,6 @@ private:
         while (ring_.size() >= 3 && at(ring_[ring_.size() - 3]) == at(ring_.back())) {
             const Index a = ring_[ring_.size() - 3], b = ring_[ring_.size() - 2], c = ring_.back();
             cap.cancelled.push_back({a, b});
-            cap.merged_points = true;
             ring_.resize(ring_.size() - 3);
             ring_.push_back(c);
         }

@@ -27,14 +27,15 @@ struct CapMesh
     std::vector<CapTriangle> triangles;
     /// Seams that run forth and back over the same edge with no cap between them.
     std::vector<std::array<Index, 2>> cancelled;
-    /// Points with equal positions were taken for one, so corners don't name the right one of them.
-    bool merged_points = false;
+    /// Points of which corners are named for another one at the same position, or that have corners which don't hang
+    /// together: what a corner belongs to only its neighbours say.
+    std::vector<Index> shared_points;
 
     void clear()
     {
         triangles.clear();
         cancelled.clear();
-        merged_points = false;
+        shared_points.clear();
     }
 };
 

@@ -76,7 +76,8 @@ private:
                 v->info() = i;
             } else {
                 if (outline.positions[v->info()] != outline.positions[i]) return false;
-                cap.merged_points = true;
+                cap.shared_points.push_back(v->info());
+                cap.shared_points.push_back(i);
             }
             vertices_[i] = v;
             hint = v->face();
@@ -166,6 +167,8 @@ private:
             if (winding != 0) {
                 f->info().first = static_cast<Index>(cap.triangles.size());
                 const Index a = f->vertex(0)->info(), b = f->vertex(1)->info(), c = f->vertex(2)->info();
+                if (winding != 1)
+                    for (const Index i : {a, b, c}) cap.shared_points.push_back(i);
                 for (int copy = 0; copy < std::abs(winding); ++copy)
                     if (winding > 0)
                         cap.triangles.push_back({{a, b, c}, {kNone, kNone, kNone}});
@@ -228,7 +231,6 @@ private:
         if (!b_is_seam) cap.triangles[b / 3].link[b % 3] = a;
         if (a_is_seam && b_is_seam) {
             cap.cancelled.push_back({a - kSeamLink, b - kSeamLink});
-            cap.merged_points = true;
         }
     }
 

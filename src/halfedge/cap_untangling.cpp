@@ -10,9 +10,12 @@
 // Cut points are rounded to float, so a section that comes near to itself may touch or cross itself by a unit in the
 // last place: a point lies in another edge, two edges cross beside a point. Such an edge is led over the point: a
 // triangle without (much) area is put on it, and its two other edges take its place in the outline. What is left has no
-// point inside an edge and no crossings, and a constrained triangulation does the rest. The idea is that of snap
+// point inside an edge and no crossings. The idea is that of snap
 // rounding (Hobby 1999, "Practical segment intersection with finite precision output"), with the outline's own points
 // in the place of pixels: no tolerance is needed, because only edges that do meet are touched, and no point is added.
+//
+// A loop that comes back to a point falls apart there. If all parts run counter-clockwise each is covered on its own,
+// which is quick; holes need the constrained triangulation.
 
 namespace kerf::halfedge {
 
@@ -20,6 +23,9 @@ namespace {
 
 /// Rounds after which an outline is given up. Rounding errors are gone after one or two.
 constexpr int kMostRounds = 32;
+/// What parts may cover that run clockwise, as a share of all others: such a part is no hole but a loop that rounding
+/// has turned over, and turning its cover over as well costs less than anyone asks for.
+constexpr double kTurnedShare = 1e-8;
 /// Work that an outline of n points may cost before it is given up, per round and in all: a section with so many
 /// meetings crosses itself in earnest.
 constexpr std::size_t kMostPairs = 64, kMostEdges = 4, kSmallOutline = 1024;
@@ -38,9 +44,15 @@ public:
         cap.clear();
         start(outline);
         for (int round = 0; round < kMostRounds; ++round) {
-            if (!find_meetings() || edges_.size() > kMostEdges * outline.points.size() + kSmallOutline) return false;
-            if (leads_.empty()) return triangulate_untangled(outline, cap);
-            lead_over(cap);
+            // Many edges side by side are no reason to give up as long as none has been seen to meet another.
+            if (!find_meetings()) return round == 0 && cover_with(*constrained_, outline, cap);
+            if (edges_.size() > kMostEdges * outline.points.size() + kSmallOutline) return false;
+            if (!leads_.empty()) {
+                lead_over(cap);
+                continue;
+            }
+            name_shared_points(cap);
+            return cover_parts(outline, cap) || cover_with(*constrained_, outline, cap);
         }
         return false;
     }
@@ -200,29 +212,119 @@ private:
         edges_.swap(next_edges_);
     }
 
-    bool triangulate_untangled(const CapOutline& outline, CapMesh& cap)
+    void name_shared_points(CapMesh& cap)
+    {
+        visits_.assign(places_.size(), 0);
+        for (const Edge& e : edges_) ++visits_[e.from];
+        for (Index i = 0; i < places_.size(); ++i)
+            if (visits_[first_at_[i]] > 1) cap.shared_points.push_back(i);
+    }
+
+    /// Covers each part of the outline on its own. False, and nothing is covered, when one of them is a hole or too
+    /// difficult.
+    bool cover_parts(const CapOutline& outline, CapMesh& cap)
+    {
+        split_into_parts(outline);
+        double upright = 0.0, turned = 0.0;
+        for (std::size_t part = 0; part + 1 < part_starts_.size(); ++part) {
+            const double area = area_of_part(part);
+            (area > 0.0 ? upright : turned) += std::abs(area);
+        }
+        if (turned > kTurnedShare * upright) return false;
+        const std::size_t triangles = cap.triangles.size(), cancelled = cap.cancelled.size();
+        for (std::size_t part = 0; part + 1 < part_starts_.size(); ++part) {
+            const std::span<const Edge> edges(parts_.data() + part_starts_[part],
+                                              part_starts_[part + 1] - part_starts_[part]);
+            const std::array<Index, 2> ends{0, static_cast<Index>(edges.size())};
+            set_points(edges, outline);
+            // A mirrored loop runs the other way round, and the cover's edges run as the loop's all the same.
+            if (area_of_part(part) < 0.0)
+                for (glm::dvec2& p : points_) std::swap(p.x, p.y);
+            const CapOutline loop{points_, positions_, ends};
+            if (!convex_->triangulate(loop, inner_) && !clipping_->triangulate(loop, inner_)) {
+                cap.triangles.resize(triangles);
+                cap.cancelled.resize(cancelled);
+                return false;
+            }
+            take_over(edges, cap);
+        }
+        for (const auto& [a, b] : folds_) connect(a, b, cap);
+        return true;
+    }
+
+    /// Fills `parts_` with the loops that the outline falls into where it comes back to a point, and `folds_` with the
+    /// edges that run forth and straight back.
+    void split_into_parts(const CapOutline& outline)
+    {
+        parts_.clear();
+        part_starts_.assign(1, 0);
+        folds_.clear();
+        on_path_.assign(outline.points.size(), kNone);
+        for (std::size_t loop = 0; loop + 1 < starts_.size(); ++loop) {
+            path_.clear();
+            for (Index e = starts_[loop]; e < starts_[loop + 1]; ++e) {
+                on_path_[edges_[e].from] = static_cast<Index>(path_.size());
+                path_.push_back(edges_[e]);
+                const Index first = on_path_[edges_[e].to];
+                if (first == kNone) continue;
+                for (std::size_t i = first; i < path_.size(); ++i) on_path_[path_[i].from] = kNone;
+                if (path_.size() - first == 2) {
+                    folds_.push_back({path_[first].link, path_[first + 1].link});
+                } else {
+                    parts_.insert(parts_.end(), path_.begin() + first, path_.end());
+                    part_starts_.push_back(static_cast<Index>(parts_.size()));
+                }
+                path_.resize(first);
+            }
+        }
+    }
+
+    /// Positive where it runs counter-clockwise.
+    double area_of_part(std::size_t part) const
+    {
+        const glm::dvec2 origin = places_[parts_[part_starts_[part]].from];
+        double twice = 0.0;
+        for (Index i = part_starts_[part]; i < part_starts_[part + 1]; ++i) {
+            const glm::dvec2 a = places_[parts_[i].from] - origin, b = places_[parts_[i].to] - origin;
+            twice += a.x * b.y - a.y * b.x;
+        }
+        return 0.5 * twice;
+    }
+
+    bool cover_with(CapTriangulator& way, const CapOutline& outline, CapMesh& cap)
+    {
+        set_points(edges_, outline);
+        if (!way.triangulate({points_, positions_, starts_}, inner_)) return false;
+        take_over(edges_, cap);
+        return true;
+    }
+
+    void set_points(std::span<const Edge> edges, const CapOutline& outline)
     {
         points_.clear();
         positions_.clear();
-        for (const Edge& e : edges_) {
+        for (const Edge& e : edges) {
             points_.push_back(places_[e.from]);
             positions_.push_back(outline.positions[e.from]);
         }
-        if (!constrained_->triangulate({points_, positions_, starts_}, inner_)) return false;
+    }
+
+    /// Appends `inner_`, a cover of these edges.
+    void take_over(std::span<const Edge> edges, CapMesh& cap)
+    {
         const Index first = static_cast<Index>(cap.triangles.size());
         for (const CapTriangle& t : inner_.triangles) {
-            const auto point = [&](std::size_t i) { return edges_[t.corner[i]].from; };
+            const auto point = [&](std::size_t i) { return edges[t.corner[i]].from; };
             cap.triangles.push_back({{point(0), point(1), point(2)}, {kNone, kNone, kNone}});
         }
         for (Index t = 0; t < inner_.triangles.size(); ++t)
             for (Index i = 0; i < 3; ++i) {
                 const Index link = inner_.triangles[t].link[i];
-                connect(3 * (first + t) + i, (link & kSeamLink) != 0 ? edges_[link - kSeamLink].link : 3 * first + link,
+                connect(3 * (first + t) + i, (link & kSeamLink) != 0 ? edges[link - kSeamLink].link : 3 * first + link,
                         cap);
             }
-        for (const auto& [a, b] : inner_.cancelled) connect(edges_[a].link, edges_[b].link, cap);
-        cap.merged_points = true;
-        return true;
+        for (const auto& [a, b] : inner_.cancelled) connect(edges[a].link, edges[b].link, cap);
+        for (const Index i : inner_.shared_points) cap.shared_points.push_back(edges[i].from);
     }
 
     static void connect(Index a, Index b, CapMesh& cap)
@@ -233,7 +335,8 @@ private:
         if (a_is_seam && b_is_seam) cap.cancelled.push_back({a - kSeamLink, b - kSeamLink});
     }
 
-    std::unique_ptr<CapTriangulator> constrained_ = make_constrained_triangulator();
+    std::unique_ptr<CapTriangulator> convex_ = make_convex_triangulator(), clipping_ = make_clipping_triangulator(),
+                                     constrained_ = make_constrained_triangulator();
     std::vector<glm::dvec2> places_;  ///< of the points; no two positions at one place
     std::vector<Index> first_at_;     ///< the first point at the position of each
     std::vector<Index> order_;
@@ -241,6 +344,9 @@ private:
     std::vector<Index> starts_;             ///< first edge of each loop, and their number at the end
     std::vector<Lead> leads_;
     RunBoxes boxes_;
+    std::vector<Edge> path_, parts_;
+    std::vector<Index> part_starts_, on_path_, visits_;
+    std::vector<std::array<Index, 2>> folds_;  ///< what the edges are
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
     CapMesh inner_;

@@ -39,6 +39,7 @@ void CutScratch::reserve(std::size_t k)
     crossings.reserve(k);
     reserve_touched(stack, 128);
     reserve_touched(cut_points, k);
+    reserve_touched(shared_cut, k);
     reserve_touched(chain, k);
     reserve_touched(loop_seams, k);
     reserve_touched(loop_points, k);
@@ -75,6 +76,8 @@ void CutScratch::clear()
     irregular = collapsed = meets_boundary = false;
     outline.clear();
     outline_points.clear();
+    shared_cut.clear();
+    any_shared = false;
     loop_seams.clear();
     loop_points.clear();
     loops.clear();
@@ -82,7 +85,6 @@ void CutScratch::clear()
     caps.clear();
     group_caps.clear();
     cap_order.clear();
-    caps_merge_points = false;
     targets.clear();
     bundles.clear();
     cap_bundle.clear();

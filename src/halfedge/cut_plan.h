@@ -225,6 +225,10 @@ struct CutScratch
     bool meets_boundary = false;   ///< the section runs through a vertex on the boundary of the mesh
     std::vector<OutlineSeam> outline;       ///< irregular sections: all seams that do not cancel
     std::vector<glm::vec3> outline_points;  ///< irregular sections: by class
+    /// By cut point: more than one vertex may be there on a side, or it is one with others. What lies there finds its
+    /// vertices by going around them; anywhere else a cut point is one vertex on each side.
+    std::vector<std::uint8_t> shared_cut;
+    bool any_shared = false;  ///< some point of the outline is shared
     std::vector<Index> loop_seams;
     std::vector<glm::vec3> loop_points;
     std::vector<Loop> loops;
@@ -234,12 +238,34 @@ struct CutScratch
     std::vector<CapTriangle> caps;
     std::vector<GroupCap> group_caps;
     std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a group
-    bool caps_merge_points = false;
 
     // What goes where
     std::vector<Target> targets;
     std::vector<Bundle> bundles;
     std::vector<std::array<Index, 2>> cap_bundle;  ///< of each cap triangle, by side
+
+    /// Says of point p of the outline that it is shared.
+    void share_point(std::size_t p)
+    {
+        any_shared = true;
+        const SeamIndex seam = loop_seams[p];
+        if (seam < crossings.size() && crossings[seam].entry_cut != kNone) shared_cut[crossings[seam].entry_cut] = 1;
+    }
+    /// The same of both ends of a seam.
+    void share_ends(SeamIndex seam)
+    {
+        any_shared = true;
+        if (seam >= crossings.size()) return;
+        for (const Index cut : {crossings[seam].entry_cut, crossings[seam].exit_cut})
+            if (cut != kNone) shared_cut[cut] = 1;
+    }
+    bool is_shared(Index cut) const { return cut == kNone || shared_cut[cut] != 0; }
+    /// Whether some corner of a crossing triangle's pieces may be at a shared point.
+    bool is_shared(const Crossing& c) const
+    {
+        return c.split.next_code != TriangleSplit::kCutNext || c.split.previous_code != TriangleSplit::kCutPrevious ||
+               is_shared(c.entry_cut) || is_shared(c.exit_cut);
+    }
 
     // The steps that keep memory of their own
     std::unique_ptr<CapPlanner> cap_planner;

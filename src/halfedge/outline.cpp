@@ -65,7 +65,7 @@ void unite_coinciding(const Universe& u, const CutScratch& s, PointClasses& clas
     }
 }
 
-/// Collects the seams with the classes of their ends.
+/// Collects the seams with the classes of their ends, and says which cut points are shared.
 void collect_seams(const Universe& u, CutScratch& s)
 {
     PointClasses classes(s);
@@ -87,6 +87,11 @@ void collect_seams(const Universe& u, CutScratch& s)
         const Index from = classes.of_vertex(u.mesh, u.mesh.from(h));
         add(static_cast<SeamIndex>(s.crossings.size()) + i, from, classes.of_vertex(u.mesh, u.mesh.to(h)));
     }
+    // A cut point that is alone is one vertex on each side.
+    std::vector<Index> members(classes.size(), 0);
+    for (Index i = 0; i < classes.size(); ++i) ++members[classes.find(i)];
+    for (Index i = 0; i < s.cut_points.size(); ++i) s.shared_cut[i] = members[classes.find(i)] > 1 ? 1 : 0;
+    s.any_shared = true;
     s.outline_points.resize(classes.size());
     for (Index i = 0; i < classes.size(); ++i) s.outline_points[i] = classes.position(i);
 }

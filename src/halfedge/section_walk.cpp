@@ -198,6 +198,7 @@ private:
 void walk_section(Universe& universe, CutScratch& scratch)
 {
     Walker(universe, scratch).run();
+    scratch.shared_cut.assign(scratch.cut_points.size(), 0);
     if (scratch.irregular) {
         scratch.loops.clear();
         scratch.loop_seams.clear();

@@ -335,16 +335,27 @@ private:
 
     // ----- caps -----
 
-    /// The vertex of the half-edge mesh at a point of the outline, as long as nothing coincides.
+    bool is_shared_point(Index loop_point) const
+    {
+        const SeamIndex seam = s_.loop_seams[loop_point];
+        return seam >= s_.crossings.size() || s_.is_shared(s_.crossings[seam].entry_cut);
+    }
+
+    /// The vertex of the half-edge mesh at a point of the outline; kNone where that is still to be found.
     Index outline_vertex(Index loop_point, Side side) const
     {
+        if (is_shared_point(loop_point)) return kNone;
         return cut_vertex(s_.crossings[s_.loop_seams[loop_point]].entry_cut, side);
+    }
+
+    bool is_shared_seam(SeamIndex seam) const
+    {
+        return seam >= s_.crossings.size() || s_.is_shared(s_.crossings[seam]);
     }
 
     void sew_cap(Index t)
     {
         const CapTriangle& cap = s_.caps[t];
-        const bool known = !s_.irregular;
         std::array<Index, 3> negative, positive;
         for (std::size_t i = 0; i < 3; ++i) {
             const Index link = cap.link[i];
@@ -356,8 +367,8 @@ private:
                 negative[i] = plan_.cap_edge_[3 * t + i];
                 positive[i] = negative[i] + 2 * plan_.cap_edge_count_;
             }
-            mesh_.set_to(negative[i], known ? outline_vertex(cap.corner[(i + 1) % 3], Side::negative) : kNone);
-            mesh_.set_to(positive[i], known ? outline_vertex(cap.corner[i], Side::positive) : kNone);
+            mesh_.set_to(negative[i], outline_vertex(cap.corner[(i + 1) % 3], Side::negative));
+            mesh_.set_to(positive[i], outline_vertex(cap.corner[i], Side::positive));
         }
         mesh_.set_triangle(plan_.cap_face(Side::negative, t), negative[0], negative[1], negative[2]);
         // The same triangle seen from the other side: corners 0, 2, 1.
@@ -372,7 +383,7 @@ private:
                 const Index h = cap_half(seam, side);
                 mesh_.set_face(h, kNone);
                 // As seen in the surface, the section runs from entry to exit on the positive side.
-                if (!s_.irregular) {
+                if (!is_shared_seam(seam)) {
                     const Crossing& c = s_.crossings[seam];
                     mesh_.set_to(h, cut_vertex(side == Side::positive ? c.entry_cut : c.exit_cut, side));
                 }
@@ -398,17 +409,23 @@ private:
 
     // ----- vertices -----
 
-    /// Makes each umbrella that the cut touched one vertex. A vertex in the plane whose faces are divided between the
-    /// sides, or that several loops run through, falls apart; cut points that coincide become one.
+    /// Makes each umbrella at a shared point one vertex. A vertex in the plane whose faces are divided between the
+    /// sides, or that several loops run through, falls apart; cut points that coincide become one. Every such umbrella
+    /// has a face that is a piece, a cap triangle, lies at a seam or was glued.
     void renumber_vertices()
     {
-        for (Index c = 0; c < s_.crossings.size(); ++c)
+        for (Index c = 0; c < s_.crossings.size(); ++c) {
+            if (!s_.is_shared(s_.crossings[c])) continue;
             for (const Stitcher::Piece& piece : Stitcher::pieces(s_.crossings[c], c, plan_.faces0_))
                 if (piece.exists) start_orbits(piece.face);
-        for (Index t = 0; t < s_.caps.size(); ++t)
+        }
+        for (Index t = 0; t < s_.caps.size(); ++t) {
+            const auto& corner = s_.caps[t].corner;
+            if (std::none_of(corner.begin(), corner.end(), [&](Index p) { return is_shared_point(p); })) continue;
             for (const Side side : {Side::negative, Side::positive}) start_orbits(plan_.cap_face(side, t));
+        }
         for (SeamIndex seam = 0; seam < plan_.seam_is_closed_.size(); ++seam) {
-            if (!has_section_edge(s_, seam)) continue;
+            if (!is_shared_seam(seam) || !has_section_edge(s_, seam)) continue;
             for (const Side side : {Side::negative, Side::positive}) {
                 const Index face = mesh_.face(cap_half(seam, side) ^ 1u);
                 if (face != kNone) start_orbits(face);
@@ -465,7 +482,6 @@ private:
                 // What faces of the surface say; corners of new caps don't know.
                 if (!mesh_.is_boundary(h) && mesh_.face(h) < plan_.first_cap_face_)
                     label = std::min(label, unmarked_origin(h));
-                static_cast<void>(mark);
             });
             for_each_outgoing(mesh_, start, [&](Index h) { mesh_.set_to(h ^ 1u, mark); });
             plan_.orbit_start_.push_back(start);

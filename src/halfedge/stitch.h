@@ -32,8 +32,8 @@ public:
     Index cap_face(Side side, Index t) const { return first_cap_face_ + static_cast<Index>(side) * cap_count_ + t; }
 
 private:
-    /// Vertices can't be told from cut points alone.
-    bool needs_orbits(const CutScratch& scratch) const { return scratch.irregular || scratch.caps_merge_points; }
+    /// Some vertices can't be told from cut points alone.
+    bool needs_orbits(const CutScratch& scratch) const { return scratch.any_shared || !scratch.cancelled.empty(); }
 
     // Numbers of what is new, in blocks behind what the mesh has.
     Index vertices0_ = 0, edges0_ = 0, faces0_ = 0;

@@ -11,11 +11,14 @@ namespace {
 
 constexpr std::size_t kVertexBytes = 16, kEdgeBytes = 32, kFaceBytes = 4;
 
+// Handles are signed 32-bit numbers, and there are two half-edges to an edge.
+constexpr std::size_t kMost = std::size_t(1) << 30;
+
 }  // namespace
 
 SurfaceMesh::SurfaceMesh(const SurfaceMesh& other)
 {
-    reserve(other.vertex_room_, other.edge_room_, other.face_room_);
+    reserve(other.room_.vertices, other.room_.edges, other.room_.faces);
     mesh_.assign_connectivity(other.mesh_);
     if (other.vertices() > 0)
         std::copy_n(other.mesh_.points(), other.vertices(), const_cast<decltype(mesh_)::Point*>(mesh_.points()));
@@ -23,41 +26,45 @@ SurfaceMesh::SurfaceMesh(const SurfaceMesh& other)
 
 void SurfaceMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t faces)
 {
-    // Handles are signed 32-bit numbers, and there are two half-edges to an edge.
-    constexpr std::size_t kMost = std::size_t(1) << 30;
     if (vertices > kMost || edges > kMost || faces > kMost) throw std::bad_alloc();
+    const Sizes wanted{std::max(vertices, room_.vertices), std::max(edges, room_.edges), std::max(faces, room_.faces)};
     const std::size_t v = mesh_.n_vertices(), e = mesh_.n_edges(), f = mesh_.n_faces();
-    vertices = std::max(vertices, vertex_room_);
-    edges = std::max(edges, edge_room_);
-    faces = std::max(faces, face_room_);
-    mesh_.reserve(vertices, edges, faces);
-    if (edges > edge_room_) {
+    if (wanted.vertices > asked_.vertices || wanted.edges > asked_.edges || wanted.faces > asked_.faces) {
+        ask_for(wanted);
         // An address inside the block is all that OpenMesh gives away.
         mesh_.resize(v, std::max<std::size_t>(e, 1), f);
-        prefer_huge_pages(&mesh_.edge(OpenMesh::EdgeHandle(0)), edges * kEdgeBytes);
+        prefer_huge_pages(&mesh_.edge(OpenMesh::EdgeHandle(0)), wanted.edges * kEdgeBytes);
     }
-    mesh_.resize(vertices, edges, faces);
+    mesh_.resize(wanted.vertices, wanted.edges, wanted.faces);
     mesh_.resize(v, e, f);
-    vertex_room_ = vertices;
-    edge_room_ = edges;
-    face_room_ = faces;
+    room_ = wanted;
+}
+
+void SurfaceMesh::ask_for(const Sizes& wanted)
+{
+    const auto more = [](std::size_t count) { return std::min(kMost, 2 * count); };
+    const Sizes ample{more(wanted.vertices), more(wanted.edges), more(wanted.faces)};
+    try {
+        mesh_.reserve(ample.vertices, ample.edges, ample.faces);
+        asked_ = ample;
+    } catch (const std::bad_alloc&) {
+        mesh_.reserve(wanted.vertices, wanted.edges, wanted.faces);
+        asked_ = wanted;
+    }
 }
 
 std::size_t SurfaceMesh::make_room(std::size_t vertices, std::size_t edges, std::size_t faces)
 {
     const std::size_t v = mesh_.n_vertices() + vertices, e = mesh_.n_edges() + edges, f = mesh_.n_faces() + faces;
-    if (v <= vertex_room_ && e <= edge_room_ && f <= face_room_) return 0;
+    if (v <= room_.vertices && e <= room_.edges && f <= room_.faces) return 0;
     const std::size_t before = bytes_reserved();
-    const auto grown = [](std::size_t needed, std::size_t room) {
-        return needed <= room ? room : std::max(needed, room + room / 2);
-    };
-    reserve(grown(v, vertex_room_), grown(e, edge_room_), grown(f, face_room_));
+    reserve(v, e, f);
     return bytes_reserved() - before;
 }
 
 std::size_t SurfaceMesh::bytes_reserved() const
 {
-    return vertex_room_ * kVertexBytes + edge_room_ * kEdgeBytes + face_room_ * kFaceBytes;
+    return room_.vertices * kVertexBytes + room_.edges * kEdgeBytes + room_.faces * kFaceBytes;
 }
 
 }  // namespace kerf::halfedge

@@ -76,10 +76,12 @@ public:
     /// Sets the sizes; within reserved room this can't fail, and it costs what is added.
     void resize(std::size_t vertices, std::size_t edges, std::size_t faces) { mesh_.resize(vertices, edges, faces); }
 
-    /// Makes room for elements in all and touches it. Throws std::bad_alloc.
+    /// Makes room for elements in all and touches it. As in AppendBuffer, memory for as much again is asked for but not
+    /// touched. Throws std::bad_alloc.
     void reserve(std::size_t vertices, std::size_t edges, std::size_t faces);
 
-    /// Makes room for more elements; returns the bytes by which the arrays grew.
+    /// Makes room for more elements; returns the bytes by which the arrays grew. Costs what is added, unless the memory
+    /// that was asked for is used up.
     std::size_t make_room(std::size_t vertices, std::size_t edges, std::size_t faces);
 
     std::size_t bytes_reserved() const;
@@ -94,9 +96,14 @@ private:
     static OpenMesh::HalfedgeHandle halfedge(Index h) { return OpenMesh::HalfedgeHandle(int(h)); }
     static Index index(const OpenMesh::BaseHandle& handle) { return Index(handle.idx()); }
 
+    struct Sizes
+    {
+        std::size_t vertices = 0, edges = 0, faces = 0;
+    };
+    void ask_for(const Sizes& wanted);
+
     OpenMesh::TriMesh_ArrayKernelT<SurfaceTraits> mesh_;
-    // OpenMesh does not tell its capacities.
-    std::size_t vertex_room_ = 0, edge_room_ = 0, face_room_ = 0;
+    Sizes room_, asked_;  ///< touched, and asked for: OpenMesh does not tell its capacities
 };
 
 /// Visits the half-edges that leave the origin of `start`, each once, by rotating around it. Stops at a boundary in

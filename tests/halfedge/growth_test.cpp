@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/shapes.h"
@@ -68,6 +69,40 @@ TEST(Growth, ACutAllocatesInProportionToItsSection)
         EXPECT_LE(double(test::allocated_bytes() - before), kAllocated * k) << n;
         EXPECT_LE(double(test::largest_allocation()), 1000 * k) << n;
     }
+}
+
+/// Fragments, their caps and the room that is used up are no dearer than the whole: not one cut of a chain stands out.
+TEST(Growth, EveryCutOfAChainCostsWhatItsSectionCosts)
+{
+    constexpr std::size_t kMostRanges = 500;
+    constexpr double kGrown = 2000;  // bytes for each crossing triangle, once reserved room is used up
+    test::Random random(3);
+    std::vector<std::unique_ptr<Cuttable>> pieces;
+    pieces.push_back(std::move(make_backend()->prepare(test::assembled(shapes::asteroid(40'000, 1))).object));
+    std::uint64_t grown = 0;
+    for (int i = 0; i < 100; ++i) {
+        const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
+            return a->mass_properties().volume < b->mass_properties().volume;
+        });
+        auto object = std::move(*largest);
+        pieces.erase(largest);
+        const Plane plane = *Plane::through(object->mass_properties().centre, random.direction());
+        CutResult result = cut(std::move(object), plane);
+        ASSERT_EQ(result.status, Status::cut) << i;
+        const CutStatistics& s = result.statistics;
+        const double k = double(s.crossing_triangles);
+        EXPECT_LE(double(s.triangles_touched), kTriangles * k) << i;
+        EXPECT_LE(double(s.bytes_to_upload), kBytes * k) << i;
+        EXPECT_LE(double(s.nodes_visited), kNodes * k) << i;
+        EXPECT_LE(double(s.bytes_grown), kGrown * k) << i;
+        grown += s.bytes_grown;
+        for (auto* side : {&result.negative, &result.positive})
+            for (auto& fragment : *side) {
+                EXPECT_LE(fragment->draw_view().ranges.size(), kMostRanges);
+                pieces.push_back(std::move(fragment));
+            }
+    }
+    EXPECT_GT(grown, 0u) << "the chain is to use up what is reserved";
 }
 
 TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
