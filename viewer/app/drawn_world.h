@@ -12,7 +12,8 @@
 
 namespace kerf::app {
 
-/// What bringing the pieces of one cut onto the graphics card cost.
+/// What bringing the pieces of one cut onto the graphics card cost. Where several cuts between two calls of sync() were
+/// made in the same buffers, the first of them to be uploaded counts for all.
 struct CutUpload
 {
     double cpu_ms = 0.0;      ///< of this thread; the driver's own threads are not in it

@@ -15,7 +15,8 @@ namespace kerf::app {
 
 namespace {
 
-constexpr int kCutsShown = 7;
+constexpr int kCutsShown = 5;
+constexpr double kShownShare = 0.01;  // of a cut's time: shorter phases are left out
 const ImVec4 kAccent(0.98f, 0.70f, 0.40f, 1.0f);
 
 /// 12345678 -> "11.8 MB".
@@ -93,16 +94,20 @@ void show_choices(PanelState& state)
 void show_phases(const sim::CutRecord& cut)
 {
     const double total = std::max(cut.statistics.phases.total(), 1e-6);
+    const ImVec2 bar(9.0f * ImGui::GetFontSize(), 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8.0f, 3.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(8.0f, 0.0f));
     for (std::size_t i = 0; i < kPhaseCount; ++i) {
         const double ms = cut.statistics.phases.ms[i];
-        if (ms <= 0.0) continue;
+        if (ms < kShownShare * total) continue;
         std::array<char, 48> label{};
         std::snprintf(label.data(), label.size(), "%.3f ms", ms);
-        ImGui::ProgressBar(static_cast<float>(ms / total), ImVec2(9.0f * ImGui::GetFontSize(), 0.0f), label.data());
+        ImGui::ProgressBar(static_cast<float>(ms / total), bar, label.data());
         ImGui::SameLine();
         const std::string name(name_of(static_cast<Phase>(i)));
         ImGui::TextUnformatted(name.c_str());
     }
+    ImGui::PopStyleVar(2);
 }
 
 void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelShelf& models)

@@ -13,7 +13,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr float kFontSize = 15.0f;  // pixels at scale 1
+constexpr float kFontSize = 14.0f;  // pixels at scale 1
 
 /// Debian's place for the font (package fonts-dejavu-core); without it Dear ImGui's own is used, enlarged.
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
@@ -38,8 +38,8 @@ void set_style(float scale)
     style.FrameRounding = 5.0f;
     style.GrabRounding = 5.0f;
     style.WindowPadding = {14.0f, 12.0f};
-    style.FramePadding = {8.0f, 4.0f};
-    style.ItemSpacing = {8.0f, 6.0f};
+    style.FramePadding = {8.0f, 3.0f};
+    style.ItemSpacing = {8.0f, 4.0f};
     style.CellPadding = {6.0f, 2.0f};
     style.WindowBorderSize = 0.0f;
     const auto set = [&](ImGuiCol which, float r, float g, float b, float a) {

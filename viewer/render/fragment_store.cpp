@@ -43,14 +43,32 @@ std::vector<DrawBatch> batches_of(const DrawView& view, LookTable& looks)
             batch.kind = range.kind;
             batch.look = looks.index_of(view.materials, range.material, range.kind);
         }
-        batches.back().counts.push_back(static_cast<GLsizei>(range.index_count));
-        batches.back().offsets.push_back(
-            reinterpret_cast<const void*>(sizeof(std::uint32_t) * std::size_t{range.first_index}));
+        batches.back().runs.add(range.first_index, range.index_count);
     }
     return batches;
 }
 
+/// All ranges in the order of the buffer, those that follow one another joined.
+IndexRuns everything_of(const DrawView& view)
+{
+    std::vector<DrawRange> ranges = view.ranges;
+    for (DrawRange& range : ranges) {
+        range.material = 0;
+        range.kind = TriangleKind::surface;
+    }
+    merge_ranges(ranges);
+    IndexRuns runs;
+    for (const DrawRange& range : ranges) runs.add(range.first_index, range.index_count);
+    return runs;
+}
+
 }  // namespace
+
+void IndexRuns::add(std::uint32_t first_index, std::uint32_t index_count)
+{
+    counts.push_back(static_cast<GLsizei>(index_count));
+    offsets.push_back(reinterpret_cast<const void*>(sizeof(std::uint32_t) * std::size_t{first_index}));
+}
 
 std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, Room room, bool& is_new)
 {
@@ -89,7 +107,7 @@ DrawnFragment FragmentStore::add(Cuttable& object, Room room)
     if (has_moved) describe_vertices(*buffers);
     object.mark_uploaded();
 
-    DrawnFragment drawn{buffers, batches_of(view, looks_), 0};
+    DrawnFragment drawn{buffers, batches_of(view, looks_), everything_of(view), 0};
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
 }

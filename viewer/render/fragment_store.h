@@ -19,14 +19,22 @@ struct SharedBuffers
     GlVertexArray vertex_array;
 };
 
-/// The ranges of an object that are drawn with one material: one glMultiDrawElements.
+/// Runs of the index buffer as glMultiDrawElements wants them.
+struct IndexRuns
+{
+    std::vector<GLsizei> counts;       ///< indices in each run
+    std::vector<const void*> offsets;  ///< bytes into the index buffer
+
+    void add(std::uint32_t first_index, std::uint32_t index_count);
+};
+
+/// The ranges of an object that are drawn with one material: one call.
 struct DrawBatch
 {
     std::uint32_t look = 0;  ///< index into the LookTable
     std::uint32_t material = 0;
     TriangleKind kind = TriangleKind::surface;
-    std::vector<GLsizei> counts;       ///< indices in each range
-    std::vector<const void*> offsets;  ///< bytes into the index buffer, as GL wants them
+    IndexRuns runs;
 };
 
 /// What is needed to draw an object, whatever becomes of its Cuttable. Cheap to keep, made anew after a cut.
@@ -34,6 +42,7 @@ struct DrawnFragment
 {
     std::shared_ptr<const SharedBuffers> buffers;
     std::vector<DrawBatch> batches;
+    IndexRuns everything;  ///< whatever the material: for shadows
     std::uint64_t triangles = 0;
 };
 

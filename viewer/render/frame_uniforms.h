@@ -24,8 +24,8 @@ struct Lights
     glm::vec3 key{2.7f, 2.45f, 2.12f};
     glm::vec3 sky{0.50f, 0.56f, 0.66f};      ///< ambient from above
     glm::vec3 ground{0.25f, 0.20f, 0.165f};  ///< ambient from below
-    float shadow = 0.92f;                    ///< how much of the key light a shadow takes, 0 to 1
-    float exposure = 1.0f;
+    float shadow = 0.86f;                    ///< how much of the key light a shadow takes, 0 to 1
+    float exposure = 0.62f;
 };
 
 /// Frame in shaders/frame.glsl, laid out as std140 wants it.

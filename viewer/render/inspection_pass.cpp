@@ -80,8 +80,8 @@ std::vector<PixelFacts> InspectionPass::draw(const Viewpoint& viewpoint, std::sp
         glUniform1ui(id, object.id);
         for (const DrawBatch& batch : object.fragment->batches) {
             glUniform1ui(kind, 1u + static_cast<GLuint>(batch.kind));
-            glMultiDrawElements(GL_TRIANGLES, batch.counts.data(), GL_UNSIGNED_INT, batch.offsets.data(),
-                                static_cast<GLsizei>(batch.counts.size()));
+            glMultiDrawElements(GL_TRIANGLES, batch.runs.counts.data(), GL_UNSIGNED_INT, batch.runs.offsets.data(),
+                                static_cast<GLsizei>(batch.runs.counts.size()));
         }
     }
     glBindVertexArray(0);

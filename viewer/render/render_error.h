@@ -4,7 +4,8 @@
 
 namespace kerf::render {
 
-/// The graphics system cannot do what is asked: no shader that compiles, no memory for a picture. what() is one sentence.
+/// The graphics system cannot do what is asked: no shader that compiles, no memory for a picture. what() is one
+/// sentence.
 class RenderError : public std::runtime_error
 {
 public:

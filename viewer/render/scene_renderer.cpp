@@ -87,12 +87,12 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glDisable(GL_SCISSOR_TEST);
 }
 
-void SceneRenderer::draw_ranges(const DrawBatch& batch)
+void SceneRenderer::draw_runs(const IndexRuns& runs)
 {
-    glMultiDrawElements(GL_TRIANGLES, batch.counts.data(), GL_UNSIGNED_INT, batch.offsets.data(),
-                        static_cast<GLsizei>(batch.counts.size()));
+    glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(),
+                        static_cast<GLsizei>(runs.counts.size()));
     ++statistics_.calls;
-    statistics_.ranges += batch.counts.size();
+    statistics_.ranges += runs.counts.size();
 }
 
 void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection)
@@ -106,7 +106,7 @@ void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
-        for (const DrawBatch& batch : object.fragment->batches) draw_ranges(batch);
+        draw_runs(object.fragment->everything);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -121,7 +121,7 @@ void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, const Su
         for (const DrawBatch& batch : object.fragment->batches) {
             glUniform1i(surface.look_index, static_cast<GLint>(batch.look));
             glUniform1i(surface.is_cap, batch.kind == TriangleKind::cap ? 1 : 0);
-            draw_ranges(batch);
+            draw_runs(batch.runs);
         }
     }
 }
@@ -146,7 +146,7 @@ void SceneRenderer::draw_edges(std::span<const DrawnObject> objects)
                 glUniform4f(colour, 1.0f, 0.93f, 0.72f, 0.95f);
             else
                 glUniform4f(colour, 0.01f, 0.012f, 0.015f, 0.6f);
-            draw_ranges(batch);
+            draw_runs(batch.runs);
         }
     }
     glDisable(GL_BLEND);

@@ -76,7 +76,7 @@ private:
     void draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection);
     void draw_surfaces(std::span<const DrawnObject> objects, const SurfaceProgram& surface);
     void draw_edges(std::span<const DrawnObject> objects);
-    void draw_ranges(const DrawBatch& batch);
+    void draw_runs(const IndexRuns& runs);
 
     const LookTable& looks_;
     FrameUniforms uniforms_;

@@ -6,15 +6,16 @@ namespace kerf::render {
 
 namespace {
 
-constexpr GLsizei kReliefSize = 1024;
-constexpr float kRepeats = 1.0f / 11.0f;  // of the relief, for one world unit
-constexpr float kReliefDepth = 0.02f;     // in sizes of the texture
+constexpr float kReliefSpan =
+    24.0f;  // world units across the relief: more than a 16:9 window sees; then it is mirrored
+constexpr GLsizei kReliefWidth = 2048, kReliefHeight = 1024;
+constexpr float kReliefDepth = 0.02f;  // in heights of the texture
 
 GlTexture relief_texture(GLenum internal_format, GLenum format, GLenum type)
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), kReliefSize, kReliefSize, 0, format, type,
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), kReliefWidth, kReliefHeight, 0, format, type,
                  nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT);
@@ -29,7 +30,7 @@ void draw_over(const GlTexture& texture)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw RenderError("the graphics driver cannot draw the wall's texture");
-    glViewport(0, 0, kReliefSize, kReliefSize);
+    glViewport(0, 0, kReliefWidth, kReliefHeight);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
@@ -66,9 +67,9 @@ Wall::Wall()
     program_.use();
     glUniform1i(program_.uniform("shadow_map"), 0);
     glUniform1i(program_.uniform("relief"), 1);
-    glUniform4f(program_.uniform("wall"), kHalfWidth, kHalfHeight, kZ, kRepeats);
-    glUniform3f(program_.uniform("colour_low"), 0.150f, 0.195f, 0.190f);
-    glUniform3f(program_.uniform("colour_high"), 0.285f, 0.335f, 0.315f);
+    glUniform4f(program_.uniform("wall"), kHalfWidth, kHalfHeight, kZ, 1.0f / kReliefSpan);
+    glUniform3f(program_.uniform("colour_low"), 0.070f, 0.112f, 0.112f);
+    glUniform3f(program_.uniform("colour_high"), 0.215f, 0.275f, 0.255f);
     glUniform1f(program_.uniform("light_radius"), kLightRadius);
 }
 

@@ -51,7 +51,7 @@ void main()
     vec3 h = normalize(l + v);
     float nl = dot(n, l), nv = max(dot(n, v), 1e-3), nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
     float lit = max(nl, 0.0);
-    float arriving = lit > 0.0 ? light_at(world_position, flat_n) : 0.0;
+    float arriving = lit > 0.0 ? light_at(world_position, flat_n, 1.2) : 0.0;
 
     // Microfacets (Trowbridge-Reitz) with the usual approximations for shadowing and Fresnel.
     float a = look.finish.x * look.finish.x, a2 = a * a;

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
+
+#include "common/cpu_stopwatch.h"
+#include "viewer/app/painter.h"
+#include "viewer/app/run_report.h"
+#include "viewer/render/gl_test.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/stages.h"
+
+// What cutting and drawing cost, in processor time of the one thread that does it: other programs do not count.
+
+namespace kerf::test {
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kIsMeasured = false;
+#else
+constexpr bool kIsMeasured = true;
+#endif
+
+double median(std::vector<double> values)
+{
+    return app::summary_of(std::move(values)).median;
+}
+
+/// A stroke through a body as the eye sees it, over the next tenth of a second.
+std::vector<sim::InputEvent> stroke_across(const sim::Simulation& simulation, const sim::Body& body, double angle)
+{
+    const auto on_stage = [](const glm::dvec3& p) {
+        return glm::dvec2(p) * sim::kEyeDistance / (sim::kEyeDistance - p.z);
+    };
+    const glm::dvec2 middle = on_stage(body.centre() + 0.05 * body.motion().velocity);
+    const glm::dvec2 reach = (body.radius() + 0.8) * glm::dvec2(std::cos(angle), std::sin(angle));
+    return stroke(simulation.time() + 1, 100'000, middle - reach, middle + reach);
+}
+
+class CutCostTest : public GlTest
+{
+protected:
+    /// Processor milliseconds from swipe to the last byte uploaded for `count` cuts of a whole asteroid.
+    std::vector<double> costs_of_cuts(const std::string& backend, std::size_t count)
+    {
+        sim::Settings settings;
+        settings.backend = backend;
+        settings.seed = 11;
+        sim::Simulation simulation(asteroid_, settings);
+        render::LookTable looks;
+        app::DrawnWorld world(looks);
+        std::vector<double> costs;
+        sim::ObjectId swiped = 0;
+        for (int tick = 0; tick < 20'000 && costs.size() < count; ++tick) {
+            // Each throw is swiped once, above the stage's floor; the next comes when its pieces have left.
+            for (const auto& body : simulation.bodies())
+                if (body->identity().parent == 0 && body->id() > swiped && body->centre().y > -1.5) {
+                    simulation.push(stroke_across(simulation, *body, 0.7 * double(costs.size())));
+                    swiped = body->id();
+                }
+            simulation.advance();
+            world.sync(simulation);
+            for (std::size_t i = costs.size(); i < simulation.cuts().size(); ++i) {
+                const sim::CutRecord& cut = simulation.cuts()[i];
+                EXPECT_EQ(cut.status, Status::cut);
+                EXPECT_EQ(world.cut_uploads()[i].bytes, cut.statistics.bytes_to_upload);
+                costs.push_back(app::cut_to_upload_ms(cut, world.cut_uploads()[i]));
+            }
+        }
+        return costs;
+    }
+
+    std::shared_ptr<sim::ModelShelf> asteroid_ = shelf_of({"asteroid"}, 1'000'000);
+};
+
+}  // namespace
+
+TEST_F(CutCostTest, AMillionTrianglesFromSwipeToUploadInLessThanSixMilliseconds)
+{
+    if (!kIsMeasured) GTEST_SKIP() << "sanitizers change what things cost";
+    const std::vector<double> ours = costs_of_cuts("halfedge", 20), theirs = costs_of_cuts("baseline/remap", 20);
+    ASSERT_EQ(ours.size(), 20u);
+    ASSERT_EQ(theirs.size(), 20u);
+    std::printf("swipe to upload, asteroid of 1 M, median of 20: halfedge %.2f ms, baseline/remap %.2f ms\n",
+                median(ours), median(theirs));
+    EXPECT_LT(median(ours), 6.0);
+    EXPECT_LT(median(ours), median(theirs));
+}
+
+// Pieces of cubes: a driver without a graphics card transforms the vertices on this thread, inside the calls, and that
+// is not what submitting costs.
+TEST_F(GlTest, ThreeHundredPiecesAreSimulatedAndSubmittedInEightMilliseconds)
+{
+    if (!kIsMeasured) GTEST_SKIP() << "sanitizers change what things cost";
+    constexpr int kRows = 10, kColumns = 16;
+    sim::Settings settings;
+    settings.backend = "halfedge";
+    sim::Simulation simulation(shelf_of({"box"}, 12), settings);
+    app::Painter painter(320, 180);
+    // Far enough apart not to touch; kept in the air by moving up.
+    const Box& box = simulation.models().model(0).box;
+    const double radius = 0.5 * double(glm::distance(box.lo, box.hi));
+    for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column < kColumns; ++column) {
+            const glm::dvec3 centre(-6.4 + 0.85 * column, -3.4 + 0.7 * row, 0.0);
+            simulation.place_object(0, 0.3 / radius, centre, glm::dmat3(1.0), {{0.0, 3.0, 0.0}, {1.0, 2.0, 0.5}});
+        }
+    // One stroke along each row cuts every object of it.
+    for (int row = 0; row < kRows; ++row) {
+        const double height = simulation.bodies()[static_cast<std::size_t>(row * kColumns)]->centre().y;
+        simulation.push(stroke(simulation.time() + 1, 8'000, {-7.5, height}, {7.5, height}, 500));
+        simulation.advance(2);
+    }
+    ASSERT_GE(simulation.bodies().size(), 300u);
+    painter.sync(simulation);
+    painter.paint(simulation, {});
+    glFinish();
+
+    std::vector<double> ticks, submission, frames;
+    for (int frame = 0; frame < 15; ++frame) {
+        CpuStopwatch watch;
+        simulation.advance(sim::kTicksPerFrame);
+        ticks.push_back(1e3 * watch.lap());
+        painter.sync(simulation);
+        painter.paint(simulation, {});
+        submission.push_back(1e3 * watch.lap());
+        frames.push_back(ticks.back() + submission.back());
+        glFinish();
+    }
+    std::printf("%zu pieces, %llu draw calls: two ticks %.2f ms, submission %.2f ms\n", simulation.bodies().size(),
+                static_cast<unsigned long long>(painter.statistics().calls), median(ticks), median(submission));
+    EXPECT_LT(median(frames), 8.0);
+}
+
+}  // namespace kerf::test
