@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
@@ -62,6 +63,18 @@ Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
     return heir;
 }
 
+/// Which pieces become bodies when there is room for so many: the heaviest, the earlier of equal ones.
+std::vector<bool> choose_heaviest(const std::vector<Piece>& pieces, std::size_t room)
+{
+    std::vector<std::size_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return pieces[a].solid.mass > pieces[b].solid.mass; });
+    std::vector<bool> chosen(pieces.size(), false);
+    for (std::size_t i = 0; i < std::min(room, order.size()); ++i) chosen[order[i]] = true;
+    return chosen;
+}
+
 void hash_surfaces(const World& world, CutRecord& record)
 {
     std::array<std::uint64_t, 2> sides{};
@@ -119,8 +132,15 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     part_ways(body.centre(), body.motion(), placed.normal, placed.point, parts);
 
     const std::unique_ptr<Body> parent = world.remove(id);
+    const std::size_t others = world.bodies().size();
+    const std::size_t room = std::max<std::size_t>(kMostBodies - std::min(kMostBodies, others), 2);
+    const std::vector<bool> stays = choose_heaviest(pieces, room);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Piece& piece = pieces[i];
+        if (!stays[i]) {
+            ++record.dropped;
+            continue;
+        }
         const std::uint64_t triangles = piece.object->triangle_count();
         const Body& made = world.add(std::make_unique<Body>(heir_of(parent->identity(), record, ++*options.last_id),
                                                             std::move(piece.object), piece.solid, pose, parts[i].motion,

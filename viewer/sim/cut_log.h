@@ -30,6 +30,7 @@ struct CutRecord
     Status status = Status::missed;
     CutStatistics statistics;  ///< `crossing_surface` is the k that back ends agree on
     std::vector<PieceRecord> pieces;
+    std::size_t dropped = 0;         ///< smallest pieces that the world has no room for (kMostBodies)
     std::uint64_t surface_hash = 0;  ///< over all pieces, by side; 0 when not asked for
     glm::dvec3 normal{0.0};          ///< of the plane, world axes, towards the positive side
     glm::dvec3 centre{0.0};          ///< of the object when it was cut, world, metres

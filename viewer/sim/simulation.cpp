@@ -170,6 +170,10 @@ const Body* Simulation::throw_object(const Throw& what)
 const Body* Simulation::place_object(std::size_t model, double scale, const glm::dvec3& centre,
                                      const glm::dmat3& rotation, const Motion& motion)
 {
+    if (bodies().size() >= kMostBodies) {
+        report("there are " + std::to_string(kMostBodies) + " pieces in the air: no room for another throw");
+        return nullptr;
+    }
     std::unique_ptr<Cuttable> object = models_->make(model, backend_);
     if (!object) {
         report(models_->prepare(model, backend_));
@@ -222,7 +226,9 @@ Script Simulation::recording() const
     script.backend = settings_.backend;
     script.proxy = name_of(settings_.proxy);
     script.seed = settings_.seed;
-    script.events = recorded_;
+    if (settings_.gesture != Gesture::blade)
+        script.events.push_back({1, InputKind::command, {}, "gesture " + std::string(name_of(settings_.gesture))});
+    script.events.insert(script.events.end(), recorded_.begin(), recorded_.end());
     return script;
 }
 

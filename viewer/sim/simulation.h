@@ -80,7 +80,8 @@ public:
 
     // For scenes.
 
-    /// Throws a model along the flight of `what.seed`. Null when it can't be prepared (take_message() says why).
+    /// Throws a model along the flight of `what.seed`. Null when it can't be prepared or there is no room
+    /// (take_message() says why).
     const Body* throw_object(const Throw& what);
     /// Puts an object into the world as it is said.
     const Body* place_object(std::size_t model, double scale, const glm::dvec3& centre, const glm::dmat3& rotation,

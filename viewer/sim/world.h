@@ -11,6 +11,10 @@ namespace kerf::sim {
 /// m/s^2, downwards.
 inline constexpr double kGravity = 9.81;
 
+/// A world holds no more bodies than this: five times what is asked of a frame. A cut through a comb makes thousands of
+/// pieces, and the physics of all of them would freeze the program.
+inline constexpr std::size_t kMostBodies = 1500;
+
 /// All bodies and Bullet's dynamics in ticks of kTickSeconds. Same bodies in the same order: same bits after any number
 /// of ticks. Bodies never sleep (nothing here comes to rest) and nothing damps them.
 class World

@@ -539,6 +539,7 @@ TEST(Simulation, ARecordingRepeatsTheRun)
     const auto models = report_shelf();
     Settings settings = with_backend(backend_names().front(), 11);
     settings.record = true;
+    settings.gesture = Gesture::segment;
     Simulation played(models, settings);
     played.advance(40);
     played.command("proxy box");
