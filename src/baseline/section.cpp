@@ -39,6 +39,7 @@ public:
 private:
     std::uint32_t of_existing(std::uint32_t point, const glm::vec3& position)
     {
+        point = crossings_.cut_points.standing_for(point);
         const auto [entry, is_new] = of_existing_.try_emplace(point, kNone);
         if (is_new) entry->second = add({position, point, kNone});
         return entry->second;
@@ -93,7 +94,8 @@ std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane&
 /// The edges, as they run on the positive side, that have a triangle of either side. By count: pieces of earlier cuts
 /// can touch along an edge, so that more than two triangles meet there. Edges that run forth and back on one side bound
 /// nothing there; each of the rest pairs with one reverse on the other side.
-std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
+std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, const CutPointClasses& points,
+                                                std::span<const EdgeInPlane> negative,
                                                 std::span<const EdgeInPlane> positive)
 {
     if (negative.empty() || positive.empty()) return {};
@@ -103,7 +105,7 @@ std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::sp
         surplus;  // for each row and side: edges that ascend less those that do not
     const auto row_of = [&](const EdgeInPlane& edge, std::int32_t& direction) {
         const auto [a, b] = ends_of(mesh, edge);
-        const std::uint32_t p = mesh.points[a], q = mesh.points[b];
+        const std::uint32_t p = points.standing_for(mesh.points[a]), q = points.standing_for(mesh.points[b]);
         direction = p < q ? 1 : -1;
         std::uint32_t& index = row(std::min(p, q), std::max(p, q));
         if (index == PairTable::kNone) {
@@ -155,7 +157,8 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
             {from, to, i, crossing.triangle, split.section_from, split.section_to, mesh.groups[crossing.group].solid});
     }
     const std::size_t from_crossings = section.edges.size();
-    for (const EdgeInPlane& edge : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
+    for (const EdgeInPlane& edge :
+         section_edges_in_plane(mesh, crossings.cut_points, in_plane_of_negative, in_plane_of_positive)) {
         const auto [from, to] = ends_of(mesh, edge);
         section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
                                  static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid});

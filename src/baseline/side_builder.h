@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -75,6 +76,20 @@ public:
         std::uint32_t& id = point_of_cut_[cut_point];
         if (id == kNone) id = mesh.point_count++;
         return id;
+    }
+
+    /// Makes points one that coincide. O(n) if there are any.
+    void join_points(const CutPointClasses& cut_points)
+    {
+        if (cut_points.joined().empty()) return;
+        std::vector<std::uint32_t> id(mesh.point_count);
+        std::iota(id.begin(), id.end(), 0u);
+        for (const auto& [point, next] : cut_points.joined()) {
+            const std::uint32_t own = point_of_existing(point),
+                                stays = point_of_existing(cut_points.standing_for(next));
+            if (own < id.size()) id[own] = stays;
+        }
+        for (std::uint32_t& point : mesh.points) point = id[point];
     }
 
     /// A point that nothing but the caller knows of.

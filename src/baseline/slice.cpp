@@ -94,6 +94,7 @@ public:
         // All of a side can vanish: a spike so thin that its cut points are one.
         for (const SideBuilder& b : builders_)
             if (b.mesh.triangles.empty()) return std::move(slices_);
+        for (SideBuilder& b : builders_) b.join_points(crossings_.cut_points);
         section_ = find_section(mesh_, crossings_, edges_in_plane_[0], edges_in_plane_[1]);
         close_sections(watch);
         finish();

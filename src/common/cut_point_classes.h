@@ -1,16 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
 namespace kerf {
 
 /// Which cut points of one cut are the same point of the surface. split_triangle() says so for one triangle at a time;
-/// this is the transitive closure over all of them. A class holds at most one point that existed before the cut: two of
-/// those are never merged, because triangles that the plane does not touch refer to them. Union-find with path halving;
-/// amortised nearly O(1) an operation.
+/// this is the transitive closure over all of them, and over points that existed before the cut: cut points that are
+/// one can lie on several of those, which are one then. Union-find with path halving; amortised nearly O(1) an
+/// operation.
 class CutPointClasses
 {
 public:
@@ -31,40 +33,67 @@ public:
         return id;
     }
 
-    /// Cut points `a` and `b` are one. No effect when their classes hold different existing points.
+    /// Cut points `a` and `b` are one.
     void merge(std::uint32_t a, std::uint32_t b)
     {
         a = find(a);
         b = find(b);
         if (a == b) return;
         if (b < a) std::swap(a, b);
-        if (nodes_[a].existing != kNone && nodes_[b].existing != kNone && nodes_[a].existing != nodes_[b].existing)
-            return;
-        if (nodes_[a].existing == kNone) nodes_[a].existing = nodes_[b].existing;
         nodes_[b].parent = a;
+        if (nodes_[b].existing != kNone) attach(a, nodes_[b].existing);
     }
 
-    /// Cut point `id` is the existing point `point`. No effect when its class holds another one already.
+    /// Cut point `id` is the existing point `point`.
     void attach(std::uint32_t id, std::uint32_t point)
     {
         std::uint32_t& existing = nodes_[find(id)].existing;
-        if (existing == kNone) existing = point;
+        if (existing == kNone)
+            existing = point;
+        else
+            join_existing(existing, point);
     }
 
-    /// The existing point in the class of `id`, or kNone.
-    std::uint32_t existing(std::uint32_t id) { return nodes_[find(id)].existing; }
+    /// The existing point in the class of `id`, or kNone; where there are several, the one that stands for them.
+    std::uint32_t existing(std::uint32_t id)
+    {
+        const std::uint32_t point = nodes_[find(id)].existing;
+        return point == kNone ? kNone : standing_for(point);
+    }
+
+    /// The existing point that stands for `point`: itself, unless it is one with others.
+    std::uint32_t standing_for(std::uint32_t point) const
+    {
+        for (auto it = joined_.find(point); it != joined_.end(); it = joined_.find(point)) point = it->second;
+        return point;
+    }
+
+    /// Existing points that others stand for, with the next one on the way to those.
+    const std::map<std::uint32_t, std::uint32_t>& joined() const { return joined_; }
 
     std::size_t size() const { return nodes_.size(); }
-    void clear() { nodes_.clear(); }
+    void clear()
+    {
+        nodes_.clear();
+        joined_.clear();
+    }
     void reserve(std::size_t count) { nodes_.reserve(count); }
 
 private:
+    void join_existing(std::uint32_t a, std::uint32_t b)
+    {
+        a = standing_for(a);
+        b = standing_for(b);
+        if (a != b) joined_[std::max(a, b)] = std::min(a, b);
+    }
+
     struct Node
     {
         std::uint32_t parent;
         std::uint32_t existing;  ///< meaningful at the root of a class
     };
     std::vector<Node> nodes_;
+    std::map<std::uint32_t, std::uint32_t> joined_;  ///< nearly always empty
 };
 
 }  // namespace kerf

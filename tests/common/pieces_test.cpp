@@ -309,5 +309,143 @@ TEST(Pieces, AWholeShellOfPositiveVolumeIsAPieceOfItsOwn)
     EXPECT_EQ(spheres.pieces(), (Pieces{0, 1, 1}));
 }
 
+/// A section drawn as edges between numbered points of the plane z = 0, with what they bound on both sides.
+struct Drawing
+{
+    std::array<std::vector<SurfacePart>, 2> parts;
+    std::vector<glm::vec3> points;
+    std::vector<OutlineEdge> outline;
+
+    std::uint32_t add_part(Side side, bool is_flat = false)
+    {
+        auto& list = parts[static_cast<std::size_t>(side)];
+        list.push_back({0, true, is_flat, {}, 0.0});
+        return static_cast<std::uint32_t>(list.size() - 1);
+    }
+
+    void add_path(const std::vector<std::uint32_t>& path, std::uint32_t negative, std::uint32_t positive)
+    {
+        for (std::size_t i = 0; i + 1 < path.size(); ++i)
+            outline.push_back({path[i], path[i + 1], {negative, positive}});
+    }
+
+    std::array<Pieces, 2> pieces() const
+    {
+        const std::array<SideParts, 2> sides{SideParts{parts[0], no_crossings}, SideParts{parts[1], no_crossings}};
+        return group_pieces({{0, 0, 1}, 0.0}, sides, points, outline);
+    }
+};
+
+/// Two outer loops side by side, and one of two parts a side of no volume far away.
+Drawing with_flat_parts()
+{
+    Drawing d;
+    d.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {-5, 0, 0}, {-4, 0, 0}, {-5, 1, 0}};
+    d.add_part(Side::negative);
+    d.add_path({3, 4, 5, 3}, 0, d.add_part(Side::positive));
+    d.add_path({0, 1, 2, 0}, 0, d.add_part(Side::positive));
+    d.add_path({6, 7, 8, 6}, 0, d.add_part(Side::positive, true));
+    return d;
+}
+
+TEST(Pieces, AFlatPartStaysWithTheFirstPieceThatHasVolume)
+{
+    EXPECT_EQ(with_flat_parts().pieces(), (std::array<Pieces, 2>{Pieces{0}, Pieces{0, 1, 1}}));
+}
+
+TEST(Pieces, WhatIsFlatThroughoutIsApartAsUsual)
+{
+    Drawing d = with_flat_parts();
+    for (SurfacePart& part : d.parts[1]) part.is_flat = true;
+    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0}, Pieces{0, 1, 2}}));
+}
+
+TEST(Pieces, PartsThatTouchInAPointAreApart)
+{
+    // Two triangles that meet in the origin; the other side hangs together.
+    Drawing d;
+    d.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+    d.add_part(Side::negative);
+    d.add_path({0, 1, 2, 0}, 0, d.add_part(Side::positive));
+    d.add_path({0, 3, 4, 0}, 0, d.add_part(Side::positive));
+    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0}, Pieces{0, 1}}));
+}
+
+TEST(Pieces, ALensOnEitherSideOfAHoleJoinsItsRimOnOneSideOnly)
+{
+    // Two lenses that meet in both their ends. Above they are apart; below, the outer rim is one part and the inner
+    // rim, a hole, another.
+    Drawing d;
+    d.points = {{0, -2, 0}, {0, 2, 0}, {3, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-3, 0, 0}};
+    const std::uint32_t right = d.add_part(Side::positive), left = d.add_part(Side::positive);
+    const std::uint32_t outer = d.add_part(Side::negative), inner = d.add_part(Side::negative);
+    d.add_path({0, 2, 1}, outer, right);
+    d.add_path({1, 3, 0}, inner, right);
+    d.add_path({0, 4, 1}, inner, left);
+    d.add_path({1, 5, 0}, outer, left);
+    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0, 0}, Pieces{0, 1}}));
+}
+
+TEST(Pieces, WhereLoopsCannotKeepToOnePieceOnEitherSideThePiecesAreOne)
+{
+    // The same joints, but all paths lie side by side, so that none is a hole around or in another: the surface meets
+    // itself.
+    Drawing d;
+    d.points = {{0, -2, 0}, {0, 2, 0}, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0.5f, 0, 0}};
+    const std::uint32_t one = d.add_part(Side::positive), other = d.add_part(Side::positive);
+    const std::uint32_t below = d.add_part(Side::negative), too = d.add_part(Side::negative);
+    d.add_path({0, 2, 1}, below, one);
+    d.add_path({1, 5, 0}, too, one);
+    d.add_path({0, 3, 1}, too, other);
+    d.add_path({1, 4, 0}, below, other);
+    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0, 0}, Pieces{0, 0}}));
+}
+
+TEST(Pieces, EdgesThatRunForthAndBackBoundNothing)
+{
+    // A hole, and the same way back, in a loop: nothing is left of it, so nothing joins.
+    Drawing d;
+    d.points = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}};
+    d.add_part(Side::negative);
+    d.add_path({0, 1, 2, 0}, 0, d.add_part(Side::positive));
+    const std::uint32_t gone = d.add_part(Side::positive);
+    d.add_path({3, 4, 5, 3}, 0, gone);
+    EXPECT_EQ(d.pieces()[1], (Pieces{0, 0}));
+    d.add_path({3, 5, 4, 3}, 0, gone);
+    EXPECT_EQ(d.pieces()[1], (Pieces{0, 1}));
+}
+
+RC_GTEST_PROP(Pieces, DoNotDependOnTheOrderOfEdgesAndPoints, ())
+{
+    const auto number = [](std::uint32_t end) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0u, end)); };
+    // Closed walks over a small lattice: they touch, cross, and run forth and back.
+    Drawing d;
+    for (std::uint32_t i = 0; i < 16; ++i) d.points.push_back({float(i % 4), float(i / 4), 0.0f});
+    for (int i = 0; i < 3; ++i) {
+        d.add_part(Side::negative);
+        d.add_part(Side::positive);
+    }
+    for (int walk = 0; walk < 5; ++walk) {
+        std::vector<std::uint32_t> path;
+        for (int i = 0; i < 5; ++i) path.push_back(number(16));
+        path.push_back(path.front());
+        d.add_path(path, number(3), number(3));
+    }
+    std::erase_if(d.outline, [](const OutlineEdge& edge) { return edge.from == edge.to; });
+
+    Drawing shuffled = d;
+    std::mt19937 random(number(1000000));
+    std::vector<std::uint32_t> place(d.points.size());
+    for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
+    std::shuffle(place.begin(), place.end(), random);
+    for (std::uint32_t i = 0; i < place.size(); ++i) shuffled.points[place[i]] = d.points[i];
+    for (OutlineEdge& edge : shuffled.outline) {
+        edge.from = place[edge.from];
+        edge.to = place[edge.to];
+    }
+    std::shuffle(shuffled.outline.begin(), shuffled.outline.end(), random);
+    RC_ASSERT(shuffled.pieces() == d.pieces());
+}
+
 }  // namespace
 }  // namespace kerf
