@@ -56,13 +56,38 @@ SortedOutline::SortedOutline(std::span<const glm::vec3> points, std::span<const 
         edge.to = rank[edge.to];
     }
     std::erase_if(edges_, [](const OutlineEdge& edge) { return edge.from == edge.to; });
-    cancel_opposite_edges(edges_);
-    std::sort(edges_.begin(), edges_.end(), [](const OutlineEdge& a, const OutlineEdge& b) {
-        return std::tie(a.from, a.to, a.part) < std::tie(b.from, b.to, b.part);
-    });
+    sort_by_points();
+    if (some_run_forth_and_back()) {
+        cancel_opposite_edges(edges_);
+        sort_by_points();
+    }
+}
+
+void SortedOutline::sort_by_points()
+{
     row_.assign(positions_.size() + 1, 0);
     for (const OutlineEdge& edge : edges_) ++row_[edge.from + 1];
     for (std::size_t i = 1; i < row_.size(); ++i) row_[i] += row_[i - 1];
+    std::vector<OutlineEdge> sorted(edges_.size());
+    std::vector<std::uint32_t> fill(row_.begin(), row_.end() - 1);
+    for (const OutlineEdge& edge : edges_) sorted[fill[edge.from]++] = edge;
+    edges_.swap(sorted);
+    // Nearly always one edge leaves a point.
+    for (std::size_t i = 0; i + 1 < row_.size(); ++i) {
+        if (row_[i + 1] - row_[i] < 2) continue;
+        has_joints_ = true;
+        std::sort(
+            edges_.begin() + row_[i], edges_.begin() + row_[i + 1],
+            [](const OutlineEdge& a, const OutlineEdge& b) { return std::tie(a.to, a.part) < std::tie(b.to, b.part); });
+    }
+}
+
+bool SortedOutline::some_run_forth_and_back() const
+{
+    return std::any_of(edges_.begin(), edges_.end(), [&](const OutlineEdge& edge) {
+        return std::any_of(edges_.begin() + row_[edge.to], edges_.begin() + row_[edge.to + 1],
+                           [&](const OutlineEdge& other) { return other.to == edge.from; });
+    });
 }
 
 std::vector<OutlineLoop> SortedOutline::loops(std::size_t side) const

@@ -33,13 +33,20 @@ public:
     std::span<const OutlineEdge> edges() const { return edges_; }
     const glm::vec3& position(std::uint32_t point) const { return positions_[point]; }
 
+    /// Several edges leave some point: loops meet there.
+    bool has_joints() const { return has_joints_; }
+
     /// Links the edges into simple loops: edges of one part on `side` follow one another. Chains are left out. O(e).
     std::vector<OutlineLoop> loops(std::size_t side) const;
 
 private:
+    void sort_by_points();
+    bool some_run_forth_and_back() const;
+
     std::vector<glm::vec3> positions_;
     std::vector<OutlineEdge> edges_;
     std::vector<std::uint32_t> row_;  ///< first edge that leaves each point
+    bool has_joints_ = false;
 };
 
 }  // namespace kerf

@@ -341,8 +341,8 @@ std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const
         const SortedOutline outline(points, edges);
         for (std::size_t side = 0; side < 2; ++side)
             if (apart[side]) grouping[side].join_holes_of_solids(outline, axis, !ascending);
-        // One piece a solid on either side: its loops keep to it.
-        if (apart[0] && apart[1]) join_where_loops_need_it(outline, sides, grouping);
+        // Where loops do not meet, or a solid is one piece on a side, they keep to their pieces.
+        if (apart[0] && apart[1] && outline.has_joints()) join_where_loops_need_it(outline, sides, grouping);
         for (std::size_t side = 0; side < 2; ++side)
             if (apart[side]) grouping[side].join_flat_pieces(outline);
     }
