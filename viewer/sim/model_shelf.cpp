@@ -18,6 +18,7 @@ std::span<const std::string_view> report_model_names()
 std::size_t ModelShelf::add(Model model)
 {
     model.box = model.mesh.bounds();
+    const std::lock_guard lock(mutex_);
     models_.push_back(std::make_unique<Model>(std::move(model)));
     return models_.size() - 1;
 }
@@ -44,41 +45,69 @@ void ModelShelf::add_report_models(const std::filesystem::path& folder)
     for (const std::string_view name : report_model_names()) add_file(folder / (std::string(name) + ".obj"));
 }
 
-const ModelShelf::Prepared& ModelShelf::prepared(std::size_t index, const std::string& backend)
+std::size_t ModelShelf::size() const
 {
-    // Another thread that wants the same waits for it; one that wants something else waits as well, which is why big
-    // meshes are prepared before they are needed.
+    const std::lock_guard lock(mutex_);
+    return models_.size();
+}
+
+const Model& ModelShelf::model(std::size_t index) const
+{
+    const std::lock_guard lock(mutex_);
+    return *models_[index];
+}
+
+ModelShelf::Prepared& ModelShelf::entry(std::size_t index, const std::string& backend)
+{
     const std::lock_guard lock(mutex_);
     std::unique_ptr<Prepared>& place = prepared_[{index, backend}];
-    if (!place) {
-        auto fresh = std::make_unique<Prepared>();
-        if (const std::unique_ptr<Backend> maker = make_backend(backend)) {
-            PrepareResult result = maker->prepare(models_[index]->mesh);
-            fresh->object = std::move(result.object);
-            fresh->error = fresh->object ? "" : models_[index]->name + " can't be prepared: " + result.reason;
-        } else {
-            fresh->error = "there is no back end '" + backend + "'";
-        }
-        place = std::move(fresh);
-    }
+    if (!place) place = std::make_unique<Prepared>();
     return *place;
+}
+
+void ModelShelf::prepare_once(Prepared& entry, std::size_t index, const std::string& backend)
+{
+    if (entry.ready) return;
+    if (const std::unique_ptr<Backend> maker = make_backend(backend)) {
+        PrepareResult result = maker->prepare(model(index).mesh);
+        entry.object = std::move(result.object);
+        if (!entry.object) entry.error = model(index).name + " can't be prepared: " + result.reason;
+    } else {
+        entry.error = "there is no back end '" + backend + "'";
+    }
+    entry.ready = true;
 }
 
 std::string ModelShelf::prepare(std::size_t index, const std::string& backend)
 {
-    return prepared(index, backend).error;
+    Prepared& wanted = entry(index, backend);
+    const std::lock_guard lock(wanted.mutex);
+    prepare_once(wanted, index, backend);
+    return wanted.error;
 }
 
 bool ModelShelf::is_prepared(std::size_t index, const std::string& backend) const
 {
     const std::lock_guard lock(mutex_);
-    return prepared_.contains({index, backend});
+    const auto found = prepared_.find({index, backend});
+    return found != prepared_.end() && found->second->ready;
+}
+
+void ModelShelf::stock(std::size_t index, const std::string& backend)
+{
+    Prepared& wanted = entry(index, backend);
+    const std::lock_guard lock(wanted.mutex);
+    prepare_once(wanted, index, backend);
+    if (wanted.object && !wanted.spare) wanted.spare = wanted.object->clone();
 }
 
 std::unique_ptr<Cuttable> ModelShelf::make(std::size_t index, const std::string& backend)
 {
-    const Prepared& ready = prepared(index, backend);
-    return ready.object ? ready.object->clone() : nullptr;
+    Prepared& wanted = entry(index, backend);
+    const std::lock_guard lock(wanted.mutex);
+    prepare_once(wanted, index, backend);
+    if (wanted.spare) return std::move(wanted.spare);
+    return wanted.object ? wanted.object->clone() : nullptr;
 }
 
 }  // namespace kerf::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -25,8 +26,8 @@ struct Model
 /// The names of the report's fifteen models, in the order of its tables.
 std::span<const std::string_view> report_model_names();
 
-/// Models, and each prepared once for each back end that asks: throws are clones. Safe for use from several threads;
-/// models are added before, and stay.
+/// Models, and each prepared once for each back end that asks: throws are clones. Safe for use from several threads:
+/// preparing one model holds up nobody who wants another. Models stay, at their index.
 class ModelShelf
 {
 public:
@@ -39,14 +40,18 @@ public:
     /// @throws io::FileError
     void add_report_models(const std::filesystem::path& folder);
 
-    std::size_t size() const { return models_.size(); }
-    bool empty() const { return models_.empty(); }
-    const Model& model(std::size_t index) const { return *models_[index]; }
+    std::size_t size() const;
+    bool empty() const { return size() == 0; }
+    const Model& model(std::size_t index) const;
 
     /// Prepares a model for a back end now, unless that was done: on a worker thread to keep it off the frame.
-    /// An empty string, or why it can't be.
+    /// An empty string, or why it can't be. Waits for a thread that is preparing the same.
     std::string prepare(std::size_t index, const std::string& backend);
+    /// Does not wait.
     bool is_prepared(std::size_t index, const std::string& backend) const;
+    /// Prepares and keeps a copy ready, so that the next make() costs nothing: for worker threads, because copying a
+    /// mesh of a million triangles takes longer than a frame.
+    void stock(std::size_t index, const std::string& backend);
 
     /// A fresh copy to throw; prepares it first when nobody did. Null when preparing failed (prepare() says why).
     std::unique_ptr<Cuttable> make(std::size_t index, const std::string& backend);
@@ -54,13 +59,17 @@ public:
 private:
     struct Prepared
     {
-        std::unique_ptr<Cuttable> object;
+        std::mutex mutex;  ///< a Cuttable is cloned by one thread at a time
+        std::atomic<bool> ready = false;
+        std::unique_ptr<Cuttable> object, spare;
         std::string error;
     };
-    const Prepared& prepared(std::size_t index, const std::string& backend);
+    Prepared& entry(std::size_t index, const std::string& backend);
+    /// With the entry's mutex held.
+    void prepare_once(Prepared& entry, std::size_t index, const std::string& backend);
 
+    mutable std::mutex mutex_;  ///< of the containers, never held for long
     std::vector<std::unique_ptr<Model>> models_;
-    mutable std::mutex mutex_;
     std::map<std::pair<std::size_t, std::string>, std::unique_ptr<Prepared>> prepared_;
 };
 

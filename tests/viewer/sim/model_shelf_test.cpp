@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "common/io/mesh_file.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/stages.h"
+#include "viewer/sim/surface_hash.h"
 
 namespace kerf::sim {
 namespace {
@@ -60,6 +62,40 @@ TEST(ModelShelf, SeveralThreadsMayAskAtOnce)
         threads.emplace_back([&, i] { made[i] = shelf->make(i % 2, backend_names().front()); });
     for (std::thread& thread : threads) thread.join();
     for (const auto& object : made) EXPECT_TRUE(object);
+}
+
+TEST(ModelShelf, WhatIsStockedIsHandedOutOnceAndEqualsACopy)
+{
+    const auto shelf = test::shelf_of({"asteroid"});
+    const std::string& backend = backend_names().front();
+    shelf->stock(0, backend);
+    shelf->stock(0, backend);
+    const auto stocked = shelf->make(0, backend), copy = shelf->make(0, backend);
+    ASSERT_TRUE(stocked && copy);
+    EXPECT_NE(stocked->draw_view().buffers, copy->draw_view().buffers);
+    EXPECT_EQ(surface_hash(*stocked), surface_hash(*copy));
+}
+
+TEST(ModelShelf, PreparingABigMeshHoldsUpNobodyWhoWantsAnother)
+{
+    auto shelf = test::shelf_of({"icosphere"});
+    const std::size_t big = shelf->add("asteroid", test::shape("asteroid", 400'000));
+    const std::string& backend = backend_names().front();
+    std::atomic<bool> started = false;
+    std::thread worker([&] {
+        started = true;
+        shelf->prepare(big, backend);
+    });
+    while (!started) std::this_thread::yield();
+    int made = 0;
+    // Preparing takes a tenth of a second and more; a frame's throws go on meanwhile.
+    while (!shelf->is_prepared(big, backend)) {
+        ASSERT_TRUE(shelf->make(0, backend));
+        ASSERT_EQ(shelf->model(0).name, "icosphere");
+        ++made;
+    }
+    worker.join();
+    EXPECT_GE(made, 3);
 }
 
 TEST(BackEnds, AreFoundByName)
