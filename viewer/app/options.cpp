@@ -43,6 +43,7 @@ ParsedOptions parse_options(int argc, char** argv)
     Options options;
     options.data_folder = KERF_DATA_DIR;
     std::string size, lighting;
+    std::vector<float> zoom_at;
     bool no_panel = false, panel = false, no_vsync = false;
 
     CLI::App program("Throws models and lets you cut them with the mouse, with either back end.", "kerf-viewer");
@@ -71,6 +72,11 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--record", options.record, "write all frames as PNG into a folder")->type_name("DIR");
     program.add_option("--lighting", lighting, "how surfaces are shaded")
         ->check(CLI::IsMember({"lambert", "textured"}));
+    program.add_option("--zoom", options.view.zoom, "enlarge the picture")->check(CLI::Range(1.0, 100.0));
+    program.add_option("--zoom-at", zoom_at, "place of the stage to enlarge, metres from its middle")
+        ->delimiter(',')
+        ->expected(2)
+        ->type_name("X,Y");
     program.add_flag("--wireframe", options.view.wireframe, "show the triangles");
     program.add_flag("--proxies", options.view.proxies, "show the collision proxies");
     program.add_flag("--panel", panel, "show the panel in pictures of --headless");
@@ -105,6 +111,7 @@ ParsedOptions parse_options(int argc, char** argv)
         return {std::nullopt, kWrongUse};
     }
     if (lighting == "lambert") options.view.lighting = render::Lighting::lambert;
+    if (zoom_at.size() == 2) options.view.zoom_at = {zoom_at[0], zoom_at[1]};
     options.vsync = !no_vsync;
     options.view.panel = options.headless ? panel : !no_panel;
     return {options, kDone};

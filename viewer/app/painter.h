@@ -32,7 +32,7 @@ public:
 
 private:
     void paint_proxies(const sim::Simulation& simulation, double fraction);
-    void paint_blade(const sim::Simulation& simulation);
+    void paint_blade(const sim::Simulation& simulation, const ViewSettings& settings);
 
     render::LookTable looks_;
     DrawnWorld world_;

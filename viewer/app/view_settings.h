@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include "viewer/render/scene_renderer.h"
 
 namespace kerf::app {
@@ -12,7 +14,9 @@ struct ViewSettings
     bool proxies = false;
     bool panel = true;
     bool help = false;
-    float ui_scale = 1.0f;  ///< of texts; 1 at 96 dots per inch
+    float zoom = 1.0f;        ///< enlarges the picture ...
+    glm::vec2 zoom_at{0.0f};  ///< ... around this point of the stage, which comes into the middle; metres
+    float ui_scale = 1.0f;    ///< of texts; 1 at 96 dots per inch
 };
 
 }  // namespace kerf::app

@@ -21,9 +21,9 @@ struct Viewpoint
 struct Lights
 {
     glm::vec3 to_light = glm::normalize(glm::vec3(-0.52f, 0.72f, 0.78f));  ///< unit, towards the key light
-    glm::vec3 key{2.7f, 2.45f, 2.12f};
+    glm::vec3 key{2.6f, 2.36f, 2.02f};
     glm::vec3 sky{0.50f, 0.56f, 0.66f};      ///< ambient from above
-    glm::vec3 ground{0.25f, 0.20f, 0.165f};  ///< ambient from below
+    glm::vec3 ground{0.33f, 0.285f, 0.25f};  ///< ambient from below
     float shadow = 0.86f;                    ///< how much of the key light a shadow takes, 0 to 1
     float exposure = 0.62f;
 };

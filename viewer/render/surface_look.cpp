@@ -23,7 +23,7 @@ const std::vector<Named>& surfaces()
 {
     using enum Pattern;
     static const std::vector<Named> all{
-        {"ivory", look(coat, {0.79f, 0.63f, 0.41f}, {0.66f, 0.47f, 0.27f}, {}, 5, 0.75f, 0.36f, 0.045f, 0.05f, 0)},
+        {"ivory", look(coat, {0.68f, 0.52f, 0.32f}, {0.55f, 0.37f, 0.20f}, {}, 5, 0.75f, 0.36f, 0.045f, 0.05f, 0)},
         {"paint", look(coat, {0.045f, 0.175f, 0.36f}, {0.032f, 0.13f, 0.30f}, {}, 6, 0.8f, 0.3f, 0.045f, 0, 0.0005f)},
         {"stone", look(stone, {0.52f, 0.50f, 0.46f}, {0.36f, 0.35f, 0.33f}, {0.16f, 0.15f, 0.15f}, 11, 0.75f, 0.8f,
                        0.03f, 0, 0.004f)},
@@ -46,7 +46,7 @@ const std::vector<Named>& insides()
     using enum Pattern;
     static const SurfaceLook beech = look(wood, {0.70f, 0.45f, 0.23f}, {0.50f, 0.27f, 0.11f}, {0.40f, 0.20f, 0.08f}, 7,
                                           0.9f, 0.62f, 0.035f, 0, 0.0012f);
-    static const SurfaceLook padauk = look(wood, {0.44f, 0.115f, 0.036f}, {0.22f, 0.040f, 0.014f},
+    static const SurfaceLook padauk = look(wood, {0.46f, 0.135f, 0.046f}, {0.25f, 0.055f, 0.020f},
                                            {0.20f, 0.03f, 0.012f}, 9, 0.85f, 0.55f, 0.035f, 0, 0.0012f);
     static const SurfaceLook oak = look(wood, {0.55f, 0.33f, 0.15f}, {0.33f, 0.16f, 0.06f}, {0.22f, 0.10f, 0.035f}, 9,
                                         0.9f, 0.62f, 0.035f, 0, 0.0015f);
