@@ -86,6 +86,9 @@ ParsedOptions parse_options(int argc, char** argv)
         ->check(CLI::Range(0.5, 8.0));
     program.add_flag("--fullscreen", options.fullscreen, "start on the whole screen");
     program.add_flag("--no-vsync", no_vsync, "do not wait for the screen");
+    // Scripts put their own options before the user's: the last one counts.
+    for (CLI::Option* option : program.get_options())
+        if (option->get_items_expected_max() == 1) option->take_last();
     program.footer("Exit status: 0 done, 1 a file cannot be used or a GL error happened, 2 wrong use, 3 no display.");
 
     try {
