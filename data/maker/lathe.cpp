@@ -138,7 +138,12 @@ Ring Lathe::turn(const Ring& first, const Profile& profile)
 
 void Lathe::fan(const Ring& rim, double height, bool up)
 {
-    const int apex = mesh_.add_point({0.0, height, 0.0});
+    fan(rim, glm::dvec3{0.0, height, 0.0}, up);
+}
+
+void Lathe::fan(const Ring& rim, const glm::dvec3& place, bool up)
+{
+    const int apex = mesh_.add_point(place);
     const double reach = glm::length(mesh_.points[std::size_t(rim.points[0])] - mesh_.points[std::size_t(apex)]);
     const double v = up ? rim.v + reach : rim.v - reach;
     for (int i = 0; i < segments_; ++i) {

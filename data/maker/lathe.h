@@ -71,6 +71,8 @@ public:
 
     /// Closes with triangles to a point on the axis. `up` tells whether the outside is above.
     void fan(const Ring& rim, double height, bool up);
+    /// The same to any point.
+    void fan(const Ring& rim, const glm::dvec3& apex, bool up);
 
     /// Closes with one polygon.
     void disc(const Ring& rim, bool up);

@@ -1,26 +1,14 @@
 #include "maker/obj.h"
 
 #include <charconv>
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <map>
 #include <utility>
 
+#include "maker/corners.h"
 #include "maker/triangulate.h"
 
 namespace kerf::maker {
 namespace {
-
-/// Numbers are decimals of this step: short in the file, and the last bits of a sine, which may differ from one C
-/// library to the next, stay out of it.
-constexpr double kStep = 1e-5;
-
-double rounded(double x)
-{
-    const double r = std::round(x / kStep) * kStep;
-    return r == 0.0 ? 0.0 : r;  // no -0
-}
 
 std::string text(double x)
 {
@@ -52,41 +40,6 @@ private:
     std::map<std::string, int> numbers_;
 };
 
-/// Texture coordinate by projection along the axis that the facet faces most: one unit of texture a unit of length.
-glm::dvec2 box_uv(const glm::dvec3& p, const glm::dvec3& normal)
-{
-    const glm::dvec3 a = glm::abs(normal);
-    if (a.y >= a.x && a.y >= a.z) return {p.x, normal.y > 0 ? -p.z : p.z};
-    if (a.x >= a.z) return {normal.x > 0 ? -p.z : p.z, p.y};
-    return {normal.z > 0 ? p.x : -p.x, p.y};
-}
-
-/// For each facet and corner the shading normal: the facet's own, or for a smoothing group the mean over the group's
-/// facets at that point, weighted by area.
-std::vector<std::vector<glm::dvec3>> corner_normals(const PolyMesh& mesh)
-{
-    std::map<std::pair<int, int>, glm::dvec3> sums;  // by point and group
-    std::vector<glm::dvec3> areas;
-    for (const Facet& facet : mesh.facets) {
-        std::vector<glm::dvec3> loop;
-        for (const int p : facet.points) loop.push_back(mesh.points[std::size_t(p)]);
-        areas.push_back(newell(loop));
-        if (facet.smoothing == 0) continue;
-        for (const int p : facet.points) {
-            const auto at = sums.try_emplace({p, facet.smoothing}, glm::dvec3{0.0}).first;
-            at->second += areas.back();
-        }
-    }
-    std::vector<std::vector<glm::dvec3>> normals;
-    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-        const Facet& facet = mesh.facets[f];
-        std::vector<glm::dvec3>& of_facet = normals.emplace_back();
-        for (const int p : facet.points)
-            of_facet.push_back(glm::normalize(facet.smoothing == 0 ? areas[f] : sums.at({p, facet.smoothing})));
-    }
-    return normals;
-}
-
 }  // namespace
 
 int triangle_count(const PolyMesh& mesh)
@@ -98,8 +51,7 @@ int triangle_count(const PolyMesh& mesh)
 
 std::string obj_text(const PolyMesh& source, const std::string& name)
 {
-    PolyMesh mesh = source;
-    for (glm::dvec3& p : mesh.points) p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+    const PolyMesh mesh = with_rounded_points(source);
     const auto normals = corner_normals(mesh);
 
     // Points are never merged by position: two that fall together would show up as a closedness fault in the tests.
