@@ -43,6 +43,11 @@ public:
     {
         return ndc_to_stage(screen_to_ndc(pixel, window_size));
     }
+    /// Where the eye sees a place of the world, which is in front of it, on the plane z = 0.
+    static glm::dvec2 seen_on_stage(const glm::dvec3& world)
+    {
+        return glm::dvec2(world) * (kEyeDistance / (kEyeDistance - world.z));
+    }
     glm::dvec2 stage_to_screen(const glm::dvec2& stage, const glm::dvec2& window_size) const;
 
 private:

@@ -8,6 +8,7 @@
 #include "viewer/sim/body.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/state_hash.h"
+#include "viewer/sim/world.h"
 
 namespace kerf::sim {
 
@@ -22,6 +23,11 @@ public:
     virtual ~Scene() = default;
 
     virtual std::string_view name() const = 0;
+    /// Of the world that it plays in, m/s^2, downwards.
+    virtual double gravity() const { return kGravity; }
+    /// How fast its time should run for the player: 1 as on the clock, less for slow motion. Whoever turns frame times
+    /// into ticks scales them by it; the simulation itself knows nothing but ticks.
+    virtual double time_scale() const { return 1.0; }
     /// Once a tick, after physics and before the blade.
     virtual void tick(Simulation& simulation) = 0;
     virtual void on_cut(Simulation&, const CutRecord&) {}
@@ -32,7 +38,7 @@ public:
     virtual void hash(StateHash&) const {}
 };
 
-/// Null for an unknown name.
+/// The scenes of the simulation itself; those of other modules are handed to Simulation. Null for an unknown name.
 std::unique_ptr<Scene> make_scene(std::string_view name);
 const std::vector<std::string>& scene_names();
 

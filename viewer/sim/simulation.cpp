@@ -10,12 +10,26 @@
 
 namespace kerf::sim {
 
-Simulation::Simulation(std::shared_ptr<ModelShelf> models, Settings settings)
-    : models_(std::move(models)), settings_(std::move(settings)), proxy_(settings_.proxy)
+namespace {
+
+std::unique_ptr<Scene> scene_to_play(const ModelShelf* models, const std::string& name, std::unique_ptr<Scene> given)
 {
-    if (!models_ || models_->empty()) throw std::invalid_argument("there is no model to throw");
-    scene_ = make_scene(settings_.scene);
-    if (!scene_) throw std::invalid_argument("there is no scene '" + settings_.scene + "'");
+    if (models == nullptr || (!given && models->empty())) throw std::invalid_argument("there is no model to throw");
+    std::unique_ptr<Scene> scene = given ? std::move(given) : make_scene(name);
+    if (!scene) throw std::invalid_argument("there is no scene '" + name + "'");
+    return scene;
+}
+
+}  // namespace
+
+Simulation::Simulation(std::shared_ptr<ModelShelf> models, Settings settings, std::unique_ptr<Scene> scene)
+    : models_(std::move(models)),
+      settings_(std::move(settings)),
+      scene_(scene_to_play(models_.get(), settings_.scene, std::move(scene))),
+      world_(scene_->gravity()),
+      proxy_(settings_.proxy)
+{
+    settings_.scene = scene_->name();
     backend_ = settings_.backend.empty() ? backend_names().front() : find_backend(settings_.backend);
     if (backend_.empty()) throw std::invalid_argument("there is no back end '" + settings_.backend + "'");
     settings_.backend = backend_;

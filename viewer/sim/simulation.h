@@ -41,8 +41,9 @@ struct Settings
 class Simulation
 {
 public:
+    /// @param scene  what is played, for Settings::scene; null: what make_scene() gives for that, which needs a model
     /// @throws std::invalid_argument  one sentence: unknown scene or back end, no models
-    Simulation(std::shared_ptr<ModelShelf> models, Settings settings);
+    Simulation(std::shared_ptr<ModelShelf> models, Settings settings, std::unique_ptr<Scene> scene = nullptr);
     ~Simulation();
 
     Tick now() const { return world_.now(); }
@@ -101,9 +102,9 @@ private:
 
     std::shared_ptr<ModelShelf> models_;
     Settings settings_;
+    std::unique_ptr<Scene> scene_;
     World world_;
     Blade blade_;
-    std::unique_ptr<Scene> scene_;
     std::string backend_;
     ProxyKind proxy_;
     std::deque<InputEvent> input_;  ///< not yet taken in; sorted by time, stable
