@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "viewer/game/fruit.h"
+#include "viewer/game/game_mode.h"
+
+namespace kerf::game {
+
+enum class GamePhase : std::uint8_t
+{
+    playing,
+    over,  ///< nothing counts any more; what flies falls down
+};
+
+/// The effect of a special fruit, while it lasts.
+struct ActiveSpecial
+{
+    FruitKind kind = FruitKind::freeze;
+    double seconds_left = 0.0;  ///< as the player counts them
+    double share_left = 0.0;    ///< 1 at its start, 0 at its end
+};
+
+/// Why a game was over.
+enum class GameEnd : std::uint8_t
+{
+    none,
+    missed,  ///< no lives left
+    bomb,
+    time,
+    given_up,
+};
+
+/// All that a display shows of a game.
+struct GameState
+{
+    GameMode mode = GameMode::classic;
+    GamePhase phase = GamePhase::playing;
+    GameEnd end = GameEnd::none;
+    std::int64_t score = 0;
+    std::int64_t best = 0;               ///< of this mode so far, this game included
+    bool is_best = false;                ///< this game has beaten what was best before it, and not nothing
+    int lives = 0;                       ///< only where Rules::lives > 0
+    int lives_at_start = 0;              ///< 0: this mode has none
+    std::optional<double> seconds_left;  ///< empty: no end
+    int combo = 0;                       ///< fruit that the swipe under way has cut so far
+    int multiplier = 1;
+    std::vector<ActiveSpecial> specials;
+    int wave = 0;  ///< counts up from 1; 0 before the first
+
+    // The balance at the end.
+    std::int64_t fruit_cut = 0, fruit_missed = 0, criticals = 0, combos = 0, bombs_cut = 0;
+    int longest_combo = 0;
+};
+
+}  // namespace kerf::game
