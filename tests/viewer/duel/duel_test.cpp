@@ -1,0 +1,178 @@
+#include "viewer/duel/duel.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+
+#include "viewer/duel/timetable_scene.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/stages.h"
+
+namespace kerf::test {
+
+using duel::Duel;
+using duel::TimetableScene;
+using namespace std::chrono_literals;
+
+namespace {
+
+const std::array<std::string, 2> kBackEnds{sim::backend_names().front(), "baseline/remap"};
+
+std::unique_ptr<sim::Scene> timetable()
+{
+    return std::make_unique<TimetableScene>(std::vector<std::size_t>{0});
+}
+
+/// As a timetable, but each cut takes half a second longer, in the tick in which it happens.
+class SlowCuts : public TimetableScene
+{
+public:
+    using TimetableScene::TimetableScene;
+    void on_cut(sim::Simulation&, const sim::CutRecord& cut) override
+    {
+        if (!cut.pieces.empty()) std::this_thread::sleep_for(500ms);
+    }
+};
+
+/// A duel whose second half is slowed down.
+Duel unfair_duel(std::shared_ptr<sim::ModelShelf> models)
+{
+    int made = 0;
+    return {models, {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
+                if (made++ == 0) return timetable();
+                return std::make_unique<SlowCuts>(std::vector<std::size_t>{0});
+            }};
+}
+
+/// A swipe across the stage when the first throw is near its apex.
+std::vector<sim::InputEvent> one_swipe()
+{
+    return stroke(2'150'000, 100'000, {-6.5, 1.7}, {6.5, 1.9});
+}
+
+std::vector<sim::InputEvent> between(const std::vector<sim::InputEvent>& all, sim::Tick from, sim::Tick to)
+{
+    std::vector<sim::InputEvent> some;
+    for (const sim::InputEvent& event : all)
+        if (sim::tick_of(event.time) > from && sim::tick_of(event.time) <= to) some.push_back(event);
+    return some;
+}
+
+}  // namespace
+
+TEST(Duel, ASlowCutFreezesOnlyItsOwnHalf)
+{
+    const auto models = shelf_of({"icosphere"});
+    for (const std::string& backend : kBackEnds) models->prepare(0, backend);
+    Duel duel = unfair_duel(models);
+    const std::vector<sim::InputEvent> swipe = one_swipe();
+
+    sim::Tick most_behind_fast = 0, most_behind_slow = 0;
+    for (int frame = 0; frame < 240; ++frame) {
+        const auto began = std::chrono::steady_clock::now();
+        duel.advance(2, between(swipe, duel.now(), duel.now() + 2));
+        // What a frame waits for in play; here a little more, because other programs may want the processor, too.
+        ASSERT_TRUE(duel.half(0).wait_for(400ms)) << "frame " << frame;
+        EXPECT_LT(std::chrono::steady_clock::now() - began, 450ms) << "nobody waits for the slow half";
+        most_behind_fast = std::max(most_behind_fast, duel.now() - duel.half(0).done());
+        most_behind_slow = std::max(most_behind_slow, duel.now() - duel.half(1).done());
+        // The fast half is drawn in every frame: it has done all ticks, one after the other.
+        ASSERT_EQ(duel.half(0).simulation().now(), duel.now());
+        std::this_thread::sleep_until(began + 4ms);
+    }
+    EXPECT_EQ(most_behind_fast, 0);
+    EXPECT_GT(most_behind_slow, 20) << "the other half stood still while it cut";
+    duel.finish();
+    EXPECT_GE(duel.half(0).simulation().cuts().size(), 1u);
+    EXPECT_EQ(duel.half(1).simulation().cuts().size(), duel.half(0).simulation().cuts().size());
+}
+
+TEST(Duel, ThePiecesOfTheSlowHalfComeLaterAndAreTheSame)
+{
+    const auto models = shelf_of({"icosphere"});
+    Duel unfair = unfair_duel(models);
+    Duel fair(models, {}, kBackEnds, timetable);
+    for (Duel* duel : {&unfair, &fair}) {
+        for (int frame = 0; frame < 140; ++frame) duel->advance(2, between(one_swipe(), duel->now(), duel->now() + 2));
+        duel->finish();
+    }
+    ASSERT_GE(fair.half(1).simulation().cuts().size(), 1u);
+    EXPECT_EQ(unfair.half(1).simulation().state_hash(), fair.half(1).simulation().state_hash());
+    EXPECT_EQ(unfair.half(0).simulation().state_hash(), fair.half(0).simulation().state_hash());
+}
+
+TEST(Duel, ItsHalvesDoWhatASimulationAloneDoes)
+{
+    const auto models = shelf_of({"icosphere"});
+    Duel duel(models, {}, kBackEnds, timetable);
+    for (int frame = 0; frame < 150; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
+    duel.finish();
+    for (std::size_t i = 0; i < 2; ++i) {
+        sim::Settings settings;
+        settings.backend = kBackEnds[i];
+        sim::Simulation alone(models, settings, timetable());
+        alone.push(one_swipe());
+        alone.advance(300);
+        EXPECT_EQ(duel.half(i).simulation().state_hash(), alone.state_hash()) << kBackEnds[i];
+    }
+}
+
+TEST(Duel, BothHalvesCutTheSameAndCountTheirOwnTime)
+{
+    const auto models = shelf_of({"asteroid"}, 4000);
+    Duel duel(models, {}, kBackEnds, timetable);
+    for (int frame = 0; frame < 150; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
+    duel.finish();
+    const auto &ours = duel.half(0).simulation().cuts(), &theirs = duel.half(1).simulation().cuts();
+    ASSERT_GE(ours.size(), 1u);
+    EXPECT_EQ(theirs.size(), ours.size());
+    EXPECT_EQ(theirs[0].tick, ours[0].tick);
+    EXPECT_EQ(theirs[0].statistics.crossing_surface, ours[0].statistics.crossing_surface);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const duel::Score score = duel.score(i);
+        EXPECT_EQ(score.backend, kBackEnds[i]);
+        EXPECT_GE(score.cuts, 1u);
+        EXPECT_GT(score.cut_ms, 0.0);
+        EXPECT_GE(score.cut_ms, score.worst_ms);
+        EXPECT_GE(score.worst_ms, score.last_ms);
+        EXPECT_EQ(score.behind_ms, 0.0);
+    }
+}
+
+TEST(Duel, TheBladeFollowsThePlayerWhateverTheHalvesDo)
+{
+    const auto models = shelf_of({"icosphere"});
+    Duel duel = unfair_duel(models);
+    duel.advance(2, {{1000, sim::InputKind::press, {-1.0, 0.0}, {}}, {9000, sim::InputKind::move, {1.0, 0.0}, {}}});
+    EXPECT_TRUE(duel.blade().pressed());
+    EXPECT_EQ(duel.blade().trail(duel.time()).size(), 2u);
+}
+
+TEST(Duel, EndsInTheMiddleOfACut)
+{
+    const auto models = shelf_of({"icosphere"});
+    Duel duel = unfair_duel(models);
+    for (int frame = 0; frame < 140; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
+    duel.half(0).finish();
+    // All that the second half owes, so that it is in the middle of its cut now: leaving must neither hang nor crash.
+    duel.half(1).wait_for(1s);
+    duel.half(1).resume(duel.half(1).owed());
+    EXPECT_FALSE(duel.half(1).wait_for(60ms));
+}
+
+TEST(Duel, HandsOnWhatGoesWrongInAHalf)
+{
+    class Failing : public TimetableScene
+    {
+    public:
+        using TimetableScene::TimetableScene;
+        void tick(sim::Simulation&) override { throw std::runtime_error("the scene broke"); }
+    };
+    Duel duel(shelf_of({"icosphere"}), {}, kBackEnds,
+              [] { return std::make_unique<Failing>(std::vector<std::size_t>{0}); });
+    duel.advance(2, {});
+    EXPECT_THROW(duel.finish(), std::runtime_error);
+}
+
+}  // namespace kerf::test
