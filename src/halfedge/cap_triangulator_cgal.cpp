@@ -42,22 +42,20 @@ public:
     bool triangulate(const CapOutline& outline, CapMesh& cap) override
     {
         cap.clear();
+        // A triangulation of its own for each cap: one that ran out of memory half-way is fit for nothing but its
+        // destructor, and clear() gives all memory back as well.
+        Triangulation triangulation;
+        triangulation_ = &triangulation;
         try {
-            if (!insert_points(outline, cap) || triangulation_.dimension() < 2 || !insert_seams(outline)) {
-                triangulation_.clear();
-                return false;
-            }
+            if (!insert_points(outline, cap) || triangulation.dimension() < 2 || !insert_seams(outline)) return false;
         } catch (const std::bad_alloc&) {
-            triangulation_.clear();
             throw;
         } catch (const std::exception&) {
             // Seams that cross one another: Intersection_of_constraints_exception.
-            triangulation_.clear();
             return false;
         }
         flood(cap);
         link(cap);
-        triangulation_.clear();
         return true;
     }
 
@@ -69,10 +67,10 @@ private:
         vertices_.resize(outline.points.size());
         FaceHandle hint;
         for (const auto& [key, i] : order_) {
-            const std::size_t before = triangulation_.number_of_vertices();
+            const std::size_t before = triangulation_->number_of_vertices();
             const glm::dvec2& p = outline.points[i];
-            const VertexHandle v = triangulation_.insert(Kernel::Point_2(p.x, p.y), hint);
-            if (triangulation_.number_of_vertices() != before) {
+            const VertexHandle v = triangulation_->insert(Kernel::Point_2(p.x, p.y), hint);
+            if (triangulation_->number_of_vertices() != before) {
                 v->info() = i;
             } else {
                 if (outline.positions[v->info()] != outline.positions[i]) return false;
@@ -124,18 +122,18 @@ private:
     bool insert_seams(const CapOutline& outline)
     {
         for_each_seam(outline, [&](Index i, Index j) {
-            triangulation_.insert_constraint(vertices_[i], vertices_[j]);
+            triangulation_->insert_constraint(vertices_[i], vertices_[j]);
             return true;
         });
         seam_next_.assign(vertices_.size(), kNone);
         return for_each_seam(outline, [&](Index i, Index j) {
             FaceHandle f;
             int edge;
-            if (!triangulation_.is_edge(vertices_[i], vertices_[j], f, edge)) return false;
+            if (!triangulation_->is_edge(vertices_[i], vertices_[j], f, edge)) return false;
             seam_next_[i] = f->info().seam[std::size_t(edge)];
             f->info().seam[std::size_t(edge)] = i;
             const FaceHandle g = f->neighbor(edge);
-            g->info().seam[std::size_t(triangulation_.mirror_index(f, edge))] = i;
+            g->info().seam[std::size_t(triangulation_->mirror_index(f, edge))] = i;
             return true;
         });
     }
@@ -160,7 +158,7 @@ private:
             f->info().id = static_cast<Index>(queue_.size());
             queue_.push_back(f);
         };
-        reach(triangulation_.infinite_face(), 0);
+        reach(triangulation_->infinite_face(), 0);
         for (std::size_t at = 0; at < queue_.size(); ++at) {
             const FaceHandle f = queue_[at];
             const int winding = f->info().winding;
@@ -202,7 +200,7 @@ private:
                 for (Index i = seam; i != kNone; i = seam_next_[i])
                     if (leaves_on_left(i, f, edge)) against_.push_back(kSeamLink + i);
                 append_copies(f, edge, along_, against_);
-                append_copies(g, triangulation_.mirror_index(f, edge), against_, along_);
+                append_copies(g, triangulation_->mirror_index(f, edge), against_, along_);
                 for (Index i = seam; i != kNone; i = seam_next_[i])
                     if (!leaves_on_left(i, f, edge)) along_.push_back(kSeamLink + i);
                 for (std::size_t i = 0; i < along_.size() && i < against_.size(); ++i)
@@ -234,7 +232,7 @@ private:
         }
     }
 
-    Triangulation triangulation_;
+    Triangulation* triangulation_ = nullptr;              // of the cap under way
     std::vector<std::pair<std::uint32_t, Index>> order_;  // place on the curve, point
     std::vector<VertexHandle> vertices_;
     std::vector<Index> seam_next_;

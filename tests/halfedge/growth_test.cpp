@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/shapes.h"
-#include "halfedge/allocation_counter.h"
+#include "support/allocations.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"

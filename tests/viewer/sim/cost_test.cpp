@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "halfedge/allocation_counter.h"
+#include "support/allocations.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/cut_body.h"
 

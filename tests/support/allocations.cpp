@@ -1,39 +1,46 @@
-#include "halfedge/allocation_counter.h"
+#include "support/allocations.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace {
 
 std::size_t total = 0, largest = 0;
 
+constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
+std::uint64_t until_failure = kNever;
+bool has_failed = false;
+
+/// Null when there is no memory, or when this allocation is to fail.
 void* counted(std::size_t size)
 {
+    if (until_failure != kNever && until_failure-- == 0) {
+        until_failure = kNever;
+        has_failed = true;
+        return nullptr;
+    }
     total += size;
     largest = std::max(largest, size);
-    if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-    throw std::bad_alloc();
+    return std::malloc(size > 0 ? size : 1);
 }
 
 }  // namespace
 
 void* operator new(std::size_t size)
 {
-    return counted(size);
+    if (void* p = counted(size)) return p;
+    throw std::bad_alloc();
 }
 void* operator new[](std::size_t size)
 {
-    return counted(size);
+    return operator new(size);
 }
 // Sorting asks for its buffer in this way.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 {
-    try {
-        return counted(size);
-    } catch (const std::bad_alloc&) {
-        return nullptr;
-    }
+    return counted(size);
 }
 void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept
 {
@@ -77,6 +84,20 @@ std::size_t largest_allocation()
 void reset_largest_allocation()
 {
     largest = 0;
+}
+
+FailingAllocation::FailingAllocation(std::uint64_t number)
+{
+    until_failure = number;
+    has_failed = false;
+}
+FailingAllocation::~FailingAllocation()
+{
+    until_failure = kNever;
+}
+bool FailingAllocation::happened() const
+{
+    return has_failed;
 }
 
 }  // namespace kerf::test

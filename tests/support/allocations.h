@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// A program that links kerf_test_allocations has every operator new counted, and can let chosen ones fail. Not for
+// programs of several threads.
+
+namespace kerf::test {
+
+/// Bytes asked of operator new since the program started, and the largest single request since
+/// reset_largest_allocation().
+std::size_t allocated_bytes();
+std::size_t largest_allocation();
+void reset_largest_allocation();
+
+/// While it lives, the allocation of that number from its construction on (0: the next one) fails, and no other:
+/// operator new throws std::bad_alloc, or gives null where it is asked not to throw. One at a time.
+class FailingAllocation
+{
+public:
+    explicit FailingAllocation(std::uint64_t number);
+    ~FailingAllocation();
+    FailingAllocation(const FailingAllocation&) = delete;
+    FailingAllocation& operator=(const FailingAllocation&) = delete;
+
+    /// Whether it came to that allocation.
+    bool happened() const;
+};
+
+}  // namespace kerf::test
