@@ -1,3 +1,8 @@
+#include "halfedge/cap_arena.h"
+
+// What CGAL's containers allocate with (CGAL/memory.h): defined before anything of CGAL is read.
+#define CGAL_ALLOCATOR(T) kerf::halfedge::CapArenaAllocator<T>
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -44,6 +49,7 @@ public:
         cap.clear();
         // A triangulation of its own for each cap: one that ran out of memory half-way is fit for nothing but its
         // destructor, and clear() gives all memory back as well.
+        const CapArena arena;
         Triangulation triangulation;
         triangulation_ = &triangulation;
         try {
