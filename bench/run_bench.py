@@ -34,11 +34,32 @@ def parse_arguments():
     return parser.parse_args()
 
 
-def run_one(program, pattern, repetitions, min_time, title, out):
-    """Runs the benchmarks whose name matches, shows one line of progress, returns the parsed JSON."""
+class LineOfProgress:
+    """Shows how many benchmarks are done: one line on a terminal, now and then a line elsewhere."""
+
+    def __init__(self, title):
+        self.title, self.start = title, time.monotonic()
+
+    def update(self, done, total, name):
+        if sys.stderr.isatty():
+            print(f"\r{self.title}: {done}/{total} {name:60.60}", end="", file=sys.stderr, flush=True)
+        elif done % 50 == 0:
+            print(f"{self.title}: {done}/{total}", file=sys.stderr, flush=True)
+
+    def finish(self, done):
+        if sys.stderr.isatty():
+            print("\r" + " " * 100 + "\r", end="", file=sys.stderr)
+        print(f"{self.title}: {done} benchmarks in {time.monotonic() - self.start:.0f} s", file=sys.stderr)
+
+
+def run_one(program, pattern, repetitions, min_time, progress, out):
+    """Runs the benchmarks whose name matches, tells `progress` about each, returns the parsed JSON.
+
+    The program is killed when this is interrupted, so that nothing goes on in the background.
+    """
     listed = subprocess.run([program, "--benchmark_list_tests", f"--benchmark_filter={pattern}"], check=True,
                             capture_output=True, text=True).stdout.splitlines()
-    total, done, start = len(listed), 0, time.monotonic()
+    total, done = len(listed), 0
     messages = tempfile.TemporaryFile("w+")  # the harness writes its context there; shown only when something fails
     process = subprocess.Popen(
         [program, f"--benchmark_filter={pattern}", f"--benchmark_repetitions={repetitions}",
@@ -46,21 +67,21 @@ def run_one(program, pattern, repetitions, min_time, title, out):
          f"--benchmark_out={out}", "--benchmark_out_format=json"],
         stdout=subprocess.PIPE, stderr=messages, text=True)
     seen = set()
-    for line in process.stdout:
-        match = re.match(r"(\S+?)/manual_time", line)
-        if match and match.group(1) not in seen:
-            seen.add(match.group(1))
-            done += 1
-            if sys.stderr.isatty():
-                print(f"\r{title}: {done}/{total} {match.group(1):60.60}", end="", file=sys.stderr, flush=True)
-            elif done % 50 == 0:
-                print(f"{title}: {done}/{total}", file=sys.stderr, flush=True)
-    if process.wait() != 0 or done != total:
+    try:
+        for line in process.stdout:
+            match = re.match(r"(\S+?)/manual_time", line)
+            if match and match.group(1) not in seen:
+                seen.add(match.group(1))
+                done += 1
+                progress.update(done, total, match.group(1))
+        process.wait()
+    finally:
+        process.kill()
+        process.wait()
+    if process.returncode != 0 or done != total:
         messages.seek(0)
         sys.exit(f"run_bench: {program} failed with exit status {process.returncode}:\n{messages.read().strip()}")
-    if sys.stderr.isatty():
-        print("\r" + " " * 100 + "\r", end="", file=sys.stderr)
-    print(f"{title}: {done} benchmarks in {time.monotonic() - start:.0f} s", file=sys.stderr)
+    progress.finish(done)
     with open(out) as file:
         return json.load(file)
 
@@ -71,7 +92,7 @@ def collect(results):
     for entry in results["benchmarks"]:
         if entry.get("run_type") != "iteration":
             continue
-        name = entry["name"].split("/manual_time")[0]
+        name = re.sub(r"(/iterations:\d+)?/manual_time.*", "", entry["name"])
         if entry.get("error_occurred"):
             sys.exit(f"run_bench: {name} was not timed because its result is wrong: {entry['error_message']}")
         runs.setdefault(name, []).append(entry)
@@ -282,13 +303,14 @@ def main():
         arguments.out.parent.mkdir(parents=True, exist_ok=True)
         partial = arguments.out.with_suffix(".partial.json")
         repetitions = 1 if arguments.quick else 3
-        results = run_one(arguments.program, "^Cut/|^Proxy/|^Prepare/.*/[a-z]+/manual_time$", repetitions, 0.01, "Models",
-                          partial)
+        results = run_one(arguments.program, "^Cut/|^Proxy/|^Prepare/.*/[a-z]+/manual_time$", repetitions, 0.01,
+                          LineOfProgress("Models"), partial)
         most = 100_000 if arguments.quick else 16_000_000 if arguments.full else 4_000_000
         sizes = "|".join(str(size) for size in SIZES if size <= most)
         for pattern, min_time, title in ((f"^(Scale|Geometry)/.*/({sizes})/manual_time$", 0.05, "Growth"),
                                          (f"^(Recut|Prepare)/.*/({sizes})/manual_time$", 0.01, "Chains")):
-            results["benchmarks"] += run_one(arguments.program, pattern, repetitions, min_time, title, partial)["benchmarks"]
+            results["benchmarks"] += run_one(arguments.program, pattern, repetitions, min_time, LineOfProgress(title),
+                                              partial)["benchmarks"]
         with open(partial, "w") as file:
             json.dump(results, file, indent=1)
         os.replace(partial, arguments.out)

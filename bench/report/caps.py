@@ -1,0 +1,105 @@
+"""Whether caps are right: the fan against the constrained triangulation, from what `kerf compare` found."""
+
+import statistics
+from typing import Any, Iterator
+
+from report.measurements import Measurements, model_name
+from report.tables.core import Column, Table, digits, percent, scientific
+
+SMALLEST_SECTION = 1e-6  # of the model's largest section: below, a relative error says nothing
+MIXES = {"random": "random planes through the middle", "nasty": "planes through vertices, edges and faces too"}
+
+
+def judged_rows(file: dict[str, Any]) -> Iterator[tuple[dict[str, Any], float, float]]:
+    """Rows of cuts with a section worth judging: row, and the relative area errors of fan and triangulation."""
+    rows = [row for row in file["rows"] if row["status"] == "cut" and row["loops"] > 0]
+    largest = max((row["covered_area"] for row in rows), default=0.0)
+    for row in rows:
+        if row["covered_area"] > SMALLEST_SECTION * largest:
+            yield (row, row["baseline"]["cap_excess"] / row["covered_area"],
+                   row["halfedge"]["cap_excess"] / row["covered_area"])
+
+
+def caps_table(found: Measurements, mix: str) -> Table:
+    """One row a model: how often each cap is wrong, and by how much of the section."""
+    table = Table(f"caps_{mix}", [Column("model", "model"), Column("cuts", "cuts"), Column("missed", "missed"),
+                                  Column("fans_wrong", "fans wrong"), Column("median_fan_error", "median", percent),
+                                  Column("worst_fan_error", "worst", percent),
+                                  Column("caps_wrong", "triangulations wrong"),
+                                  Column("worst_cap_error", "worst", scientific),
+                                  Column("not_judged", "self-crossing sections"),
+                                  Column("surfaces_differ", "surfaces that differ"), Column("failed", "checks failed")])
+    for file in found.comparisons.get(mix, {"files": []})["files"]:
+        summary = file["summary"]
+        fans = [fan for _, fan, _ in judged_rows(file)]
+        table.rows.append({"model": model_name(file["file"]), "cuts": summary["cut"], "missed": summary["missed"],
+                           "fans_wrong": summary["fans_wrong"], "median_fan_error": statistics.median(fans) if fans else None,
+                           "worst_fan_error": summary["worst_fan"], "caps_wrong": summary["caps_wrong"],
+                           "worst_cap_error": summary["worst_cap"],
+                           "not_judged": summary["sections_that_intersect_themselves"],
+                           "surfaces_differ": summary["surfaces_differ"], "failed": summary["failed"] + len(file["failures"])})
+    return table
+
+
+def cap_rows_table(found: Measurements) -> Table:
+    """Each model and plane, one a row: for the CSV and the plot."""
+    table = Table("caps_by_plane", [Column(key, key) for key in (
+        "planes", "model", "number", "kind", "normal_x", "normal_y", "normal_z", "offset", "crossing", "loops",
+        "section_area", "fan_error", "triangulation_error", "fan_least_angle", "triangulation_least_angle", "fan_fits", "cap_fits", "section_intersects_itself")])
+    for mix, result in found.comparisons.items():
+        for file in result["files"]:
+            for row, fan, cap in judged_rows(file):
+                x, y, z = row["plane"]["normal"]
+                table.rows.append({"planes": mix, "model": model_name(file["file"]), "number": row["number"],
+                                   "kind": row["kind"], "normal_x": x, "normal_y": y, "normal_z": z,
+                                   "offset": row["plane"]["offset"], "crossing": row["crossing"], "loops": row["loops"],
+                                   "section_area": row["section_area"], "fan_error": fan, "triangulation_error": cap,
+                                   "fan_least_angle": row["baseline"].get("cap_least_angle"),
+                                   "triangulation_least_angle": row["halfedge"].get("cap_least_angle"),
+                                   "fan_fits": row["fan_fits"], "cap_fits": row["cap_fits"],
+                                   "section_intersects_itself": row["section_intersects_itself"]})
+    return table
+
+
+def least_angles_table(found: Measurements) -> Table:
+    """Smallest angles of caps, medians over the cuts of each model."""
+    table = Table("least_angles", [Column("model", "model"), Column("cuts", "cuts"), Column("fan", "fan", digits(2)),
+                                   Column("triangulation", "triangulation", digits(2))])
+    rows = [row for row in cap_rows_table(found).rows if row.get("fan_least_angle") is not None]
+    for model in dict.fromkeys(row["model"] for row in rows):
+        own = [row for row in rows if row["model"] == model]
+        table.rows.append({"model": model, "cuts": len(own),
+                           "fan": statistics.median(row["fan_least_angle"] for row in own),
+                           "triangulation": statistics.median(row["triangulation_least_angle"] for row in own)})
+    return table
+
+
+LEAST_SHOWN = 0.05  # of the section: fans that are less wrong make no picture
+
+
+def worst_fans(found: Measurements, most: int) -> list[dict[str, Any]]:
+    """The worst fan of each model where it is wrong, the worst first; at most so many."""
+    worst: dict[str, dict[str, Any]] = {}
+    for row in cap_rows_table(found).rows:
+        least = worst.get(str(row["model"]), {"fan_error": LEAST_SHOWN})["fan_error"]
+        if not row["section_intersects_itself"] and row["fan_error"] > least:
+            worst[str(row["model"])] = row
+    return sorted(worst.values(), key=lambda row: -row["fan_error"])[:most]
+
+
+def gallery_sections(found: Measurements) -> list[dict[str, Any]]:
+    """What `kerf section` drew of the worst fans."""
+    return found.sections
+
+
+def verdict(found: Measurements) -> str:
+    """One sentence on whether the back ends agree."""
+    if not found.comparisons:
+        return "The comparison was not run."
+    cuts = sum(result["total"]["cut"] for result in found.comparisons.values())
+    failed = sum(result["total"]["failed"] + sum(len(file["failures"]) for file in result["files"])
+                 for result in found.comparisons.values())
+    differ = sum(result["total"]["surfaces_differ"] for result in found.comparisons.values())
+    if failed == 0 and differ == 0:
+        return f"In all {cuts:,} cuts the two back ends agree: their surfaces are equal bit for bit, and every check passed."
+    return f"THE BACK ENDS DO NOT AGREE: of {cuts:,} cuts, {differ} surfaces differ and {failed} checks failed."

@@ -1,0 +1,17 @@
+"""The page's chapters, one file each: from measurements to sections of sentences, tables and figures."""
+
+from report.chapters import caps, chains, distribution, growth, limits, method, models, peers, proxies, summary
+from report.measurements import Measurements
+from report.sections import Facts, Section
+
+CHAPTERS = (summary, models, growth, caps, chains, proxies, distribution, peers, limits, method)
+
+
+def all_sections(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
+    """In the order of the page. A chapter of which nothing was measured is left out."""
+    sections = []
+    for module in CHAPTERS:
+        facts.section = module.__name__.rsplit(".", 1)[-1]
+        written: list[Section] = module.write(found, machine, facts)
+        sections += [section for section in written if section.parts]
+    return sections

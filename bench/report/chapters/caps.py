@@ -1,0 +1,42 @@
+"""Whether the back ends agree, and whether caps are right."""
+
+from report.caps import cap_rows_table, caps_table, gallery_sections, least_angles_table, MIXES, verdict
+from report.measurements import Measurements
+from report.sections import Facts, Section, ShownFigure, ShownTable
+from report.tables import count, percent
+
+
+def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
+    if not found.comparisons:
+        return []
+    by_plane = cap_rows_table(found)
+    wrong = sum(result["total"]["fans_wrong"] for result in found.comparisons.values())
+    cuts = sum(result["total"]["cut"] for result in found.comparisons.values())
+    parts: list = [
+        verdict(found) + " `kerf compare` judges both by code that shares nothing with them: surfaces triangle by triangle, "
+        "open edges, volumes by direct integration, caps by area.",
+        f"The report closes a cut with a fan of triangles over the section's mean point, and says that this is accurate with "
+        f"convex sections only. Of {facts.say('cuts', cuts, count)} cuts of its own models "
+        f"{facts.say('fans wrong', wrong, count)} ({facts.say('share', wrong / max(cuts, 1), percent)}) get a fan that covers "
+        f"too much: triangles reach over the outline, turn over, and overlap. The half-edge back end triangulates the "
+        "outline, holes and islands included. An error is the sum of the areas of a cap's triangles, less the section's area, "
+        "as a share of it."]
+    for mix, planes in MIXES.items():
+        if mix in found.comparisons:
+            parts += [ShownFigure("fan_errors", f"Error of the fan in each cut, {planes}: a dot a plane, a bar at the median.",
+                                  arguments=(mix,)),
+                      ShownTable(caps_table(found, mix), f"Caps, {planes}.", published=mix == "nasty")]
+    gallery = gallery_sections(found)
+    if gallery:
+        parts.append(ShownFigure("gallery", "The worst fans, one a model, beside the caps of the half-edge back end. Blue "
+                                 "triangles face the right way; orange ones are turned over, and everything under them is "
+                                 "covered twice or lies outside of the outline (the dark line).", arguments=(gallery,),
+                                 wide=True, published=True))
+    angles = least_angles_table(found)
+    if angles.rows:
+        parts += ["Thin triangles shade badly and make trouble for what comes after. The outline decides how thin a "
+                  "triangulation without extra points must be; the fan's added middle point helps it on round sections.",
+                  ShownFigure("angles", "Smallest angle of each cap: the share of all caps whose smallest angle is at most this."),
+                  ShownTable(angles, "Smallest angle of a cap in degrees: medians over the cuts.")]
+    parts.append(ShownTable(by_plane, "Every cut that was judged.", folded=True))
+    return [Section("caps", "Are the results right?", parts)]

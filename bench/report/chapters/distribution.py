@@ -1,0 +1,22 @@
+"""The worst cut of many."""
+
+from report.measurements import Measurements
+from report.sections import Facts, Section, ShownFigure, ShownTable
+from report.tables import distribution_table, viewer_cuts_table, viewer_distribution_table
+
+
+def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
+    many, seen = distribution_table(found), viewer_distribution_table(found)
+    parts: list = []
+    if many.rows:
+        parts += ["A player does not notice the median; a frame is dropped by the worst cut. Planes here have random directions and "
+                  "go anywhere through the asteroid, not through its middle only; each cut is the whole chain, and the median "
+                  "of three runs of the same plane.",
+                  ShownFigure("distribution", "Time of the slowest cuts; the right end is the worst of all."),
+                  ShownTable(many, "Quantiles of many cuts, ms.", published=True)]
+    if seen.rows:
+        parts += ["The viewer's cuts in the runs above, from the hit to the last uploaded byte, processor time.",
+                  ShownFigure("viewer_cuts", "Every cut of the viewer's runs."),
+                  ShownTable(seen, "The viewer's cuts."),
+                  ShownTable(viewer_cuts_table(found), "Every one of them.", folded=True)]
+    return [Section("distribution", "The worst cut of many", parts)]

@@ -1,0 +1,67 @@
+"""What the numbers were measured on, and with what."""
+
+import os
+import platform
+import re
+import subprocess
+from pathlib import Path
+
+PACKAGES = ["libopenmesh-dev", "libcgal-dev", "libbullet-dev", "libassimp-dev", "libglm-dev", "libbenchmark-dev",
+            "libgl1-mesa-dri", "python3-matplotlib"]
+SEED = re.compile(r"constexpr std::uint64_t (k\w*Seed) = (\d+);")
+
+
+def output_of(command: list[str]) -> str:
+    """What a program prints, or nothing when it is not there or fails."""
+    try:
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return ""
+
+
+def commit() -> str:
+    """The commit that is checked out; `+` when files that it tracks have changed since."""
+    name = output_of(["git", "rev-parse", "--short=12", "HEAD"])
+    if not name:
+        return "not under version control"
+    return name + ("+" if output_of(["git", "status", "--porcelain", "--untracked-files=no"]) else "")
+
+
+def cache_entry(cache: str, name: str) -> str:
+    found = re.search(rf"^{name}:\w+=(.*)$", cache, re.MULTILINE)
+    return found.group(1) if found else ""
+
+
+def processor() -> str:
+    for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.machine()
+
+
+def memory_gib() -> float:
+    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+
+
+def describe(build: Path) -> dict[str, str]:
+    """Machine, compiler, flags, versions, seeds and commit, for the page. `build` is the configured build folder."""
+    try:
+        cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
+    except OSError:
+        cache = ""
+    compiler = cache_entry(cache, "CMAKE_CXX_COMPILER")
+    facts = {
+        "processor": f"{processor()}, {os.cpu_count()} cores, {memory_gib():.0f} GiB",
+        "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux {platform.release()}",
+        "compiler": (output_of([compiler, "--version"]) if compiler else "").partition("\n")[0] or "not known",
+        "flags": " ".join([cache_entry(cache, "CMAKE_BUILD_TYPE"), cache_entry(cache, "CMAKE_CXX_FLAGS_RELEASE"),
+                           cache_entry(cache, "CMAKE_CXX_FLAGS"), "-ffp-contract=off -fno-fast-math"]).strip(),
+        "commit": commit(),
+    }
+    for package in PACKAGES:
+        version = output_of(["dpkg-query", "-W", "-f", "${Version}", package])
+        facts[package] = version or "not installed"
+    for source in sorted(Path("bench").glob("*_bench.cpp")):
+        for name, value in SEED.findall(source.read_text(encoding="utf-8")):
+            facts[f"{source.name}, {name}"] = value
+    return facts

@@ -1,0 +1,110 @@
+"""What the finished stages say, without the programs' own formats: the input of tables and plots."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Iterator
+
+from report import files
+from report.names import ASTEROID, BACKENDS, Kind
+from run_bench import collect
+
+Counters = dict[str, tuple[float, float, float]]  # counter -> median, lowest, highest of the repetitions
+
+
+@dataclass(frozen=True)
+class Cut:
+    """One cut of the viewer: times in milliseconds."""
+
+    model: str
+    backend: str
+    triangles: int
+    crossing: int
+    to_upload_ms: float  # processor time from the hit to the last uploaded byte
+    upload_bytes: int
+
+
+@dataclass(frozen=True)
+class Run:
+    """One viewer run: a model with a back end."""
+
+    model: str
+    backend: str
+    graphics: str
+    cuts: list[Cut]
+    times: dict[str, dict[str, float]]  # frame_ms, simulate_ms, submit_cpu_ms, cut_to_upload_cpu_ms: min, median, ...
+
+
+@dataclass
+class Measurements:
+    """Everything that was measured. Stages that were not run leave their part empty."""
+
+    bench: dict[str, Counters] = field(default_factory=dict)
+    comparisons: dict[str, dict[str, Any]] = field(default_factory=dict)  # plane mix -> the JSON of kerf compare
+    runs: list[Run] = field(default_factory=list)
+    peers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs
+    sections: list[dict[str, Any]] = field(default_factory=list)  # the JSON of kerf section, of the worst fans
+    stages: list[dict[str, Any]] = field(default_factory=list)  # the stages' files, without their results
+
+    def growth(self, kind: str, shape: str) -> dict[tuple[str, int], Counters]:
+        """`Scale` or `Geometry` benchmarks of a shape, by back end and nominal size (as run_bench.crossover wants it)."""
+        cells = {}
+        for name, counters in self.bench.items():
+            parts = name.split("/")
+            if parts[0] == kind and parts[-2] == shape:
+                cells[("/".join(parts[1:-2]), int(parts[-1]))] = counters
+        return cells
+
+    def sized(self, kind: str) -> Iterator[tuple[str, int, Counters]]:
+        """Benchmarks named KIND/<back end>/<shape>/<size>: back end, size, counters, in order of size."""
+        found = []
+        for name, counters in self.bench.items():
+            parts = name.split("/")
+            if parts[0] == kind and parts[-1].isdigit():
+                found.append(("/".join(parts[1:-2]), int(parts[-1]), counters))
+        return iter(sorted(found, key=lambda row: (row[1], order(row[0]))))
+
+    def of_model(self, kind: str, variant: str, model: str) -> Counters | None:
+        return self.bench.get(f"{kind}/{variant}/{model}")
+
+    def run_of(self, model: str, backend: str) -> Run | None:
+        return next((run for run in self.runs if run.model == model and run.backend == backend), None)
+
+    def viewer_backends(self) -> list[str]:
+        return sorted({run.backend for run in self.runs}, key=order)
+
+
+def order(backend: str) -> int:
+    """The place of a back end in tables and legends."""
+    return BACKENDS.index(backend) if backend in BACKENDS else len(BACKENDS)
+
+
+def model_name(file: str) -> str:
+    stem = Path(file).stem
+    return ASTEROID if stem.startswith(ASTEROID) else stem
+
+
+def load(stage_files: list[Path]) -> Measurements:
+    """Reads stages' files; the order of `stage_files` is the order of runs."""
+    all_of_them = Measurements()
+    benchmarks: list[dict[str, Any]] = []
+    for path in stage_files:
+        stage = files.read_json(path)
+        result = stage.pop("result")
+        all_of_them.stages.append(stage)
+        kind = Kind(stage["kind"])
+        if kind == Kind.BENCH:
+            benchmarks += result["benchmarks"]
+        elif kind == Kind.COMPARE:
+            all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
+        else:
+            model = model_name(stage["command"][1])
+            all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in result["runs"]]
+    all_of_them.bench = collect({"benchmarks": benchmarks})
+    return all_of_them
+
+
+def viewer_run(model: str, graphics: str, run: dict[str, Any]) -> Run:
+    cuts = [Cut(model, run["backend"], cut["triangles"], cut["crossing"], cut["cut_to_upload_cpu_ms"], cut["bytes_uploaded"])
+            for cut in run["cuts"] if cut["status"] == "cut"]
+    times = {name: run[name] for name in ("frame_ms", "simulate_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
+    return Run(model, run["backend"], graphics, cuts, times)

@@ -1,0 +1,109 @@
+"""Which stages a report consists of: what is run with which arguments, and about how long it takes."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from report.names import ASTEROID, BACKENDS, Kind
+from report.measurements import Measurements
+from run_bench import SIZES, report_rows
+
+VIEWER_SIZE = "160x90"  # drawn by a program on most machines: small, so that drawing does not hide cutting
+VIEWER_SEED = 3
+VIEWER_FRAMES = 160  # the autopilot cuts about ten times in them, like the report
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One program run. `arguments` are relative to the project's folder, so that results name no folder of a machine."""
+
+    name: str
+    kind: Kind
+    arguments: tuple[str, ...]
+    expected_seconds: float  # on two busy cores; only for the time left
+    shape: tuple[str, ...] = ()  # `kerf shape` arguments that make the model this stage needs
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How much is measured."""
+
+    name: str
+    most_triangles: int
+    repetitions: int
+    most_quadratic: int  # triangles; the quadratic lookups take seconds above
+    planes: int
+    viewer_backends: tuple[str, ...]
+    viewer_triangles: int
+
+
+QUICK = Extent("quick", 100_000, 1, 10_000, 40, ("halfedge", "baseline/hash"), 30_000)
+NORMAL = Extent("normal", 4_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 100_000)
+FULL = Extent("full", 16_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 1_000_000)
+SHOWN_FANS = 4  # in the gallery
+
+
+def plan(extent: Extent, scratch: Path) -> list[Stage]:
+    """All stages of a report, the quickest kinds first. `scratch` is where generated models go."""
+    return compare_stages(extent) + bench_stages(extent) + viewer_stages(extent, scratch)
+
+
+def model_file(model: str) -> str:
+    return f"data/models/{model}.obj"
+
+
+def compare_stages(extent: Extent) -> list[Stage]:
+    files = tuple(model_file(row["model"]) for row in report_rows())
+    seconds = 0.05 * extent.planes
+    return [Stage(f"compare-{mix}", Kind.COMPARE, ("--json", "--planes", str(extent.planes)) + flags + files, seconds)
+            for mix, flags in (("nasty", ()), ("random", ("--random-only",)))]
+
+
+def bench_stage(name: str, pattern: str, extent: Extent, min_time: float, seconds: float) -> Stage:
+    """Arguments: the names' pattern, repetitions, and seconds that each is repeated for at least."""
+    return Stage(name, Kind.BENCH, (pattern, str(extent.repetitions), str(min_time)), seconds * extent.repetitions)
+
+
+def growth_seconds(size: int) -> float:
+    """The quadratic lookups stop at 30 000 triangles, where they take most of the time."""
+    return 30.0 if size == 30_000 else 4.0 + size / 20_000
+
+
+def bench_stages(extent: Extent) -> list[Stage]:
+    stages = [bench_stage("cuts", "^Cut/", extent, 0.01, 12),
+              bench_stage("proxies", "^Proxy/", extent, 0.01, 6),
+              bench_stage("prepare-models", "^Prepare/.*/[a-z]+/manual_time$", extent, 0.01, 2)]
+    for size in SIZES:
+        if size > extent.most_triangles:
+            continue
+        tail = f"{size}/manual_time$"
+        linear = "" if size <= extent.most_quadratic else "(halfedge|baseline/(hash|remap))/"
+        stages.append(bench_stage(f"growth-{size}", f"^(Scale|Geometry)/{linear}.*/{tail}", extent, 0.05, growth_seconds(size)))
+        if size in (10_000, 100_000, 1_000_000):
+            stages.append(bench_stage(f"chain-{size}", f"^(Recut|Prepare)/.*/{tail}", extent, 0.01, 2 + size / 20_000))
+            swipe = f"^Swipe/.*/{size}/iterations:[0-9]+/manual_time$"
+            stages.append(bench_stage(f"swipe-{size}", swipe, extent, 0.01, 2 + size / 20_000))
+    stages.append(bench_stage("pieces", "^Pieces/", extent, 0.01, 4))
+    return stages
+
+
+def gallery_stages(found: Measurements) -> list[Stage]:
+    """The worst fans drawn beside the right caps: known only when the comparison is done."""
+    return []
+
+
+def viewer_stages(extent: Extent, scratch: Path) -> list[Stage]:
+    """One run a model, every back end in it; the quadratic lookups stay out of the large one."""
+    stages = []
+    for model in [row["model"] for row in report_rows()]:
+        stages.append(viewer_stage(f"viewer-{model}", model_file(model), extent.viewer_backends))
+    linear = tuple(name for name in extent.viewer_backends if name.split("/")[-1] not in ("scan", "two_bucket_hash"))
+    file = str(scratch / f"{ASTEROID}-{extent.viewer_triangles}.ply")
+    shape = (ASTEROID, "--triangles", str(extent.viewer_triangles), "--out", file)
+    stages.append(viewer_stage(f"viewer-{ASTEROID}", file, linear, shape))
+    return stages
+
+
+def viewer_stage(name: str, file: str, backends: tuple[str, ...], shape: tuple[str, ...] = ()) -> Stage:
+    arguments = (file, "--headless", "--autopilot", "--seed", str(VIEWER_SEED), "--frames", str(VIEWER_FRAMES),
+                 "--size", VIEWER_SIZE, "--backend", ",".join(backends))
+    return Stage(name, Kind.VIEWER, arguments, (6.0 if shape else 3.0) * len(backends), shape)
