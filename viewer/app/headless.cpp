@@ -5,13 +5,13 @@
 
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
-#include "viewer/app/autopilot.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/app/painter.h"
 #include "viewer/app/panel.h"
 #include "viewer/app/run_report.h"
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
+#include "viewer/game/autopilot.h"
 #include "viewer/render/offscreen_context.h"
 
 namespace kerf::app {
@@ -35,7 +35,7 @@ public:
     HeadlessRun(const Options& options, const Session& session, const std::string& backend)
         : options_(options),
           frames_(frames_of(options, session.script)),
-          simulation_(session.models, with_backend(session.settings, backend)),
+          simulation_(session.models, with_backend(session.settings, backend), session.make_scene()),
           painter_(options.width, options.height),
           autopilot_(session.settings.seed)
     {
@@ -103,7 +103,7 @@ private:
     std::int64_t frames_;
     sim::Simulation simulation_;
     Painter painter_;
-    Autopilot autopilot_;
+    game::Autopilot autopilot_;
     std::optional<render::Recording> recording_;
     std::optional<UserInterface> interface_;
     FrameStatistics statistics_;

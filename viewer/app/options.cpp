@@ -6,6 +6,7 @@
 #include <map>
 
 #include "viewer/app/exit_status.h"
+#include "viewer/game/scenes.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"
 
@@ -49,8 +50,8 @@ ParsedOptions parse_options(int argc, char** argv)
     CLI::App program("Throws models and lets you cut them with the mouse, with either back end.", "kerf-viewer");
     program.set_version_flag("--version", "kerf-viewer " KERF_VERSION);
     program.add_option("FILE", options.files, "models to throw (default: the report's fifteen)");
-    program.add_option("--data", options.data_folder, "folder that holds models/")->type_name("DIR");
-    program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(sim::scene_names()));
+    program.add_option("--data", options.data_folder, "folder that holds models/ and fruit/")->type_name("DIR");
+    program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(game::scene_names()));
     program
         .add_option("--backend", options.backends,
                     "what cuts: " + joined(sim::backend_names()) + "; several with --headless, one run each")
@@ -105,6 +106,8 @@ ParsedOptions parse_options(int argc, char** argv)
         const bool has_output = !options.screenshot.empty() || !options.record.empty() || !options.save_script.empty();
         if (options.backends.size() > 1 && has_output)
             throw CLI::ValidationError("--backend", "several cannot share one file for pictures or script");
+        if (!options.files.empty() && !options.scene.empty() && options.scene != "report")
+            throw CLI::ValidationError("FILE", "only the scene report throws models of your own");
         if (options.headless && options.frames == 0 && options.script.empty())
             throw CLI::ValidationError("--headless", "needs --frames or --script");
     } catch (const CLI::ParseError& error) {

@@ -15,7 +15,7 @@ namespace kerf::app {
 struct Options
 {
     std::vector<std::filesystem::path> files;  ///< models to throw; empty: the report's fifteen
-    std::filesystem::path data_folder;         ///< where `models/` lies
+    std::filesystem::path data_folder;         ///< where `models/` and `fruit/` lie
     std::string scene;                         ///< empty: the script's, or "report"
     std::vector<std::string> backends;         ///< several: one run each, without a screen only
     std::string proxy;                         ///< empty: the script's, or the default

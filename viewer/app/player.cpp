@@ -50,7 +50,7 @@ Player::Player(const Options& options, const Session& session)
       window_(options.width, options.height, options.fullscreen, "Kerf"),
       painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
       interface_(options.view.ui_scale * window_.content_scale(), window_.handle()),
-      simulation_(session.models, recorded(session.settings)),
+      simulation_(session.models, recorded(session.settings), session.make_scene()),
       autopilot_(session.settings.seed)
 {
     window_.set_vsync(options.vsync);
@@ -111,6 +111,7 @@ void Player::simulate()
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
     if (frame_ > 0) statistics_.add(1e3 * seconds);
+    clock_.set_time_scale(simulation_.scene().time_scale());
     const sim::Tick ticks = fixed_step() ? sim::kTicksPerFrame : clock_.advance(seconds);
     Stopwatch watch;
     if (ticks > 0) {

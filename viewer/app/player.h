@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "viewer/app/autopilot.h"
 #include "viewer/app/frame_statistics.h"
 #include "viewer/app/options.h"
 #include "viewer/app/painter.h"
@@ -13,6 +12,7 @@
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/app/window.h"
+#include "viewer/game/autopilot.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/sim/frame_clock.h"
 #include "viewer/sim/pointer_sampler.h"
@@ -64,7 +64,7 @@ private:
     sim::FrameClock clock_;
     sim::PointerSampler sampler_;
     std::vector<sim::PointerChange> pointer_;  ///< since the last tick
-    Autopilot autopilot_;
+    game::Autopilot autopilot_;
     std::optional<render::Recording> recording_;
     FrameStatistics statistics_;
     FrameTimes times_;

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "viewer/game/game_report.h"
+
 namespace kerf::app {
 
 namespace {
@@ -76,20 +78,22 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnW
         cuts.push_back(json_of(cut, upload, simulation.models()));
         if (!cut.pieces.empty()) to_upload.push_back(cut_to_upload_ms(cut, upload));
     }
-    return {{"scene", simulation.scene().name()},
-            {"backend", simulation.backend()},
-            {"proxy", name_of(simulation.proxy())},
-            {"seed", simulation.settings().seed},
-            {"ticks", simulation.now()},
-            {"bodies", simulation.bodies().size()},
-            {"state_hash", hexadecimal(simulation.state_hash())},
-            {"cut_to_upload_cpu_ms", json_of(summary_of(std::move(to_upload)))},
-            {"simulate_ms", json_of(summary_of(times.simulate_ms))},
-            {"submit_cpu_ms", json_of(summary_of(times.submit_cpu_ms))},
-            {"frame_ms", json_of(summary_of(times.frame_ms))},
-            {"bytes_uploaded", world.store().bytes_uploaded()},
-            {"bytes_on_card", world.store().bytes_held()},
-            {"cuts", std::move(cuts)}};
+    Json report{{"scene", simulation.scene().name()},
+                {"backend", simulation.backend()},
+                {"proxy", name_of(simulation.proxy())},
+                {"seed", simulation.settings().seed},
+                {"ticks", simulation.now()},
+                {"bodies", simulation.bodies().size()},
+                {"state_hash", hexadecimal(simulation.state_hash())},
+                {"cut_to_upload_cpu_ms", json_of(summary_of(std::move(to_upload)))},
+                {"simulate_ms", json_of(summary_of(times.simulate_ms))},
+                {"submit_cpu_ms", json_of(summary_of(times.submit_cpu_ms))},
+                {"frame_ms", json_of(summary_of(times.frame_ms))},
+                {"bytes_uploaded", world.store().bytes_uploaded()},
+                {"bytes_on_card", world.store().bytes_held()},
+                {"cuts", std::move(cuts)}};
+    if (const game::GameScene* const game = game::game_of(simulation.scene())) report["game"] = game::report_of(*game);
+    return report;
 }
 
 }  // namespace kerf::app

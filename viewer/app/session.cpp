@@ -1,6 +1,8 @@
 #include "viewer/app/session.h"
 
 #include "common/io/mesh_file.h"
+#include "viewer/game/fruit_models.h"
+#include "viewer/game/game_mode.h"
 #include "viewer/sim/proxy_names.h"
 
 namespace kerf::app {
@@ -14,12 +16,9 @@ const std::string& first_said(const std::string& by_command_line, const std::str
     return by_script.empty() ? otherwise : by_script;
 }
 
-}  // namespace
-
-Session open_session(const Options& options)
+/// What the scene report throws.
+void add_thrown_models(Session& session, const Options& options)
 {
-    Session session;
-    session.models = std::make_shared<sim::ModelShelf>();
     if (options.files.empty()) session.models->add_report_models(options.data_folder / "models");
     for (const std::filesystem::path& file : options.files) {
         try {
@@ -29,7 +28,13 @@ Session open_session(const Options& options)
         }
     }
     if (session.models->empty()) throw io::FileError(session.messages.front());
+}
 
+}  // namespace
+
+Session open_session(const Options& options)
+{
+    Session session;
     if (!options.script.empty()) session.script = sim::read_script(options.script);
     sim::Settings& settings = session.settings;
     settings.scene = first_said(options.scene, session.script.scene, settings.scene);
@@ -38,6 +43,13 @@ Session open_session(const Options& options)
     if (const auto kind = sim::find_proxy(first_said(options.proxy, session.script.proxy, {}))) settings.proxy = *kind;
     settings.seed = options.seed.value_or(session.script.seed.value_or(settings.seed));
     settings.record = !options.save_script.empty();
+
+    session.models = std::make_shared<sim::ModelShelf>();
+    if (settings.scene == "report") {
+        add_thrown_models(session, options);
+    } else if (game::find_mode(settings.scene)) {
+        game::add_fruit_models(*session.models, options.data_folder / "fruit");
+    }
     return session;
 }
 

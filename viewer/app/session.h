@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/app/options.h"
+#include "viewer/game/scenes.h"
 #include "viewer/sim/model_shelf.h"
 #include "viewer/sim/script.h"
 #include "viewer/sim/simulation.h"
@@ -19,10 +20,18 @@ struct Session
     sim::Script script;  ///< empty without --script
     sim::Settings settings;
     std::vector<std::string> messages;  ///< models that could not be read, one sentence each
+
+    /// What settings.scene names, to hand to a Simulation.
+    /// @param best  score to beat, for games that count
+    /// @throws std::invalid_argument  there is no such scene
+    std::unique_ptr<sim::Scene> make_scene(std::int64_t best = 0) const
+    {
+        return game::make_scene(settings.scene, *models, best);
+    }
 };
 
-/// Reads models and script. What the command line says goes before what the script says. A model that cannot be read is
-/// a message as long as there is another one.
+/// Reads the script and the models that its scene throws. What the command line says goes before what the script says.
+/// A model that cannot be read is a message as long as there is another one.
 /// @throws io::FileError  no model can be read, or the script cannot
 Session open_session(const Options& options);
 

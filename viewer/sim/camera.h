@@ -46,7 +46,7 @@ public:
     /// Where the eye sees a place of the world, which is in front of it, on the plane z = 0.
     static glm::dvec2 seen_on_stage(const glm::dvec3& world)
     {
-        return glm::dvec2(world) * (kEyeDistance / (kEyeDistance - world.z));
+        return glm::dvec2(world) * kEyeDistance / (kEyeDistance - world.z);
     }
     glm::dvec2 stage_to_screen(const glm::dvec2& stage, const glm::dvec2& window_size) const;
 

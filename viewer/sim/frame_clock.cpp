@@ -14,7 +14,7 @@ Tick FrameClock::advance(double seconds)
     }
     single_step_ = false;
     if (!std::isfinite(seconds) || seconds < 0.0) seconds = 0.0;
-    accumulated_ += slow_ ? seconds * kSlowMotion : seconds;
+    accumulated_ += scale_ * (slow_ ? seconds * kSlowMotion : seconds);
     Tick ticks = static_cast<Tick>(std::min(accumulated_ / kTickSeconds, double(kMostTicks)));
     accumulated_ -= double(ticks) * kTickSeconds;
     if (ticks == kMostTicks) accumulated_ = std::min(accumulated_, 0.0);

@@ -22,10 +22,13 @@ public:
     bool paused() const { return paused_; }
     void set_slow_motion(bool slow) { slow_ = slow; }
     bool slow_motion() const { return slow_; }
+    /// What Scene::time_scale() says; slow motion comes on top.
+    void set_time_scale(double scale) { scale_ = scale; }
     /// While paused: the next advance() gives one frame's ticks.
     void step_once() { single_step_ = true; }
 
 private:
+    double scale_ = 1.0;
     double accumulated_ = 0.0;  ///< seconds of simulation time not yet simulated
     bool paused_ = false, slow_ = false, single_step_ = false;
 };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "viewer/app/autopilot.h"
+#include "viewer/game/autopilot.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/stages.h"
@@ -29,7 +29,7 @@ protected:
     /// Plays until so many cuts have happened, and brings every tick onto the card.
     void play_until_cuts(std::size_t count)
     {
-        app::Autopilot autopilot(1);
+        game::Autopilot autopilot(1);
         for (int tick = 0; tick < 2000 && simulation.cuts().size() < count; ++tick) {
             simulation.push(autopilot.play(simulation));
             simulation.advance();
@@ -78,7 +78,7 @@ TEST_P(DrawnWorldTest, HoldsNoMoreBuffersThanThereAreThrowsOrPieces)
 
 TEST_P(DrawnWorldTest, SkipsPiecesThatNobodySaw)
 {
-    app::Autopilot autopilot(1);
+    game::Autopilot autopilot(1);
     for (int tick = 0; tick < 600; ++tick) {
         simulation.push(autopilot.play(simulation));
         simulation.advance();

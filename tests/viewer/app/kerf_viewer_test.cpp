@@ -79,6 +79,28 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOnBothBackEnds)
     for (const char* what : {"frame", "object", "crossing", "surface_hash"}) EXPECT_EQ(ours[what], theirs[what]);
 }
 
+TEST_F(KerfViewerTest, PlaysNinetyFramesOfEachGameOnBothBackEnds)
+{
+    for (const std::string scene : {"classic", "arcade", "zen"}) {
+        report("--headless --autopilot --scene " + scene +
+               " --seed 4 --frames 90 --draw 0 --size 16x9 --save-script played.kerf");
+        const Json json =
+            report("--headless --backend halfedge,baseline --script played.kerf --frames 90 --size 160x90");
+        ASSERT_EQ(json["runs"].size(), 2u);
+        for (const Json& run : json["runs"]) {
+            EXPECT_EQ(run["scene"], scene);
+            EXPECT_EQ(run["frame_ms"]["count"], 90);
+            EXPECT_EQ(run["game"]["mode"], scene);
+            EXPECT_EQ(run["game"]["phase"], "playing");
+            EXPECT_GE(run["game"]["wave"], 1);
+            EXPECT_GE(run["game"]["score"], 1);
+            EXPECT_EQ(run["game"]["events"][0]["event"], "wave");
+            EXPECT_EQ(run["game"]["events"][1]["event"], "thrown");
+        }
+        EXPECT_EQ(json["runs"][0]["game"]["score"], json["runs"][1]["game"]["score"]);
+    }
+}
+
 TEST_F(KerfViewerTest, GivesTheSameStateTwice)
 {
     write_swipes();
@@ -169,6 +191,13 @@ TEST_F(KerfViewerTest, RefusesBadScripts)
     expect_unusable(kerf("--headless --script none.kerf"), "none.kerf");
 }
 
+TEST_F(KerfViewerTest, RefusesScenesThatItCannotPlay)
+{
+    write("chess.kerf", "kerf-script 1\nscene chess\n12 press 0 0\n");
+    expect_unusable(kerf("--headless --script chess.kerf"), "chess");
+    expect_unusable(kerf("--headless --frames 2 --scene zen --data ."), "watermelon.glb");
+}
+
 TEST_F(KerfViewerTest, LeavesNoHalfAPictureBehind)
 {
     expect_unusable(kerf("--headless --frames 1 --size 16x9 --screenshot no/such/folder.png"), "no/such/folder.png");
@@ -179,7 +208,8 @@ TEST_F(KerfViewerTest, ExplainsWrongUse)
 {
     for (const char* arguments : {"--size 12", "--size 0x5", "--backend magic", "--headless", "--frames -3", "--what",
                                   "--backend halfedge,baseline --frames 3",
-                                  "--headless --frames 3 --backend halfedge,baseline --screenshot a.png"}) {
+                                  "--headless --frames 3 --backend halfedge,baseline --screenshot a.png",
+                                  "--scene chess", "--headless --frames 3 --scene zen a.obj"}) {
         const Outcome outcome = kerf(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.error_lines(), 2) << arguments << ": " << outcome.err;

@@ -58,6 +58,18 @@ TEST(FrameClock, SlowMotionScalesTimeBeforeTheStep)
     EXPECT_NEAR(double(run(clock, 1.0 / 60, 600)), 10 * kTicksPerSecond * FrameClock::kSlowMotion, 1.0);
 }
 
+TEST(FrameClock, AScenesTimeScaleComesBeforeTheStepToo)
+{
+    FrameClock clock;
+    clock.set_time_scale(0.5);
+    EXPECT_NEAR(double(run(clock, 0.1, 100)), 600.0, 1.0);
+    clock.set_slow_motion(true);
+    EXPECT_NEAR(double(run(clock, 0.1, 100)), 600.0 * FrameClock::kSlowMotion, 1.0);
+    clock.set_slow_motion(false);
+    clock.set_time_scale(1.0);
+    EXPECT_NEAR(double(run(clock, 0.1, 100)), 1200.0, 1.0);
+}
+
 TEST(Ticks, InputBelongsToTheFirstTickThatIsNotEarlier)
 {
     for (Tick n = 0; n < 1'000'000; n += 997) {
