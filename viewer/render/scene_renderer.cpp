@@ -10,7 +10,7 @@ namespace {
 /// Around the middle of the stage: everything that throws a shadow onto what a 16:9 window sees of the wall.
 constexpr float kShadowRadius = 12.5f;
 
-ShaderProgram surface_program(std::initializer_list<std::string_view> fragment_files)
+ShaderProgram surface_program(const ShaderFiles& fragment_files)
 {
     return ShaderProgram({"frame.glsl", "surface.vert"}, fragment_files);
 }
@@ -30,10 +30,7 @@ SceneRenderer::SurfaceProgram::SurfaceProgram(ShaderProgram linked)
 
 SceneRenderer::SceneRenderer(const LookTable& looks)
     : looks_(looks),
-      lambert_(surface_program(
-          {"frame.glsl", "tone.glsl", "shadow.glsl", "noise.glsl", "surface_look.glsl", "lambert.frag"})),
-      textured_(surface_program(
-          {"frame.glsl", "tone.glsl", "shadow.glsl", "noise.glsl", "surface_look.glsl", "textured.frag"})),
+      lambert_(surface_program({"frame.glsl", "tone.glsl", "shadow.glsl", "surface_look.glsl", "lambert.frag"})),
       depth_({"depth.vert"}, {"depth.frag"}),
       wire_({"frame.glsl", "wire.vert"}, {"wire.frag"}, {"frame.glsl", "wire.geom"})
 {
@@ -77,7 +74,7 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, shadow_map_.texture());
 
-    draw_surfaces(objects, options.lighting == Lighting::lambert ? lambert_ : textured_);
+    draw_surfaces(objects, options.lighting);
     // The wall last: what stands before it is not shaded twice.
     if (options.wall) wall_.draw();
     if (options.wireframe) draw_edges(objects);
@@ -111,14 +108,38 @@ void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, const SurfaceProgram& surface)
+const SceneRenderer::SurfaceProgram& SceneRenderer::textured(Pattern pattern)
 {
-    surface.program.use();
+    const std::span<const std::string_view> own = shaders_of(pattern);
+    const auto known = textured_.find(own.data());
+    if (known != textured_.end()) return known->second;
+    ShaderFiles files{"frame.glsl", "tone.glsl", "shadow.glsl", "noise.glsl", "surface_look.glsl"};
+    files.insert(files.end(), own.begin(), own.end());
+    files.push_back("textured.frag");
+    return textured_.emplace(own.data(), SurfaceProgram(surface_program(files))).first->second;
+}
+
+void SceneRenderer::warm_up()
+{
+    for (std::size_t pattern = 0; pattern < kPatterns; ++pattern) textured(static_cast<Pattern>(pattern));
+}
+
+void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting lighting)
+{
+    const SurfaceProgram* in_use = nullptr;
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
-        glUniformMatrix4fv(surface.model, 1, GL_FALSE, glm::value_ptr(object.model));
-        glUniform1f(surface.pattern_scale, object.pattern_scale);
+        bool is_placed = false;
         for (const DrawBatch& batch : object.fragment->batches) {
+            const SurfaceProgram& surface =
+                lighting == Lighting::lambert ? lambert_ : textured(looks_.look(batch.look).pattern);
+            if (&surface != in_use) surface.program.use();
+            if (&surface != in_use || !is_placed) {
+                glUniformMatrix4fv(surface.model, 1, GL_FALSE, glm::value_ptr(object.model));
+                glUniform1f(surface.pattern_scale, object.pattern_scale);
+            }
+            in_use = &surface;
+            is_placed = true;
             glUniform1i(surface.look_index, static_cast<GLint>(batch.look));
             glUniform1i(surface.is_cap, batch.kind == TriangleKind::cap ? 1 : 0);
             draw_runs(batch.runs);

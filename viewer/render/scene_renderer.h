@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <span>
+#include <string_view>
 
 #include "viewer/render/fragment_store.h"
 #include "viewer/render/frame_uniforms.h"
@@ -61,6 +63,10 @@ public:
     void draw(const Viewpoint& viewpoint, std::span<const DrawnObject> objects, const DrawOptions& options,
               const Area& area);
 
+    /// Makes the programs of all patterns, so that the first object of a kind does not wait for its own.
+    /// @throws RenderError
+    void warm_up();
+
     /// Of the last draw().
     const DrawStatistics& statistics() const { return statistics_; }
 
@@ -74,7 +80,8 @@ private:
     };
 
     void draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection);
-    void draw_surfaces(std::span<const DrawnObject> objects, const SurfaceProgram& surface);
+    void draw_surfaces(std::span<const DrawnObject> objects, Lighting lighting);
+    const SurfaceProgram& textured(Pattern pattern);
     void draw_edges(std::span<const DrawnObject> objects);
     void draw_runs(const IndexRuns& runs);
 
@@ -82,7 +89,8 @@ private:
     FrameUniforms uniforms_;
     ShadowMap shadow_map_;
     Wall wall_;
-    SurfaceProgram lambert_, textured_;
+    SurfaceProgram lambert_;
+    std::map<const std::string_view*, SurfaceProgram> textured_;  ///< by the place of shaders_of(pattern)
     ShaderProgram depth_, wire_;
     DrawStatistics statistics_;
 };

@@ -10,7 +10,7 @@ namespace kerf::render {
 
 namespace {
 
-std::string joined(std::initializer_list<std::string_view> files)
+std::string joined(const ShaderFiles& files)
 {
     std::string names;
     for (const std::string_view file : files) names += (names.empty() ? "" : " + ") + std::string(file);
@@ -28,7 +28,7 @@ struct CompiledShader
     ~CompiledShader() { glDeleteShader(id); }
 };
 
-CompiledShader compiled(GLenum stage, std::initializer_list<std::string_view> files)
+CompiledShader compiled(GLenum stage, const ShaderFiles& files)
 {
     std::string source = "#version 330 core\n";
     for (const std::string_view file : files) source += shader_source(file);
@@ -48,15 +48,14 @@ CompiledShader compiled(GLenum stage, std::initializer_list<std::string_view> fi
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(std::initializer_list<std::string_view> vertex_files,
-                             std::initializer_list<std::string_view> fragment_files,
-                             std::initializer_list<std::string_view> geometry_files)
+ShaderProgram::ShaderProgram(const ShaderFiles& vertex_files, const ShaderFiles& fragment_files,
+                             const ShaderFiles& geometry_files)
     : program_(GlProgram::create())
 {
     std::vector<CompiledShader> shaders;
     shaders.push_back(compiled(GL_VERTEX_SHADER, vertex_files));
     shaders.push_back(compiled(GL_FRAGMENT_SHADER, fragment_files));
-    if (geometry_files.size() != 0) shaders.push_back(compiled(GL_GEOMETRY_SHADER, geometry_files));
+    if (!geometry_files.empty()) shaders.push_back(compiled(GL_GEOMETRY_SHADER, geometry_files));
     for (const CompiledShader& shader : shaders) glAttachShader(program_.id(), shader.id);
     glLinkProgram(program_.id());
     for (const CompiledShader& shader : shaders) glDetachShader(program_.id(), shader.id);

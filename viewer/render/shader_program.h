@@ -1,8 +1,8 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "viewer/render/gl_objects.h"
 
@@ -19,6 +19,9 @@ enum class UniformBlock : GLuint
     looks = 1,  ///< "Looks" of surface_look.glsl
 };
 
+/// Names of shader files, in the order of the text.
+using ShaderFiles = std::vector<std::string_view>;
+
 /// A linked GLSL program.
 class ShaderProgram
 {
@@ -27,9 +30,8 @@ public:
 
     /// Each stage is several files one after the other; an empty geometry stage is left out.
     /// @throws RenderError  with the driver's message
-    ShaderProgram(std::initializer_list<std::string_view> vertex_files,
-                  std::initializer_list<std::string_view> fragment_files,
-                  std::initializer_list<std::string_view> geometry_files = {});
+    ShaderProgram(const ShaderFiles& vertex_files, const ShaderFiles& fragment_files,
+                  const ShaderFiles& geometry_files = {});
 
     void use() const { glUseProgram(program_.id()); }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "viewer/render/fruit_looks.h"
 #include "viewer/render/shader_program.h"
 
 namespace kerf::render {
@@ -61,9 +62,10 @@ const std::vector<Named>& insides()
     return all;
 }
 
-const SurfaceLook* find(const std::vector<Named>& looks, std::string_view name)
+template <class NamedLooks>
+const SurfaceLook* find(const NamedLooks& looks, std::string_view name)
 {
-    const auto found = std::find_if(looks.begin(), looks.end(), [&](const Named& n) { return n.first == name; });
+    const auto found = std::find_if(looks.begin(), looks.end(), [&](const auto& n) { return n.first == name; });
     return found == looks.end() ? nullptr : &found->second;
 }
 
@@ -81,6 +83,8 @@ SurfaceLook plain(const glm::vec3& colour)
 
 SurfaceLook inside_of(std::span<const Material> materials)
 {
+    for (const Material& material : materials)
+        if (const SurfaceLook* flesh = find(fruit_flesh(), material.name)) return *flesh;
     for (const auto& [name, inside] : insides())
         if (std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; }))
             return inside;
@@ -114,8 +118,16 @@ SurfaceLook look_of(std::span<const Material> materials, std::uint32_t material,
     const Material& wanted = materials[material];
     if (kind == TriangleKind::cap && is_added_cap_material(wanted.name)) return inside_of(materials);
     if (const SurfaceLook* known = find(surfaces(), wanted.name)) return *known;
+    if (const SurfaceLook* known = find(fruit_skins(), wanted.name)) return *known;
     if (const SurfaceLook* known = find(insides(), wanted.name)) return *known;
     return plain(glm::vec3(wanted.colour));
+}
+
+std::span<const std::string_view> shaders_of(Pattern pattern)
+{
+    static constexpr std::array<std::string_view, 1> kMaterials{"materials.glsl"};
+    const std::span<const std::string_view> own = fruit_shaders_of(pattern);
+    return own.empty() ? kMaterials : own;
 }
 
 LookTable::LookTable() : looks_{SurfaceLook{}}, buffer_(GlBuffer::create())

@@ -13,7 +13,7 @@
 
 namespace kerf::render {
 
-/// How a surface gets its colour from the place in the object: colour_of() in shaders/surface_look.glsl.
+/// How a surface gets its colour from the place in the object: describe() in the files that shaders_of() names.
 enum class Pattern : std::uint8_t
 {
     plain = 0,
@@ -23,7 +23,33 @@ enum class Pattern : std::uint8_t
     brushed = 4,  ///< metal brushed around y
     fur = 5,      ///< streaks and tufts
     foam = 6,     ///< crumbs and bubbles
+    // Fruit: each has shaders of its own, which know the mesh of data/fruit that they are for.
+    watermelon_skin,
+    watermelon_flesh,
+    apple_skin,
+    apple_flesh,
+    citrus_skin,
+    citrus_flesh,
+    kiwi_skin,
+    kiwi_flesh,
+    banana_skin,
+    banana_flesh,
+    coconut_skin,
+    coconut_flesh,
+    pineapple_skin,
+    pineapple_flesh,
+    leaf,
+    bomb_skin,
+    bomb_powder,
+    freeze_skin,
+    frenzy_skin,
+    double_skin,
+    magic_flesh,
 };
+inline constexpr std::size_t kPatterns = static_cast<std::size_t>(Pattern::magic_flesh) + 1;
+
+/// The shader files that draw a pattern. Patterns with the same files share a program.
+std::span<const std::string_view> shaders_of(Pattern pattern);
 
 /// What the textured shader draws a material with. Colours are linear.
 struct SurfaceLook
@@ -58,6 +84,8 @@ public:
 
     /// The index of look_of(...) in the table, which gets it if it is new. A full table gives 0, a neutral grey.
     std::uint32_t index_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind);
+
+    const SurfaceLook& look(std::uint32_t index) const { return looks_[index]; }
 
     /// Makes the table what the programs' uniform block "Looks" reads.
     void bind() const;

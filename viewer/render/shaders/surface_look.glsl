@@ -14,84 +14,28 @@ layout(std140) uniform Looks
     Look looks[kMostLooks];
 };
 uniform int look_index;
+uniform float pattern_scale;  // object units to pattern units
 
-// Wood that was a tree along y: rings around the axis, bent a little, and fibres along it.
-vec3 wood(Look look, vec3 p, out float height)
+// Where on the object a pixel is.
+struct Place
 {
-    vec3 q = p * look.second.w;
-    float bend = cloud(q * vec3(0.55, 0.16, 0.55), 2);
-    float radius = length(q.xz + vec2(0.37, -0.21)) + 1.1 * bend;
-    float ring = fract(radius);
-    // Spring wood is wide and pale, autumn wood narrow and dark.
-    float dark = smoothstep(0.25, 0.88, ring) * (1.0 - smoothstep(0.9, 1.0, ring));
-    float fibre = noise(q * vec3(19.0, 1.3, 19.0));
-    float pores = smoothstep(0.72, 0.9, noise(q * vec3(31.0, 2.6, 31.0)));
-    float tone = cloud(q * 0.7 + 5.0, 2);
-    vec3 colour = mix(look.colour.rgb, look.second.rgb, look.third.w * dark);
-    colour = mix(colour, look.third.rgb, 0.28 * fibre + 0.35 * pores * dark);
-    height = 0.4 * fibre - 0.5 * pores;
-    return colour * (0.86 + 0.28 * tone);
-}
+    vec3 object;    // mesh coordinates
+    vec3 pattern;   // the same as shares of the object's size
+    vec2 uv;
+    float pixel;    // side of a pixel, in mesh units: what is smaller is drawn as its mean
+    bool is_cap;
+};
 
-// Grains of three minerals.
-vec3 stone(Look look, vec3 p, out float height)
+// What light meets there.
+struct Surface
 {
-    vec3 q = p * look.second.w;
-    float cloudy = cloud(q * 0.35, 3);
-    float grain = noise(q * 3.1);
-    float speck = noise(q * 5.7 + 9.0);
-    vec3 colour = mix(look.colour.rgb, look.second.rgb, look.third.w * smoothstep(0.35, 0.7, grain));
-    colour = mix(colour, look.third.rgb, look.third.w * smoothstep(0.68, 0.8, speck));
-    height = grain - 0.6 * smoothstep(0.68, 0.8, speck);
-    return colour * (0.78 + 0.44 * cloudy);
-}
-
-// Metal brushed around y.
-vec3 brushed(Look look, vec3 p, out float height)
-{
-    vec3 q = p * look.second.w;
-    float line = noise(vec3(q.x * 0.6, q.y * 17.0, q.z * 0.6));
-    height = line;
-    return mix(look.colour.rgb, look.second.rgb, look.third.w * line);
-}
-
-// Short hair: streaks along y with tufts.
-vec3 fur(Look look, vec3 p, out float height)
-{
-    vec3 q = p * look.second.w;
-    float streak = noise(q * vec3(9.0, 2.6, 9.0));
-    float tuft = cloud(q * 1.1, 2);
-    height = 1.4 * streak;
-    return mix(look.colour.rgb, look.second.rgb, look.third.w * streak) * (0.7 + 0.6 * tuft);
-}
-
-// Paint or lacquer: a plain colour, hardly alive.
-vec3 coat(Look look, vec3 p, out float height)
-{
-    float tone = cloud(p * look.second.w, 2);
-    height = 0.15 * tone;
-    return mix(look.colour.rgb, look.second.rgb, look.third.w * tone);
-}
-
-// Crumbs and bubbles.
-vec3 foam(Look look, vec3 p, out float height)
-{
-    vec3 q = p * look.second.w;
-    float lump = noise(q * 2.3);
-    float hole = smoothstep(0.62, 0.8, noise(q * 4.9 + 3.0));
-    height = lump - hole;
-    return mix(mix(look.colour.rgb, look.second.rgb, look.third.w * lump), look.third.rgb, 0.6 * hole);
-}
-
-vec3 colour_of(Look look, vec3 p, out float height)
-{
-    switch (int(look.colour.w + 0.5)) {
-        case 1: return coat(look, p, height);
-        case 2: return wood(look, p, height);
-        case 3: return stone(look, p, height);
-        case 4: return brushed(look, p, height);
-        case 5: return fur(look, p, height);
-        case 6: return foam(look, p, height);
-        default: height = 0.0; return look.colour.rgb;
-    }
-}
+    vec3 albedo;
+    float height;       // of the relief, mesh units
+    float roughness;    // 0: mirror, 1: chalk
+    float reflectance;  // seen straight on; above 0.5 it is a metal
+    float fuzz;         // shine of hair and cloth
+    vec3 through;       // what light becomes on its way through the flesh
+    float depth;        // 0: light stays on the surface, 1: it comes round to the dark side
+    float wet;          // a film of juice, 0 to 1
+    vec3 glow;          // light of its own
+};

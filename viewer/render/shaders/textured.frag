@@ -5,18 +5,9 @@ in vec3 pattern_normal;
 in vec2 pattern_uv;
 
 uniform mat4 model;
-uniform float pattern_scale;
 uniform bool is_cap;
 
 out vec4 colour;
-
-// The marks that a saw leaves, in the cap's own uv: they stay where the blade went while the object tumbles.
-float saw_marks(vec2 uv)
-{
-    float across = uv.y * pattern_scale;
-    float wave = across + 0.02 * sin(7.0 * uv.x * pattern_scale);
-    return noise(vec3(wave * 52.0, uv.x * pattern_scale * 2.0, 3.0));
-}
 
 // A bump's slope from the differences to the neighbouring pixels (Mikkelsen, "Bump mapping unparametrized surfaces on
 // the GPU", 2010).
@@ -33,18 +24,15 @@ vec3 bumped(vec3 n, float height)
 void main()
 {
     Look look = looks[look_index];
-    float height;
-    vec3 albedo = colour_of(look, pattern_position, height);
-    if (is_cap) {
-        float mark = saw_marks(pattern_uv);
-        albedo *= 0.92 + 0.14 * mark;
-        height += 0.5 * mark;
-    }
+    vec3 object = pattern_position / pattern_scale;
+    Place place = Place(object, pattern_position, pattern_uv, length(fwidth(object)), is_cap);
+    Surface s = Surface(look.colour.rgb, 0.0, look.finish.x, look.finish.y, look.finish.z,
+                        look.colour.rgb, 0.0, 0.0, vec3(0.0));
+    describe(look, place, s);
 
     vec3 n = normalize(gl_FrontFacing ? world_normal : -world_normal);
     vec3 flat_n = n;
-    // Bumps are as deep as `finish.w` pattern units.
-    n = bumped(n, height * look.finish.w / pattern_scale * length(model[0].xyz));
+    n = bumped(n, s.height * length(model[0].xyz));
 
     vec3 v = normalize(frame.eye.xyz - world_position);
     vec3 l = frame.to_light.xyz;
@@ -54,26 +42,43 @@ void main()
     float arriving = lit > 0.0 ? light_at(world_position, flat_n, 1.2) : 0.0;
 
     // Microfacets (Trowbridge-Reitz) with the usual approximations for shadowing and Fresnel.
-    float a = look.finish.x * look.finish.x, a2 = a * a;
+    float a = s.roughness * s.roughness, a2 = a * a;
     float d = a2 / max(3.14159 * pow(nh * nh * (a2 - 1.0) + 1.0, 2.0), 1e-4);
     float k = 0.5 * a + 1e-3;
     float masking = 0.25 / ((lit * (1.0 - k) + k) * (nv * (1.0 - k) + k));
-    bool is_metal = look.finish.y > 0.5;
-    vec3 f0 = is_metal ? albedo : vec3(look.finish.y);
+    bool is_metal = s.reflectance > 0.5;
+    vec3 f0 = is_metal ? s.albedo : vec3(s.reflectance);
     vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
-    vec3 diffuse = is_metal ? albedo * 0.12 : albedo;
+    vec3 diffuse = is_metal ? s.albedo * 0.12 : s.albedo * (1.0 - 0.4 * s.depth);
 
     vec3 up = mix(frame.ground_colour.rgb, frame.sky_colour.rgb, 0.5 + 0.5 * n.y);
     vec3 light = diffuse * up;
+    // What comes through from the other side, and round the edge of the light, is as warm as the flesh.
+    float round_edge = max((nl + s.depth) / (1.0 + s.depth), 0.0) - lit;
+    light += s.depth * s.through * (0.35 * up + frame.light_colour.rgb * (0.08 + 0.8 * round_edge));
     light += frame.light_colour.rgb * arriving * lit * (diffuse + 3.14159 * d * masking * fresnel);
 
     // The room is mirrored as a bright ceiling over a dark floor, blurred by roughness.
     vec3 r = reflect(-v, n);
-    vec3 edge = f0 + (max(vec3(1.0 - look.finish.x), f0) - f0) * pow(1.0 - nv, 5.0);
-    float ceiling = smoothstep(-0.2 - look.finish.x, 0.5 + look.finish.x, r.y);
+    vec3 edge = f0 + (max(vec3(1.0 - s.roughness), f0) - f0) * pow(1.0 - nv, 5.0);
+    float ceiling = smoothstep(-0.2 - s.roughness, 0.5 + s.roughness, r.y);
     light += edge * mix(frame.ground_colour.rgb, 2.2 * frame.sky_colour.rgb, ceiling);
 
+    // Juice is a second, smooth surface above the first, which evens the relief out.
+    if (s.wet > 0.0) {
+        vec3 film = normalize(mix(flat_n, n, 0.45));
+        float film_nh = max(dot(film, h), 0.0), film_nv = max(dot(film, v), 1e-3);
+        const float kFilm2 = 0.0009;  // roughness 0.17, to the fourth power
+        float film_d = kFilm2 / (3.14159 * pow(film_nh * film_nh * (kFilm2 - 1.0) + 1.0, 2.0) + 1e-5);
+        // A flat cut that happens to mirror the light is a sheet of glare: only drops may shine that much.
+        light += s.wet * frame.light_colour.rgb * arriving * lit * min(0.003 * film_d, 0.06);
+        float film_edge = 0.02 + 0.45 * pow(1.0 - film_nv, 5.0);
+        float film_ceiling = smoothstep(-0.25, 0.6, reflect(-v, film).y);
+        light += s.wet * film_edge * mix(frame.ground_colour.rgb, 2.2 * frame.sky_colour.rgb, film_ceiling);
+    }
+
     // Hair and cloth shine where they are seen edge on.
-    light += look.finish.z * albedo * pow(1.0 - nv, 3.0) * (frame.sky_colour.rgb + 0.5 * arriving * frame.light_colour.rgb);
+    light += s.fuzz * s.albedo * pow(1.0 - nv, 3.0) * (frame.sky_colour.rgb + 0.5 * arriving * frame.light_colour.rgb);
+    light += s.glow;
     colour = vec4(toned(light), 1.0);
 }
