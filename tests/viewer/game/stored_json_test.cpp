@@ -1,0 +1,169 @@
+#include "viewer/game/stored_json.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include "common/shapes/random.h"
+#include "viewer/game/folder_test.h"
+
+namespace kerf::game {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+std::string anything(const Json&)
+{
+    return {};
+}
+
+class StoredJsonTest : public test::FolderTest
+{
+protected:
+    fs::path file_ = folder_ / "some.json";
+};
+
+}  // namespace
+
+TEST_F(StoredJsonTest, ReadsBackWhatWasWritten)
+{
+    const Json value{{"a", 1}, {"b", {1, 2, 3}}, {"c", "\u00e4"}};
+    EXPECT_EQ(save_json(file_, value), "");
+    const StoredJson stored = load_json(file_, anything);
+    EXPECT_EQ(stored.value, value);
+    EXPECT_EQ(stored.message, "");
+    EXPECT_FALSE(exists("some.json.new"));
+}
+
+TEST_F(StoredJsonTest, CreatesItsFolder)
+{
+    EXPECT_EQ(save_json(folder_ / "a/b/some.json", Json(7)), "");
+    EXPECT_EQ(load_json(folder_ / "a/b/some.json", anything).value, 7);
+}
+
+TEST_F(StoredJsonTest, IsNothingWhereThereIsNoFile)
+{
+    const StoredJson stored = load_json(folder_ / "none/some.json", anything);
+    EXPECT_TRUE(stored.value.is_null());
+    EXPECT_EQ(stored.message, "");
+    EXPECT_TRUE(stored.is_free);
+}
+
+TEST_F(StoredJsonTest, KeepsDamagedFilesAside)
+{
+    const std::string whole = Json{{"scores", {1, 2, 3}}}.dump();
+    for (int i = 1; i <= 3; ++i) {
+        const std::string half = whole.substr(0, std::size_t(3 * i));
+        write("some.json", half);
+        const StoredJson stored = load_json(file_, anything);
+        EXPECT_TRUE(stored.value.is_null());
+        EXPECT_TRUE(stored.is_free);
+        const std::string aside = "some.json.damaged-" + std::to_string(i);
+        EXPECT_NE(stored.message.find(aside), std::string::npos) << stored.message;
+        EXPECT_EQ(text_of(aside), half);
+        EXPECT_FALSE(exists("some.json"));
+    }
+}
+
+TEST_F(StoredJsonTest, KeepsAsideWhatItsReaderObjectsTo)
+{
+    write("some.json", "[1, 2]");
+    const StoredJson stored = load_json(file_, [](const Json&) { return std::string("it is a list"); });
+    EXPECT_NE(stored.message.find("it is a list"), std::string::npos) << stored.message;
+    EXPECT_EQ(text_of("some.json.damaged-1"), "[1, 2]");
+}
+
+TEST_F(StoredJsonTest, ReadsNoHugeFile)
+{
+    write("some.json", "1");
+    fs::resize_file(file_, kMostStoredBytes + 1);
+    EXPECT_TRUE(load_json(file_, anything).value.is_null());
+    EXPECT_TRUE(exists("some.json.damaged-1"));
+}
+
+TEST_F(StoredJsonTest, StandsDeepNesting)
+{
+    write("some.json", std::string(1'000'000, '['));
+    EXPECT_TRUE(load_json(file_, anything).value.is_null());
+    EXPECT_TRUE(exists("some.json.damaged-1"));
+}
+
+TEST_F(StoredJsonTest, LeavesAFolderOfThatNameAlone)
+{
+    fs::create_directory(file_);
+    const StoredJson stored = load_json(file_, anything);
+    EXPECT_NE(stored.message, "");
+    EXPECT_FALSE(stored.is_free);
+    EXPECT_NE(save_json(file_, Json(1)), "");
+    EXPECT_TRUE(fs::is_directory(file_));
+    EXPECT_FALSE(exists("some.json.new"));
+}
+
+TEST_F(StoredJsonTest, SaysThatItCannotWrite)
+{
+    write("file", "");
+    const std::string message = save_json(folder_ / "file" / "some.json", Json(1));
+    EXPECT_NE(message.find("cannot be written"), std::string::npos) << message;
+}
+
+TEST_F(StoredJsonTest, ReplacesWhatAKilledProgramLeft)
+{
+    EXPECT_EQ(save_json(file_, Json(1)), "");
+    write("some.json.new", "[1, 2, ");
+    EXPECT_EQ(load_json(file_, anything).value, 1);
+    EXPECT_EQ(save_json(file_, Json(2)), "");
+    EXPECT_EQ(load_json(file_, anything).value, 2);
+    EXPECT_FALSE(exists("some.json.new"));
+}
+
+TEST_F(StoredJsonTest, WritesTextThatIsNoUtf8)
+{
+    EXPECT_EQ(save_json(file_, Json("\xff")), "");
+    EXPECT_TRUE(load_json(file_, anything).value.is_string());
+}
+
+// A child writes large files without a break and is killed in the middle, again and again: what is there afterwards is
+// always one whole value, never older than the last one that the child had finished.
+TEST_F(StoredJsonTest, SurvivesKillsInTheMiddleOfWriting)
+{
+    constexpr int kKills = 60;
+    constexpr std::size_t kNumbers = 200'000;
+    const auto value = [](int n) { return Json(std::vector<int>(kNumbers, n)); };
+    ASSERT_EQ(save_json(file_, value(0)), "");
+    shapes::Random random(5);
+    int last = 0, caught_writing = 0;
+    for (int kill = 0; kill < kKills; ++kill) {
+        int finished[2];
+        ASSERT_EQ(::pipe(finished), 0);
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            for (int n = last + 1;; ++n) {
+                if (!save_json(file_, value(n)).empty()) ::_exit(1);
+                if (::write(finished[1], &n, sizeof n) != sizeof n) ::_exit(1);
+            }
+        }
+        ::close(finished[1]);
+        int reported = last;
+        // Not before the child has begun: let it finish one at least, then wait a random time.
+        ASSERT_EQ(::read(finished[0], &reported, sizeof reported), ssize_t(sizeof reported));
+        ::usleep(useconds_t(random.below(30'000)));
+        ::kill(child, SIGKILL);
+        ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+        while (::read(finished[0], &reported, sizeof reported) == ssize_t(sizeof reported)) {
+        }
+        ::close(finished[0]);
+        caught_writing += exists("some.json.new") ? 1 : 0;
+
+        const StoredJson stored = load_json(file_, anything);
+        ASSERT_EQ(stored.message, "");
+        ASSERT_EQ(stored.value.size(), kNumbers);
+        const int found = stored.value.front();
+        ASSERT_EQ(stored.value.back(), found);
+        ASSERT_GE(found, reported);
+        last = found;
+    }
+    EXPECT_GT(caught_writing, 0) << "no kill met the child while it was writing: the test has proved nothing";
+}
+
+}  // namespace kerf::game

@@ -1,0 +1,87 @@
+#include "viewer/game/stored_settings.h"
+
+#include <optional>
+
+#include "viewer/game/giant_sizes.h"
+#include "viewer/game/stored_json.h"
+
+namespace kerf::game {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kFormat = "kerf-settings";
+
+std::string objection_to(const Json& json)
+{
+    return json.is_object() && json.value("format", Json()) == kFormat ? "" : "it holds no settings of Kerf";
+}
+
+std::filesystem::path file_in(const std::filesystem::path& folder)
+{
+    return folder / "settings.json";
+}
+
+void read(const Json& json, const char* key, bool& value)
+{
+    if (json.contains(key) && json[key].is_boolean()) json[key].get_to(value);
+}
+
+void read(const Json& json, const char* key, std::string& value)
+{
+    if (json.contains(key) && json[key].is_string()) json[key].get_to(value);
+}
+
+void read(const Json& json, const char* key, double& value, double least, double most)
+{
+    if (!json.contains(key) || !json[key].is_number()) return;
+    const double number = json[key].get<double>();
+    if (number >= least && number <= most) value = number;
+}
+
+void read(const Json& json, const char* key, std::int64_t& value, std::int64_t least, std::int64_t most)
+{
+    if (!json.contains(key) || !json[key].is_number_integer()) return;
+    const auto number = json[key].get<std::int64_t>();
+    if (number >= least && number <= most) value = number;
+}
+
+}  // namespace
+
+LoadedSettings load_settings(const std::filesystem::path& folder)
+{
+    LoadedSettings loaded;
+    if (folder.empty()) return loaded;
+    const StoredJson stored = load_json(file_in(folder), objection_to);
+    loaded.message = stored.message;
+    if (stored.value.is_null()) return loaded;
+    StoredSettings& settings = loaded.settings;
+    read(stored.value, "volume", settings.volume, 0.0, 1.0);
+    read(stored.value, "mute", settings.mute);
+    read(stored.value, "backend", settings.backend);
+    read(stored.value, "scene", settings.scene);
+    read(stored.value, "fullscreen", settings.fullscreen);
+    read(stored.value, "ui_scale", settings.ui_scale, 0.5, 4.0);
+    read(stored.value, "giant", settings.giant, kFewestGiantTriangles, kMostGiantTriangles);
+    return loaded;
+}
+
+std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings)
+{
+    if (folder.empty()) return {};
+    const FileLock lock(file_in(folder));
+    StoredJson stored = load_json(file_in(folder), objection_to);
+    if (!stored.is_free) return stored.message;
+    Json json = stored.value.is_null() ? Json::object() : std::move(stored.value);
+    json["format"] = kFormat;
+    json["volume"] = settings.volume;
+    json["mute"] = settings.mute;
+    json["backend"] = settings.backend;
+    json["scene"] = settings.scene;
+    json["fullscreen"] = settings.fullscreen;
+    json["ui_scale"] = settings.ui_scale;
+    json["giant"] = settings.giant;
+    return save_json(file_in(folder), json);
+}
+
+}  // namespace kerf::game
