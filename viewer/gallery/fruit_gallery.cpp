@@ -82,7 +82,7 @@ std::vector<Piece> posed(std::unique_ptr<Cuttable> whole, const Pose& pose)
     std::vector<Piece> pieces;
     const glm::vec3 middle = whole->bounds().centre();
     if (pose.normal == glm::dvec3(0.0)) {
-        glm::mat4 model = turned({0, 0, 1}, {0, 1, 0}, {0.45f, 0.38f, 1.0f});
+        glm::mat4 model = turned({0, 0, 1}, {0, 1, 0}, {0.45f, -0.42f, 1.0f});
         pieces.push_back({std::move(whole), glm::translate(model, -middle)});
         return pieces;
     }

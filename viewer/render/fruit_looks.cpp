@@ -22,7 +22,7 @@ std::span<const NamedLook> fruit_skins()
     static const std::array<NamedLook, 18> kSkins{{
         {"watermelon", look(watermelon_skin, {0.045f, 0.17f, 0.04f}, {}, {}, 1, 0.32f)},
         {"apple", look(apple_skin, {0.52f, 0.022f, 0.025f}, {}, {}, 1, 0.24f, 0.05f)},
-        {"orange", look(citrus_skin, {0.92f, 0.27f, 0.012f}, {0.80f, 0.17f, 0.006f}, {0.30f, 0.34f, 0.03f}, 60, 0.38f)},
+        {"orange", look(citrus_skin, {0.88f, 0.21f, 0.006f}, {0.74f, 0.12f, 0.003f}, {0.30f, 0.34f, 0.03f}, 60, 0.38f)},
         {"lemon", look(citrus_skin, {0.90f, 0.64f, 0.028f}, {0.80f, 0.47f, 0.016f}, {0.42f, 0.52f, 0.04f}, 56, 0.36f)},
         {"kiwi", look(kiwi_skin, {0.22f, 0.125f, 0.05f}, {}, {}, 1, 0.85f, 0.03f, 0.6f)},
         {"banana", look(banana_skin, {0.86f, 0.58f, 0.05f}, {}, {}, 1, 0.45f)},
@@ -49,7 +49,7 @@ std::span<const NamedLook> fruit_flesh()
         {"watermelon", look(watermelon_flesh, {0.78f, 0.05f, 0.045f}, {}, {}, 1, 0.45f)},
         {"apple", look(apple_flesh, {0.90f, 0.80f, 0.50f}, {}, {}, 1, 0.5f)},
         {"orange", look(citrus_flesh, {0.80f, 0.20f, 0.004f}, {0.86f, 0.36f, 0.03f}, {0.78f, 0.55f, 0.26f}, 10, 0.35f)},
-        {"lemon", look(citrus_flesh, {0.66f, 0.50f, 0.025f}, {0.74f, 0.63f, 0.11f}, {0.74f, 0.68f, 0.36f}, 9, 0.35f)},
+        {"lemon", look(citrus_flesh, {0.66f, 0.50f, 0.025f}, {0.74f, 0.63f, 0.11f}, {0.74f, 0.68f, 0.36f}, 8, 0.35f)},
         {"kiwi", look(kiwi_flesh, {0.28f, 0.50f, 0.05f}, {}, {}, 1, 0.4f)},
         {"banana", look(banana_flesh, {0.92f, 0.82f, 0.52f}, {0.86f, 0.66f, 0.08f}, {0.95f, 0.90f, 0.70f}, 1, 0.55f)},
         {"coconut", look(coconut_flesh, {0.88f, 0.86f, 0.80f}, {}, {}, 1, 0.5f)},
@@ -57,7 +57,7 @@ std::span<const NamedLook> fruit_flesh()
         {"bomb", look(bomb_powder, {0.30f, 0.29f, 0.28f}, {}, {}, 1, 0.7f)},
         {"freeze", look(magic_flesh, {0.52f, 0.80f, 0.95f}, {0.24f, 0.55f, 0.88f}, {0.02f, 0.10f, 0.20f}, 1, 0.3f)},
         {"frenzy", look(magic_flesh, {0.95f, 0.50f, 0.10f}, {0.85f, 0.14f, 0.02f}, {0.55f, 0.10f, 0.01f}, 1, 0.45f)},
-        {"double", look(magic_flesh, {0.98f, 0.80f, 0.34f}, {0.95f, 0.52f, 0.08f}, {0.20f, 0.10f, 0.01f}, 1, 0.4f)},
+        {"double", look(magic_flesh, {0.60f, 0.30f, 0.88f}, {0.95f, 0.58f, 0.08f}, {0.12f, 0.02f, 0.25f}, 1, 0.4f)},
     }};
     return kFlesh;
 }

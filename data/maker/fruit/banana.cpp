@@ -27,9 +27,9 @@ double smooth_step(double low, double high, double x)
 /// Radius over the share of the way along the axis, -1 (the flower's end) to 1 (the stalk).
 double thickness(double s)
 {
-    const double body = 0.205 * (1.0 - 0.12 * s * s);
+    const double body = 0.21 * (1.0 - 0.14 * s * s);
     const double tip = 0.36 + 0.64 * smooth_step(-1.0, -0.70, s);
-    const double neck = 1.0 - 0.66 * smooth_step(0.46, 0.82, s);
+    const double neck = 1.0 - 0.66 * smooth_step(0.40, 0.86, s);
     return body * tip * neck;
 }
 
@@ -48,7 +48,7 @@ PolyMesh banana_of(std::string_view material)
         const double s = -1.0 + 2.0 * k / kRings, angle = kHalfAngle * s;
         const glm::dvec3 inwards{-std::sin(angle), std::cos(angle), 0}, sideways{0, 0, 1};
         // Five ribs; they fade at the flower's end.
-        const double ribs = 0.05 * smooth_step(-1.0, -0.8, s);
+        const double ribs = 0.032 * smooth_step(-1.0, -0.8, s);
         const Ring ring = lathe.ring(
             [&](int i) {
                 const double turn = 2.0 * pi * i / kSegments;

@@ -9,13 +9,13 @@ float apple_outline(float polar, float turn)
 void paint(Look look, Place place, inout Surface s)
 {
     vec3 p = place.object;
-    float polar = polar_of(p), turn = turn_of(p);
+    float polar = polar_of(p), turn = turn_of(p), rho = length(p.xz);
     float t = length(p) / apple_outline(polar, turn);
-    if (p.y > 0.30 && length(p.xz - vec2(0.03, 0.008)) < 0.075 && t > 1.02) {
+    float climb = max(p.y - 0.39, 0.0) / 0.31;
+    if (p.y > 0.30 && length(p.xz - vec2(0.088, 0.02) * climb * climb) < 0.042 && (t > 1.03 || rho < 0.016)) {
         woody(p, s);
         return;
     }
-    float rho = length(p.xz);
     vec3 side = vec3(cos(turn), 0.0, -sin(turn));
     float lump = cloud(p * 5.0, 2) - 0.5;
     vec3 grain = cells(p * 34.0);
@@ -28,8 +28,8 @@ void paint(Look look, Place place, inout Surface s)
     // The core line: ten strands on a heart round the chambers.
     float core = length(vec2(rho / 0.285, (p.y + 0.02) / (0.30 + 0.06 * smoothstep(0.0, 0.3, p.y))));
     float line = bell(core - 1.0 - 0.06 * lump, 0.035);
-    float strand = pow(0.5 + 0.5 * cos(10.0 * turn), 6.0);
-    flesh = mix(flesh, srgb(188.0, 190.0, 96.0), line * (0.35 + 0.6 * strand));
+    float strand = pow(0.5 + 0.5 * cos(10.0 * turn), 3.0);
+    flesh = mix(flesh, srgb(188.0, 190.0, 96.0), line * (0.25 + 0.45 * strand) * smoothstep(0.2, 0.6, noise(p * 9.0)));
     flesh = mix(flesh, srgb(240.0, 234.0, 182.0), 0.5 * (1.0 - smoothstep(0.8, 1.0, core)));
     // It browns from the edge of the core and under the skin.
     float brown = 0.28 * smoothstep(0.35, 0.8, cloud(p * 7.0 + 9.0, 2)) * (bell(t - 0.95, 0.10) + bell(core - 0.75, 0.25));
@@ -46,7 +46,7 @@ void paint(Look look, Place place, inout Surface s)
     vec3 c = vec3(rho * cos(fifth), p.y + 0.015, rho * sin(fifth));
     vec3 from_middle = vec3((c.x - 0.105) / 0.085, c.y / 0.145, c.z / (0.030 + 0.10 * max(c.x - 0.05, 0.0)));
     float chamber = length(from_middle * vec3(1.0, 1.0, 1.0 + 0.5 * max(from_middle.x, 0.0)));
-    float soft = 0.06 + 14.0 * place.pixel;
+    float soft = 0.03 + 10.0 * place.pixel;
     float hollow = 1.0 - above(1.0, chamber, soft);
     float wall = bell(chamber - 1.08, 0.10 + 8.0 * place.pixel);
     s.albedo = mix(s.albedo, srgb(206.0, 176.0, 98.0), 0.7 * wall);

@@ -18,10 +18,10 @@ Bend along_banana(vec3 p)
     b.turn = atan(b.across.y, b.across.x);
     b.radius = length(b.across);
     float tip = 0.36 + 0.64 * smoothstep(-1.0, -0.70, b.share);
-    float neck = 1.0 - 0.66 * smoothstep(0.46, 0.82, b.share);
+    float neck = 1.0 - 0.66 * smoothstep(0.40, 0.86, b.share);
     float rib = cos(5.0 * b.turn) + 0.25 * cos(10.0 * b.turn);
-    b.thickness = 0.205 * (1.0 - 0.12 * b.share * b.share) * tip * neck *
-                  (1.0 + 0.05 * smoothstep(-1.0, -0.8, b.share) * rib);
+    b.thickness = 0.21 * (1.0 - 0.14 * b.share * b.share) * tip * neck *
+                  (1.0 + 0.032 * smoothstep(-1.0, -0.8, b.share) * rib);
     return b;
 }
 

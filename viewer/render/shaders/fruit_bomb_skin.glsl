@@ -9,8 +9,8 @@ void paint(Look look, Place place, inout Surface s)
         s.height = 0.008 * twist;
         s.roughness = 0.9;
         // The far end burns.
-        float burning = smoothstep(0.235, 0.30, p.x + 0.015 * (fine - 0.5));
-        s.albedo = mix(s.albedo, srgb(36.0, 26.0, 20.0), smoothstep(0.18, 0.24, p.x));
+        float burning = smoothstep(0.20, 0.245, p.x + 0.015 * (fine - 0.5));
+        s.albedo = mix(s.albedo, srgb(36.0, 26.0, 20.0), smoothstep(0.15, 0.20, p.x));
         s.glow = burning * (vec3(2.4, 0.75, 0.12) + vec3(1.6, 1.2, 0.6) * smoothstep(0.4, 0.8, noise(p * 40.0)));
         return;
     }

@@ -15,8 +15,10 @@ void paint(Look look, Place place, inout Surface s)
     float strand = noise(radial * 34.0 + 2.0 * t), fine = noise(p * 90.0);
     vec3 grain = cells(vec3(radial * 22.0) + 0.6 * t);
     vec3 meat = mix(srgb(255.0, 252.0, 242.0), srgb(236.0, 230.0, 212.0), 0.6 * strand + 0.25 * fine);
-    meat = mix(meat, srgb(226.0, 216.0, 192.0), 0.3 * (1.0 - smoothstep(0.0, 0.10, grain.y)));
-    meat = mix(meat, srgb(214.0, 222.0, 226.0), 0.4 * smoothstep(0.755, 0.70, t));
+    meat *= 0.90 + 0.14 * noise(p * 17.0);
+    meat = mix(meat, srgb(222.0, 206.0, 172.0), 0.45 * (1.0 - smoothstep(0.0, 0.10, grain.y)));
+    meat = mix(meat, srgb(206.0, 216.0, 222.0), 0.5 * smoothstep(0.765, 0.70, t));
+    meat = mix(meat, srgb(240.0, 214.0, 172.0), 0.6 * smoothstep(0.84, 0.895, t + 0.01 * lump));
     float rim = t + 0.008 * lump;
     vec3 husk = mix(srgb(92.0, 58.0, 32.0), srgb(158.0, 112.0, 66.0), noise(vec3(radial * 30.0 + 9.0 * t)));
     husk *= 0.75 + 0.5 * noise(p * vec3(60.0));
@@ -33,6 +35,8 @@ void paint(Look look, Place place, inout Surface s)
     s.depth = mix(0.30, 0.0, dry);
     s.wet = mix(0.7, 0.0, dry);
     if (!place.is_cap) {
+        // Light that reaches the bottom of the hollow has been on its walls.
+        s.albedo = mix(s.albedo, srgb(216.0, 204.0, 178.0), 0.6) * (0.88 + 0.12 * cloud(p * 7.0, 3));
         s.height = 0.004 * cloud(p * 9.0, 2);
         s.wet = 1.0;
         s.roughness = 0.3;

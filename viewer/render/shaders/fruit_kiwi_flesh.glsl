@@ -14,7 +14,7 @@ void paint(Look look, Place place, inout Surface s)
     // Shares of the way from the axis to the skin at this height.
     float reach = 0.45 * (1.0 + 0.045 * cos(2.0 * turn)) * sqrt(max(1.0 - p.y * p.y / (0.56 * 0.56), 1e-3));
     float q = rho / max(reach, 0.05);
-    float spindle = length(vec2(rho / (0.105 + 0.02 * cos(2.0 * turn)), p.y / 0.44));
+    float spindle = length(vec2(rho / (0.092 + 0.016 * cos(2.0 * turn)), p.y / 0.43));
     float field = length(vec2(rho / 0.315, p.y / 0.45));
     const float kRays = 34.0;
     float wave = turn * kRays / (2.0 * kPi) + 0.5 * noise(p * 7.0) + 0.25 * sin(turn * 5.0);
@@ -40,7 +40,7 @@ void paint(Look look, Place place, inout Surface s)
     s.wet = 1.0;
 
     // Seeds sit between the rays, two or three deep, in rows along the axis.
-    const float kRows = 15.0;
+    const float kRows = 21.0;
     float seed = 0.0, rise = 0.0;
     vec2 at = vec2(turn * kRays / (2.0 * kPi), (p.y / 0.46 * 0.5 + 0.5) * kRows);
     for (int row = -1; row <= 1; ++row)
@@ -49,7 +49,7 @@ void paint(Look look, Place place, inout Surface s)
                 ivec2 cell = ivec2(floor(at)) + ivec2(column, row);
                 int wrapped = int(mod(float(cell.x), kRays));
                 vec3 random = lattice_point(ivec3(wrapped, cell.y, 31 + layer));
-                if (random.z > (layer == 0 ? 0.85 : 0.6)) continue;
+                if (random.z > (layer == 0 ? 0.80 : 0.45)) continue;
                 float lon = (float(wrapped) + 0.5 + 0.5 * (random.x - 0.5)) * 2.0 * kPi / kRays;
                 float y = ((float(cell.y) + 0.2 + 0.6 * random.y) / kRows * 2.0 - 1.0) * 0.46;
                 float widest = sqrt(max(1.0 - y * y / (0.43 * 0.43), 0.0));

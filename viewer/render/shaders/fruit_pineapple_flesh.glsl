@@ -27,8 +27,8 @@ void paint(Look look, Place place, inout Surface s)
     vec3 ray = vec3(cos(turn), up * 2.1, -sin(turn));
     float strand = noise(vec3(ray.x * 21.0, ray.y * 21.0, ray.z * 21.0) + vec3(0.0, 1.5 * rho, 0.0));
     float thin = noise(ray * 52.0 + 3.0 * rho);
-    vec3 flesh = mix(srgb(250.0, 206.0, 62.0), srgb(255.0, 228.0, 112.0), strand);
-    flesh = mix(flesh, srgb(232.0, 168.0, 30.0), 0.55 * smoothstep(0.5, 0.85, thin) * smoothstep(0.14, 0.3, rho));
+    vec3 flesh = mix(srgb(250.0, 194.0, 40.0), srgb(255.0, 216.0, 84.0), strand);
+    flesh = mix(flesh, srgb(226.0, 148.0, 18.0), 0.65 * smoothstep(0.5, 0.85, thin) * smoothstep(0.14, 0.3, rho));
     // Fruitlets: wedges between pale walls, the lattice of the skin carried inwards.
     float v = 0.95 + 1.12 * p.y + 0.1 * p.y * abs(p.y);
     vec2 lattice = vec2(8.0 * turn / (2.0 * kPi) + 3.2 * v, 13.0 * turn / (2.0 * kPi) - 5.0 * v) + 0.12 * lump;

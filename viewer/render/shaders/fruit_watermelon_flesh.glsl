@@ -2,7 +2,7 @@
 // cuts alike.
 float seeds(vec3 u, out vec3 colour, out float rise, float pixel)
 {
-    const float kColumns = 15.0, kRows = 11.0;
+    const float kColumns = 18.0, kRows = 14.0;
     float t = length(u);
     vec2 at = vec2(turn_of(u) * kColumns / (2.0 * kPi), (u.y / max(t, 1e-4) * 0.5 + 0.5) * kRows);
     float found = 0.0;
@@ -59,9 +59,9 @@ void paint(Look look, Place place, inout Surface s)
     vec3 grain = cells(p * 30.0 + 1.5 * lump);
     float fine = noise(p * 120.0);
     vec3 red = mix(srgb(206.0, 22.0, 32.0), srgb(238.0, 58.0, 52.0), smoothstep(0.1, 0.8, t + 0.5 * lump));
-    red = mix(red, srgb(250.0, 122.0, 100.0), 0.45 * smoothstep(0.45, 0.85, strand) * smoothstep(0.12, 0.5, t));
-    red *= 0.80 + 0.22 * grain.z + 0.16 * fine;
-    red = mix(red, srgb(255.0, 150.0, 130.0), 0.30 * (1.0 - smoothstep(0.0, 0.10, grain.y)));
+    red = mix(red, srgb(250.0, 108.0, 90.0), 0.42 * smoothstep(0.45, 0.85, strand) * smoothstep(0.12, 0.5, t));
+    red *= 0.78 + 0.24 * grain.z + 0.16 * fine;
+    red = mix(red, srgb(255.0, 130.0, 112.0), 0.22 * (1.0 - smoothstep(0.0, 0.10, grain.y)));
     // Three seams where the fruit's chambers meet, paler and a little hollow.
     float third = abs(fract(turn_of(p) * 3.0 / (2.0 * kPi) + 0.1 * lump) - 0.5);
     float seam = (1.0 - smoothstep(0.0, 0.028, (0.5 - third) * length(u.xz))) * (1.0 - smoothstep(0.45, 0.6, t));
