@@ -34,6 +34,17 @@ glm::mat4 enlargement(const sim::Camera& camera, const ViewSettings& settings)
 
 Painter::Painter(int width, int height) : world_(looks_), renderer_(looks_), target_(width, height) {}
 
+void Painter::warm_up(const sim::ModelShelf& models)
+{
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        std::vector<Material> materials = models.model(i).mesh.materials;
+        add_cap_material(materials);
+        for (std::uint32_t m = 0; m < materials.size(); ++m)
+            for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap})
+                renderer_.warm_up(render::look_of(materials, m, kind).pattern);
+    }
+}
+
 void Painter::resize(int width, int height)
 {
     if (std::max(width, 1) == target_.width() && std::max(height, 1) == target_.height()) return;

@@ -16,6 +16,10 @@ public:
     /// @throws render::RenderError
     Painter(int width, int height);
 
+    /// Makes the shader programs that these models and their insides need, so that no throw waits for one.
+    /// @throws render::RenderError
+    void warm_up(const sim::ModelShelf& models);
+
     /// Makes the picture larger or smaller. @throws render::RenderError
     void resize(int width, int height);
 

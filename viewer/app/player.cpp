@@ -54,6 +54,7 @@ Player::Player(const Options& options, const Session& session)
       autopilot_(session.settings.seed)
 {
     window_.set_vsync(options.vsync);
+    painter_.warm_up(*session.models);
     if (!options.record.empty()) recording_.emplace(options.record);
     simulation_.push(session.script.events);
     if (!session.messages.empty()) say(session.messages.front());

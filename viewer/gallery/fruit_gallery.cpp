@@ -194,7 +194,7 @@ int run(int argc, char** argv)
     std::vector<std::string> names;
     int height = 240;
     CLI::App program("Draws the game's fruit whole, cut across, along and askew.", "fruit_gallery");
-    program.add_option("PICTURE", picture, "the sheet, a PNG file")->required();
+    program.add_option("PICTURE", picture, "the sheet, a PNG or (.jpg) JPEG file")->required();
     program.add_option("NAME", names, "fruit (default: all)");
     program.add_option("--backend", backend, "what cuts")->check(CLI::IsMember(sim::backend_names()));
     program.add_option("--data", data, "folder that holds fruit/")->type_name("DIR");
@@ -204,7 +204,11 @@ int run(int argc, char** argv)
     try {
         const render::OffscreenContext context;
         Gallery gallery(std::filesystem::path(data) / "fruit", backend, height);
-        render::write_png(picture, gallery.draw(names));
+        const render::Picture sheet = gallery.draw(names);
+        if (std::filesystem::path(picture).extension() == ".jpg")
+            render::write_jpeg(picture, sheet);
+        else
+            render::write_png(picture, sheet);
     } catch (const std::exception& error) {
         std::cerr << "fruit_gallery: " << error.what() << "\n";
         return 1;

@@ -48,8 +48,9 @@ std::span<const NamedLook> fruit_flesh()
     static const std::array<NamedLook, 12> kFlesh{{
         {"watermelon", look(watermelon_flesh, {0.78f, 0.05f, 0.045f}, {}, {}, 1, 0.45f)},
         {"apple", look(apple_flesh, {0.90f, 0.80f, 0.50f}, {}, {}, 1, 0.5f)},
-        {"orange", look(citrus_flesh, {0.80f, 0.20f, 0.004f}, {0.86f, 0.36f, 0.03f}, {0.78f, 0.55f, 0.26f}, 10, 0.35f)},
-        {"lemon", look(citrus_flesh, {0.66f, 0.50f, 0.025f}, {0.74f, 0.63f, 0.11f}, {0.74f, 0.68f, 0.36f}, 8, 0.35f)},
+        {"orange",
+         look(citrus_flesh, {0.84f, 0.17f, 0.003f}, {0.92f, 0.29f, 0.012f}, {0.78f, 0.55f, 0.26f}, 10, 0.35f)},
+        {"lemon", look(citrus_flesh, {0.72f, 0.53f, 0.02f}, {0.80f, 0.66f, 0.09f}, {0.74f, 0.68f, 0.36f}, 8, 0.35f)},
         {"kiwi", look(kiwi_flesh, {0.28f, 0.50f, 0.05f}, {}, {}, 1, 0.4f)},
         {"banana", look(banana_flesh, {0.92f, 0.82f, 0.52f}, {0.86f, 0.66f, 0.08f}, {0.95f, 0.90f, 0.70f}, 1, 0.55f)},
         {"coconut", look(coconut_flesh, {0.88f, 0.86f, 0.80f}, {}, {}, 1, 0.5f)},

@@ -27,23 +27,42 @@ void append(void* out, void* data, int size)
     static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
-}  // namespace
-
-void write_png(const std::filesystem::path& path, const Picture& picture)
+std::vector<std::uint8_t> rgb_of(const Picture& picture)
 {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(picture.rgba.size() / 4 * 3);
     for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4)
         rgb.insert(rgb.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(i),
                    picture.rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-    std::string bytes;
-    const int is_good =
-        stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3, rgb.data(), 3 * picture.width);
-    if (is_good == 0) throw io::FileError(path.string() + ": the picture cannot be compressed");
+    return rgb;
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& bytes)
+{
     io::OutputFile file(path);
     file.write(bytes);
     file.finish();
     file.commit();
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Picture& picture)
+{
+    std::string bytes;
+    const int is_good = stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3, rgb_of(picture).data(),
+                                               3 * picture.width);
+    if (is_good == 0) throw io::FileError(path.string() + ": the picture cannot be compressed");
+    write_whole(path, bytes);
+}
+
+void write_jpeg(const std::filesystem::path& path, const Picture& picture, int quality)
+{
+    std::string bytes;
+    const int is_good =
+        stbi_write_jpg_to_func(append, &bytes, picture.width, picture.height, 3, rgb_of(picture).data(), quality);
+    if (is_good == 0) throw io::FileError(path.string() + ": the picture cannot be compressed");
+    write_whole(path, bytes);
 }
 
 Recording::Recording(std::filesystem::path folder) : folder_(std::move(folder))

@@ -119,11 +119,6 @@ const SceneRenderer::SurfaceProgram& SceneRenderer::textured(Pattern pattern)
     return textured_.emplace(own.data(), SurfaceProgram(surface_program(files))).first->second;
 }
 
-void SceneRenderer::warm_up()
-{
-    for (std::size_t pattern = 0; pattern < kPatterns; ++pattern) textured(static_cast<Pattern>(pattern));
-}
-
 void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting lighting)
 {
     const SurfaceProgram* in_use = nullptr;

@@ -63,9 +63,9 @@ public:
     void draw(const Viewpoint& viewpoint, std::span<const DrawnObject> objects, const DrawOptions& options,
               const Area& area);
 
-    /// Makes the programs of all patterns, so that the first object of a kind does not wait for its own.
+    /// Makes a pattern's program unless there is one, so that the first object of its kind does not wait for it.
     /// @throws RenderError
-    void warm_up();
+    void warm_up(Pattern pattern) { textured(pattern); }
 
     /// Of the last draw().
     const DrawStatistics& statistics() const { return statistics_; }

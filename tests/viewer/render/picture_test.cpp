@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wsign-conversion"
@@ -47,6 +49,25 @@ TEST(Picture, ReadsBackAsItWasWritten)
     const render::Picture read{width, height, {pixels, pixels + 4 * width * height}};
     stbi_image_free(pixels);
     EXPECT_TRUE(read == picture);
+}
+
+TEST(Picture, LosesLittleAsJpeg)
+{
+    const std::filesystem::path path = empty_folder() / "picture.jpg";
+    render::Picture smooth{64, 48, {}};
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x)
+            for (const int value : {3 * x, 4 * y, 128, 255}) smooth.rgba.push_back(static_cast<std::uint8_t>(value));
+    render::write_jpeg(path, smooth);
+    int width = 0, height = 0, channels = 0;
+    stbi_uc* const pixels = stbi_load(path.c_str(), &width, &height, &channels, 4);
+    ASSERT_NE(pixels, nullptr);
+    const render::Picture read{width, height, {pixels, pixels + 4 * width * height}};
+    stbi_image_free(pixels);
+    ASSERT_EQ(read.rgba.size(), smooth.rgba.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < read.rgba.size(); ++i) sum += std::abs(int(read.rgba[i]) - int(smooth.rgba[i]));
+    EXPECT_LT(sum / static_cast<double>(read.rgba.size()), 3.0);
 }
 
 TEST(Picture, ThatCannotBeWrittenLeavesNothing)

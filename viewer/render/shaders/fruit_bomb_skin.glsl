@@ -9,9 +9,9 @@ void paint(Look look, Place place, inout Surface s)
         s.height = 0.008 * twist;
         s.roughness = 0.9;
         // The far end burns.
-        float burning = smoothstep(0.20, 0.245, p.x + 0.015 * (fine - 0.5));
-        s.albedo = mix(s.albedo, srgb(36.0, 26.0, 20.0), smoothstep(0.15, 0.20, p.x));
-        s.glow = burning * (vec3(2.4, 0.75, 0.12) + vec3(1.6, 1.2, 0.6) * smoothstep(0.4, 0.8, noise(p * 40.0)));
+        float burning = smoothstep(0.165, 0.215, p.x + 0.015 * (fine - 0.5));
+        s.albedo = mix(s.albedo, srgb(36.0, 26.0, 20.0), smoothstep(0.11, 0.165, p.x));
+        s.glow = burning * (vec3(1.5, 0.26, 0.02) + vec3(1.6, 0.75, 0.12) * smoothstep(0.4, 0.8, noise(p * 30.0)));
         return;
     }
     s.albedo = mix(srgb(34.0, 35.0, 40.0), srgb(62.0, 62.0, 68.0), blotch) * (0.8 + 0.4 * fine);

@@ -21,7 +21,7 @@ void paint(Look look, Place place, inout Surface s)
     float zest_depth = 0.020 + 0.008 * (noise(p * 30.0) - 0.5), pith_depth = (is_lemon ? 0.070 : 0.058) + 0.016 * lump;
 
     // Segments are not quite even.
-    float share = turn / (2.0 * kPi) * segments + 0.32 + 0.22 * sin(turn * 2.0 + 1.0) + 0.12 * sin(3.0 * turn);
+    float share = turn / (2.0 * kPi) * segments + 0.40 + 0.12 * sin(turn * 2.0 + 1.0) + 0.06 * sin(3.0 * turn);
     float number = mod(floor(share), segments), across = fract(share);
     float half_angle = kPi / segments;
     // Distance to the nearer membrane, to the pith and to the column: the corners of a segment are round.
@@ -38,11 +38,11 @@ void paint(Look look, Place place, inout Surface s)
     vec3 sac_space = vec3(rho * 7.0, rho * sin(lean) * 24.0 + 31.0 * number, (p.y - 0.5 * p.y * rho) * 21.0);
     sac_space.x += 0.8 * noise(sac_space * 0.7);
     vec3 sac = cells(sac_space + 0.35 * lump);
-    float tear = smoothstep(0.0, 0.34, sac.y);
+    float tear = smoothstep(-0.05, 0.24, sac.y);
     vec3 juice = mix(look.colour.rgb, look.second.rgb, 0.55 * sac.z + 0.25 * noise(p * 38.0));
-    juice *= 1.06 - 0.34 * sac.x;
-    vec3 skin_of_sac = mix(look.second.rgb, look.third.rgb, 0.35);
-    vec3 flesh = mix(skin_of_sac, juice, 0.45 + 0.55 * tear);
+    juice *= 1.10 - 0.45 * sac.x * sac.x;
+    vec3 skin_of_sac = mix(look.second.rgb, look.third.rgb, 0.18);
+    vec3 flesh = mix(skin_of_sac, juice, 0.30 + 0.70 * tear);
     vec3 pith = look.third.rgb * (0.90 + 0.14 * noise(p * 44.0));
     vec3 membrane = mix(look.third.rgb, look.second.rgb, 0.30);
 
@@ -57,7 +57,7 @@ void paint(Look look, Place place, inout Surface s)
     vec3 peel = mix(is_lemon ? srgb(244.0, 206.0, 40.0) : srgb(248.0, 142.0, 20.0),
                     is_lemon ? srgb(232.0, 186.0, 20.0) : srgb(234.0, 104.0, 8.0), 1.0 - smoothstep(0.1, 0.35, gland.x));
     s.albedo = mix(s.albedo, peel, zest);
-    s.height = is_flesh * 0.0055 * sqrt(tear) * (0.6 + 0.6 * sac.z) - 0.004 * (1.0 - is_flesh) * (1.0 - is_pith);
+    s.height = is_flesh * 0.012 * (1.0 - sac.x * sac.x) - 0.004 * (1.0 - is_flesh) * (1.0 - is_pith);
     s.roughness = mix(0.6, 0.28, is_flesh);
     s.through = mix(look.third.rgb, look.colour.rgb, is_flesh);
     s.depth = mix(0.2, 0.45, is_flesh);
