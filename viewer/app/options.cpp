@@ -52,6 +52,9 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("FILE", options.files, "models to throw (default: the report's fifteen)");
     program.add_option("--data", options.data_folder, "folder that holds models/ and fruit/")->type_name("DIR");
     program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(game::scene_names()));
+    program.add_option("--giant", options.giant, "triangles of the scene giant")
+        ->check(CLI::Range(game::kFewestGiantTriangles, game::kMostGiantTriangles))
+        ->type_name("N");
     program
         .add_option("--backend", options.backends,
                     "what cuts: " + joined(sim::backend_names()) + "; several with --headless, one run each")

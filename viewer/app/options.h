@@ -17,6 +17,7 @@ struct Options
     std::vector<std::filesystem::path> files;  ///< models to throw; empty: the report's fifteen
     std::filesystem::path data_folder;         ///< where `models/` and `fruit/` lie
     std::string scene;                         ///< empty: the script's, or "report"
+    std::int64_t giant = 0;                    ///< triangles at the start of scene giant; 0: its default
     std::vector<std::string> backends;         ///< several: one run each, without a screen only
     std::string proxy;                         ///< empty: the script's, or the default
     std::optional<std::uint64_t> seed;         ///< none: the script's, or 1

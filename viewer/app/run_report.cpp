@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "viewer/game/game_report.h"
+#include "viewer/game/giant_scene.h"
 
 namespace kerf::app {
 
@@ -93,6 +94,8 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnW
                 {"bytes_on_card", world.store().bytes_held()},
                 {"cuts", std::move(cuts)}};
     if (const game::GameScene* const game = game::game_of(simulation.scene())) report["game"] = game::report_of(*game);
+    if (const game::GiantScene* const giant = game::giant_of(simulation.scene()))
+        report["giant"] = {{"triangles", giant->state().triangles}, {"giants", giant->state().giants}};
     return report;
 }
 

@@ -30,6 +30,14 @@ void add_thrown_models(Session& session, const Options& options)
     if (session.models->empty()) throw io::FileError(session.messages.front());
 }
 
+/// Runs in fixed steps must not depend on how fast a thread is, and recordings say themselves when a giant came.
+game::GiantArrival arrival_for(const Options& options, const sim::Script& script)
+{
+    for (const sim::InputEvent& event : script.events)
+        if (event.kind == sim::InputKind::command && event.text == "show") return game::GiantArrival::on_command;
+    return options.headless || options.frames > 0 ? game::GiantArrival::at_once : game::GiantArrival::when_ready;
+}
+
 }  // namespace
 
 Session open_session(const Options& options)
@@ -43,6 +51,12 @@ Session open_session(const Options& options)
     if (const auto kind = sim::find_proxy(first_said(options.proxy, session.script.proxy, {}))) settings.proxy = *kind;
     settings.seed = options.seed.value_or(session.script.seed.value_or(settings.seed));
     settings.record = !options.save_script.empty();
+
+    if (options.giant > 0) {
+        const std::string size = "size " + std::to_string(options.giant);
+        session.script.events.insert(session.script.events.begin(), {1, sim::InputKind::command, {}, size});
+    }
+    session.arrival = arrival_for(options, session.script);
 
     session.models = std::make_shared<sim::ModelShelf>();
     if (settings.scene == "report") {

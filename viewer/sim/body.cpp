@@ -41,8 +41,7 @@ Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& sol
     info.m_restitution = kRestitution;
     info.m_friction = kFriction;
     rigid_ = std::make_unique<btRigidBody>(info);
-    rigid_->setLinearVelocity(to_bullet(motion.velocity));
-    rigid_->setAngularVelocity(to_bullet(motion.spin));
+    set_motion(motion);
     rigid_->setActivationState(DISABLE_DEACTIVATION);
     rigid_->setUserPointer(this);
     remember_pose();
@@ -80,6 +79,12 @@ glm::dvec3 Body::centre() const
 Motion Body::motion() const
 {
     return {to_glm(rigid_->getLinearVelocity()), to_glm(rigid_->getAngularVelocity())};
+}
+
+void Body::set_motion(const Motion& motion)
+{
+    rigid_->setLinearVelocity(to_bullet(motion.velocity));
+    rigid_->setAngularVelocity(to_bullet(motion.spin));
 }
 
 glm::dmat3 Body::world_inertia() const

@@ -92,6 +92,7 @@ public:
 
     glm::dvec3 centre() const;  ///< of mass, in the world, metres
     Motion motion() const;
+    void set_motion(const Motion& motion);
     /// Inertia tensor about the centre in world axes, kg m^2.
     glm::dmat3 world_inertia() const;
     /// About a point of the world: spin and orbit together, kg m^2/s.

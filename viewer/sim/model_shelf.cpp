@@ -45,6 +45,18 @@ void ModelShelf::add_report_models(const std::filesystem::path& folder)
     for (const std::string_view name : report_model_names()) add_file(folder / (std::string(name) + ".obj"));
 }
 
+void ModelShelf::empty_model(std::size_t index)
+{
+    // What is freed goes after the lock: it takes time.
+    IndexedMesh mesh;
+    std::vector<std::unique_ptr<Prepared>> prepared;
+    const std::lock_guard lock(mutex_);
+    std::swap(mesh, models_[index]->mesh);
+    const auto first = prepared_.lower_bound({index, std::string()}), last = prepared_.lower_bound({index + 1, {}});
+    for (auto entry = first; entry != last; ++entry) prepared.push_back(std::move(entry->second));
+    prepared_.erase(first, last);
+}
+
 std::size_t ModelShelf::size() const
 {
     const std::lock_guard lock(mutex_);

@@ -40,6 +40,10 @@ public:
     /// @throws io::FileError
     void add_report_models(const std::filesystem::path& folder);
 
+    /// Frees a model's mesh and what was prepared of it; its name and box stay, and so do copies that were thrown.
+    /// Nobody may be preparing it.
+    void empty_model(std::size_t index);
+
     std::size_t size() const;
     bool empty() const { return size() == 0; }
     const Model& model(std::size_t index) const;

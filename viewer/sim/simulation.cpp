@@ -212,6 +212,13 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
     return &world_.add(std::make_unique<Body>(std::move(identity), std::move(object), solid, pose, motion, proxy_));
 }
 
+bool Simulation::move_object(ObjectId id, const Motion& motion)
+{
+    Body* const body = world_.find(id);
+    if (body != nullptr) body->set_motion(motion);
+    return body != nullptr;
+}
+
 std::uint64_t Simulation::state_hash() const
 {
     StateHash hash;

@@ -87,6 +87,8 @@ public:
     /// Puts an object into the world as it is said.
     const Body* place_object(std::size_t model, double scale, const glm::dvec3& centre, const glm::dmat3& rotation,
                              const Motion& motion);
+    /// Makes an object move otherwise from now on. False: there is none of that id.
+    bool move_object(ObjectId id, const Motion& motion);
     /// The last throw; empty before the first.
     std::optional<Throw> last_throw() const { return last_throw_; }
     /// A number for the n-th decision of a scene.

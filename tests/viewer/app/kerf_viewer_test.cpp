@@ -85,11 +85,11 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOfEachGameOnBothBackEnds)
         report("--headless --autopilot --scene " + scene +
                " --seed 4 --frames 90 --draw 0 --size 16x9 --save-script played.kerf");
         const Json json =
-            report("--headless --backend halfedge,baseline --script played.kerf --frames 90 --size 160x90");
+            report("--headless --backend halfedge,baseline --script played.kerf --frames 90 --size 160x90 --draw 6");
         ASSERT_EQ(json["runs"].size(), 2u);
         for (const Json& run : json["runs"]) {
             EXPECT_EQ(run["scene"], scene);
-            EXPECT_EQ(run["frame_ms"]["count"], 90);
+            EXPECT_EQ(run["frame_ms"]["count"], 15);
             EXPECT_EQ(run["game"]["mode"], scene);
             EXPECT_EQ(run["game"]["phase"], "playing");
             EXPECT_GE(run["game"]["wave"], 1);
@@ -99,6 +99,24 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOfEachGameOnBothBackEnds)
         }
         EXPECT_EQ(json["runs"][0]["game"]["score"], json["runs"][1]["game"]["score"]);
     }
+}
+
+TEST_F(KerfViewerTest, PlaysNinetyFramesOfAGiantOnBothBackEnds)
+{
+    report(
+        "--headless --autopilot --scene giant --giant 10000 --frames 90 --draw 0 --size 16x9 --save-script cut.kerf");
+    const Json json =
+        report("--headless --backend halfedge,baseline --script cut.kerf --frames 90 --size 160x90 --draw 6");
+    ASSERT_EQ(json["runs"].size(), 2u);
+    for (const Json& run : json["runs"]) {
+        EXPECT_EQ(run["scene"], "giant");
+        EXPECT_EQ(run["giant"]["triangles"], 10000);
+        EXPECT_EQ(run["giant"]["giants"], 1);
+        ASSERT_GE(run["cuts"].size(), 2u);
+        EXPECT_NEAR(run["cuts"][0]["triangles"].get<double>(), 10000.0, 500.0);
+    }
+    for (const char* what : {"frame", "object", "crossing", "surface_hash"})
+        EXPECT_EQ(json["runs"][0]["cuts"][0][what], json["runs"][1]["cuts"][0][what]);
 }
 
 TEST_F(KerfViewerTest, GivesTheSameStateTwice)
@@ -209,7 +227,7 @@ TEST_F(KerfViewerTest, ExplainsWrongUse)
     for (const char* arguments : {"--size 12", "--size 0x5", "--backend magic", "--headless", "--frames -3", "--what",
                                   "--backend halfedge,baseline --frames 3",
                                   "--headless --frames 3 --backend halfedge,baseline --screenshot a.png",
-                                  "--scene chess", "--headless --frames 3 --scene zen a.obj"}) {
+                                  "--scene chess", "--giant 5", "--headless --frames 3 --scene zen a.obj"}) {
         const Outcome outcome = kerf(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.error_lines(), 2) << arguments << ": " << outcome.err;
