@@ -8,6 +8,7 @@
 namespace {
 
 std::size_t total = 0, largest = 0;
+std::uint64_t calls = 0;
 
 constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 std::uint64_t until_failure = kNever;
@@ -21,6 +22,7 @@ void* counted(std::size_t size)
         has_failed = true;
         return nullptr;
     }
+    ++calls;
     total += size;
     largest = std::max(largest, size);
     return std::malloc(size > 0 ? size : 1);
@@ -76,6 +78,10 @@ namespace kerf::test {
 std::size_t allocated_bytes()
 {
     return total;
+}
+std::uint64_t allocations()
+{
+    return calls;
 }
 std::size_t largest_allocation()
 {

@@ -11,6 +11,8 @@ namespace kerf::test {
 /// Bytes asked of operator new since the program started, and the largest single request since
 /// reset_largest_allocation().
 std::size_t allocated_bytes();
+/// Calls of operator new since the program started.
+std::uint64_t allocations();
 std::size_t largest_allocation();
 void reset_largest_allocation();
 

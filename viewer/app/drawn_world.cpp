@@ -1,32 +1,72 @@
 #include "viewer/app/drawn_world.h"
 
+#include <algorithm>
+
 #include "common/cpu_stopwatch.h"
 
 namespace kerf::app {
 
 void DrawnWorld::sync(const sim::Simulation& simulation)
 {
-    const std::vector<sim::CutRecord>& cuts = simulation.cuts();
-    for (std::size_t i = cut_uploads_.size(); i < cuts.size(); ++i)
-        for (const sim::PieceRecord& piece : cuts[i].pieces) cut_of_piece_[piece.id] = i;
-    cut_uploads_.resize(cuts.size());
+    const std::size_t first_cut = cut_uploads_.size();
+    cut_uploads_.resize(simulation.cuts().size());
+    Uploads uploads = upload_new_bodies(simulation, first_cut);
+    share_out(simulation, first_cut, uploads);
 
+    // Fragments of what was cut go last: their pieces have taken over the buffers by now.
+    std::erase_if(fragments_, [&](const auto& entry) { return simulation.world().find(entry.first) == nullptr; });
+    store_.release_unused();
+}
+
+DrawnWorld::Uploads DrawnWorld::upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut)
+{
+    std::map<sim::ObjectId, std::size_t> cut_of_piece;
+    for (std::size_t i = first_cut; i < simulation.cuts().size(); ++i)
+        for (const sim::PieceRecord& piece : simulation.cuts()[i].pieces) cut_of_piece[piece.id] = i;
+
+    Uploads uploads;
     for (const auto& body : simulation.bodies()) {
         if (fragments_.contains(body->id())) continue;
         const bool is_whole = body->identity().parent == 0;
         CpuStopwatch watch;
         const std::uint64_t before = store_.bytes_uploaded();
-        fragments_[body->id()] = store_.add(body->object(), is_whole ? render::Room::to_grow : render::Room::exact);
-        if (const auto cut = cut_of_piece_.find(body->id()); cut != cut_of_piece_.end()) {
-            cut_uploads_[cut->second].cpu_ms += 1e3 * watch.lap();
-            cut_uploads_[cut->second].bytes += store_.bytes_uploaded() - before;
-        }
+        render::DrawnFragment& fragment = fragments_[body->id()] =
+            store_.add(body->object(), is_whole ? render::Room::to_grow : render::Room::exact);
+        const double cpu_ms = 1e3 * watch.lap();
+        Upload& upload = uploads[fragment.buffers.get()];
+        upload.cost.cpu_ms += cpu_ms;
+        upload.cost.bytes += store_.bytes_uploaded() - before;
+        if (const auto cut = cut_of_piece.find(body->id()); cut != cut_of_piece.end()) upload.cuts.insert(cut->second);
     }
-    cut_of_piece_.clear();
+    // A cut of which nothing is left, all pieces having been cut again, was made where those cuts were made.
+    for (std::size_t i = simulation.cuts().size(); i-- > first_cut;) {
+        const auto parent = cut_of_piece.find(simulation.cuts()[i].object);
+        if (parent == cut_of_piece.end()) continue;
+        for (auto& [buffers, upload] : uploads)
+            if (upload.cuts.contains(i)) upload.cuts.insert(parent->second);
+    }
+    return uploads;
+}
 
-    // Fragments of what was cut go last: their pieces have taken over the buffers by now.
-    std::erase_if(fragments_, [&](const auto& entry) { return simulation.world().find(entry.first) == nullptr; });
-    store_.release_unused();
+void DrawnWorld::share_out(const sim::Simulation& simulation, std::size_t first_cut, Uploads& uploads)
+{
+    // Each cut takes what it said that it made. The newest first: where pieces have buffers of their own, what an
+    // earlier cut made of a piece that was cut again is gone, and must not be counted out of what the later one made.
+    std::vector<std::uint64_t> wanted;
+    for (std::size_t i = first_cut; i < simulation.cuts().size(); ++i)
+        wanted.push_back(simulation.cuts()[i].statistics.bytes_to_upload);
+    for (const auto& [buffers, upload] : uploads) {
+        std::uint64_t rest = upload.cost.bytes;
+        for (const std::size_t cut : upload.cuts) {
+            const std::uint64_t bytes = std::min(rest, wanted[cut - first_cut]);
+            wanted[cut - first_cut] -= bytes;
+            rest -= bytes;
+            cut_uploads_[cut].bytes += bytes;
+            if (upload.cost.bytes > 0)
+                cut_uploads_[cut].cpu_ms += upload.cost.cpu_ms * double(bytes) / double(upload.cost.bytes);
+        }
+        bytes_of_throws_ += rest;
+    }
 }
 
 std::span<const render::DrawnObject> DrawnWorld::objects(const sim::Simulation& simulation, double fraction)

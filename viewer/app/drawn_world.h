@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -12,8 +14,9 @@
 
 namespace kerf::app {
 
-/// What bringing the pieces of one cut onto the graphics card cost. Where several cuts between two calls of sync() were
-/// made in the same buffers, the first of them to be uploaded counts for all.
+/// What bringing the pieces of one cut onto the graphics card cost. Pieces that share buffers are uploaded together:
+/// each of several cuts since the last sync() counts the bytes that it made itself, and that share of the time. What
+/// was cut again before anybody saw it and has buffers of its own is never uploaded, and counts nothing.
 struct CutUpload
 {
     double cpu_ms = 0.0;      ///< of this thread; the driver's own threads are not in it
@@ -36,13 +39,26 @@ public:
 
     /// One for each of Simulation::cuts().
     const std::vector<CutUpload>& cut_uploads() const { return cut_uploads_; }
+    /// What was uploaded for no cut: objects as they were thrown. With cut_uploads() this is all that was uploaded.
+    std::uint64_t bytes_of_throws() const { return bytes_of_throws_; }
     const render::FragmentStore& store() const { return store_; }
 
 private:
+    /// What one sync() uploaded into one set of buffers.
+    struct Upload
+    {
+        CutUpload cost;
+        std::set<std::size_t, std::greater<>> cuts;  ///< indices, newest first, that may have made it
+    };
+    using Uploads = std::map<const render::SharedBuffers*, Upload>;
+
+    Uploads upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut);
+    void share_out(const sim::Simulation& simulation, std::size_t first_cut, Uploads& uploads);
+
     render::FragmentStore store_;
     std::map<sim::ObjectId, render::DrawnFragment> fragments_;
-    std::map<sim::ObjectId, std::size_t> cut_of_piece_;  ///< of pieces not uploaded yet: index of their cut
     std::vector<CutUpload> cut_uploads_;
+    std::uint64_t bytes_of_throws_ = 0;
     std::vector<render::DrawnObject> objects_;
 };
 

@@ -32,12 +32,15 @@ std::int64_t frames_of(const Options& options, const sim::Script& script)
 class HeadlessRun
 {
 public:
-    HeadlessRun(const Options& options, const Session& session, const std::string& backend)
+    /// @param messages  what the run says goes to its end
+    HeadlessRun(const Options& options, const Session& session, const std::string& backend,
+                std::vector<std::string>& messages)
         : options_(options),
           frames_(frames_of(options, session.script)),
           simulation_(session.models, with_backend(session.settings, backend), session.make_scene()),
           painter_(options.width, options.height),
-          autopilot_(session.settings.seed)
+          autopilot_(session.settings.seed),
+          messages_(messages)
     {
         if (!options.record.empty()) recording_.emplace(options.record);
         if (options.view.panel || options.view.help) interface_.emplace(options.view.ui_scale);
@@ -51,8 +54,10 @@ public:
             if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
             simulation_.advance(sim::kTicksPerFrame);
             times_.simulate_ms.push_back(simulate.lap());
-            if (std::string message = simulation_.take_message(); !message.empty())
+            if (std::string message = simulation_.take_message(); !message.empty()) {
                 std::cerr << "kerf-viewer: " << message << "\n";
+                messages_.push_back(std::move(message));
+            }
 
             CpuStopwatch submit;
             painter_.sync(simulation_);
@@ -108,6 +113,7 @@ private:
     std::optional<UserInterface> interface_;
     FrameStatistics statistics_;
     FrameTimes times_;
+    std::vector<std::string>& messages_;
 };
 
 }  // namespace
@@ -122,13 +128,14 @@ int run_headless(const Options& options)
     std::vector<std::string> backends = options.backends;
     if (backends.empty()) backends.push_back(session.settings.backend);
     Json runs = Json::array();
-    for (const std::string& backend : backends) runs.push_back(HeadlessRun(options, session, backend).play());
+    std::vector<std::string> messages = session.messages;
+    for (const std::string& backend : backends) runs.push_back(HeadlessRun(options, session, backend, messages).play());
 
     errors.check();
-    const Json report{{"version", KERF_VERSION},      {"graphics", render::describe_current_context()},
-                      {"width", options.width},       {"height", options.height},
-                      {"gl_errors", errors.count()},  {"gl_messages", errors.messages()},
-                      {"messages", session.messages}, {"runs", std::move(runs)}};
+    const Json report{{"version", KERF_VERSION},     {"graphics", render::describe_current_context()},
+                      {"width", options.width},      {"height", options.height},
+                      {"gl_errors", errors.count()}, {"gl_messages", errors.messages()},
+                      {"messages", messages},        {"runs", std::move(runs)}};
     std::cout << report.dump(2) << "\n";
     for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
     return errors.count() == 0 ? kDone : kUnusable;

@@ -116,7 +116,7 @@ void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mod
     ImGui::SameLine();
     ImGui::TextDisabled("%s, %s", cut.backend.c_str(), std::string(name_of(cut.status)).c_str());
     ImGui::Text("%llu triangles, %llu crossing, %llu loops", static_cast<unsigned long long>(cut.statistics.triangles),
-                static_cast<unsigned long long>(cut.statistics.crossing_triangles),
+                static_cast<unsigned long long>(cut.statistics.crossing_surface),
                 static_cast<unsigned long long>(cut.statistics.section_loops));
     show_phases(cut);
     ImGui::Text("cut %.3f ms   proxies %.3f ms", cut.cut_ms, cut.proxy_ms);
@@ -148,7 +148,7 @@ void show_table(const sim::Simulation& simulation, const DrawnWorld& world)
         };
         cell(simulation.models().model(cut.model).name);
         cell(std::to_string(cut.statistics.triangles));
-        cell(std::to_string(cut.statistics.crossing_triangles));
+        cell(std::to_string(cut.statistics.crossing_surface));
         cell(number(cut.cut_ms));
         cell(number(cut.proxy_ms));
         cell(bytes_text(uploads[i].bytes));

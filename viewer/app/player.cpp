@@ -23,9 +23,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kMessageTime{6};
 
-sim::Settings recorded(sim::Settings settings)
+/// Runs of so many frames are compared with others; a game is not held up for it.
+sim::Settings settings_for(const Options& options, sim::Settings settings)
 {
-    settings.hash_surfaces = false;
+    settings.hash_surfaces = options.frames > 0;
     return settings;
 }
 
@@ -50,8 +51,9 @@ Player::Player(const Options& options, const Session& session)
       window_(options.width, options.height, options.fullscreen, "Kerf"),
       painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
       interface_(options.view.ui_scale * window_.content_scale(), window_.handle()),
-      simulation_(session.models, recorded(session.settings), session.make_scene()),
-      autopilot_(session.settings.seed)
+      simulation_(session.models, settings_for(options, session.settings), session.make_scene()),
+      autopilot_(session.settings.seed),
+      messages_(session.messages)
 {
     window_.set_vsync(options.vsync);
     painter_.warm_up(*session.models);
@@ -124,7 +126,10 @@ void Player::simulate()
     }
     simulate_ms_ = watch.lap();
     times_.simulate_ms.push_back(simulate_ms_);
-    if (std::string message = simulation_.take_message(); !message.empty()) say(std::move(message));
+    if (std::string message = simulation_.take_message(); !message.empty()) {
+        if (fixed_step()) messages_.push_back(message);
+        say(std::move(message));
+    }
 }
 
 void Player::show()
@@ -277,10 +282,14 @@ int run_player(const Options& options)
     const render::GlErrorLog& errors = player.errors();
     for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
     if (options.frames > 0) {
-        const nlohmann::ordered_json report{
-            {"version", KERF_VERSION},      {"graphics", render::describe_current_context()},
-            {"gl_errors", errors.count()},  {"gl_messages", errors.messages()},
-            {"messages", session.messages}, {"runs", nlohmann::ordered_json::array({player.report()})}};
+        const nlohmann::ordered_json report{{"version", KERF_VERSION},
+                                            {"graphics", render::describe_current_context()},
+                                            {"width", player.painter().target().width()},
+                                            {"height", player.painter().target().height()},
+                                            {"gl_errors", errors.count()},
+                                            {"gl_messages", errors.messages()},
+                                            {"messages", player.messages()},
+                                            {"runs", nlohmann::ordered_json::array({player.report()})}};
         std::cout << report.dump(2) << "\n";
     }
     return errors.count() == 0 ? kDone : kUnusable;

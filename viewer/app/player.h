@@ -37,6 +37,9 @@ public:
     render::GlErrorLog& errors() { return errors_; }
     bool paused() const { return clock_.paused(); }
 
+    /// Everything that was said about models and commands that can't be used.
+    const std::vector<std::string>& messages() const { return messages_; }
+
     /// What a key does; the window's keys come here.
     void act(KeyAction action);
 
@@ -69,6 +72,7 @@ private:
     FrameStatistics statistics_;
     FrameTimes times_;
     std::string last_baseline_ = "baseline";
+    std::vector<std::string> messages_;
     std::string message_;
     std::chrono::steady_clock::time_point message_until_{};
     std::chrono::steady_clock::time_point last_frame_ = std::chrono::steady_clock::now();

@@ -48,9 +48,14 @@ Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mode
             {"backend", cut.backend},
             {"status", name_of(cut.status)},
             {"triangles", cut.statistics.triangles},
-            {"crossing", cut.statistics.crossing_triangles},
+            {"crossing", cut.statistics.crossing_surface},
+            {"crossing_with_caps", cut.statistics.crossing_triangles},
             {"loops", cut.statistics.section_loops},
             {"surface_hash", hexadecimal(cut.surface_hash)},
+            {"contact_before", cut.contact_before},
+            {"section_area", cut.section_area},
+            {"closed_rightly", cut.closed_rightly},
+            {"origin_closed_rightly", cut.origin_closed_rightly},
             {"pieces", std::move(pieces)},
             {"bytes_to_upload", cut.statistics.bytes_to_upload},
             {"bytes_uploaded", upload.bytes},
@@ -91,6 +96,7 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnW
                 {"submit_cpu_ms", json_of(summary_of(times.submit_cpu_ms))},
                 {"frame_ms", json_of(summary_of(times.frame_ms))},
                 {"bytes_uploaded", world.store().bytes_uploaded()},
+                {"bytes_of_throws", world.bytes_of_throws()},
                 {"bytes_on_card", world.store().bytes_held()},
                 {"cuts", std::move(cuts)}};
     if (const game::GameScene* const game = game::game_of(simulation.scene())) report["game"] = game::report_of(*game);

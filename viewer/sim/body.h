@@ -49,6 +49,7 @@ struct Identity
     Tick birth = 0;
     std::uint32_t last_swipe = 0;        ///< the swipe that cut it last, or cut what it came from; 0: none
     std::vector<RecentCut> recent_cuts;  ///< that have not run out at birth
+    bool closed_rightly = true;          ///< CutRecord::closed_rightly of all cuts that it descends from
 };
 
 /// One flying piece: something to cut, and the rigid body that carries it. The body's origin is the centre of mass and

@@ -6,6 +6,7 @@
 
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
+#include "viewer/sim/cap_area.h"
 #include "viewer/sim/parting.h"
 #include "viewer/sim/surface_hash.h"
 
@@ -34,6 +35,13 @@ void append(std::vector<Piece>& pieces, std::vector<std::unique_ptr<Cuttable>>& 
                      [&](const Piece& a, const Piece& b) { return key(a) < key(b); });
 }
 
+double cap_area(const std::vector<std::unique_ptr<Cuttable>>& pieces)
+{
+    double area = 0.0;
+    for (const std::unique_ptr<Cuttable>& piece : pieces) area += sim::cap_area(*piece);
+    return area;
+}
+
 std::vector<Part> weigh(std::vector<Piece>& pieces, const MeshPose& pose)
 {
     std::vector<Part> parts;
@@ -57,6 +65,7 @@ Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
     heir.origin = parent.origin;
     heir.birth = record.tick;
     heir.last_swipe = record.swipe;
+    heir.closed_rightly = record.origin_closed_rightly && record.closed_rightly;
     for (const RecentCut& cut : parent.recent_cuts)
         if (cut.until > record.tick) heir.recent_cuts.push_back(cut);
     heir.recent_cuts.push_back({record.number, record.tick + kSiblingTicks});
@@ -101,6 +110,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     record.backend = origin.backend;
     record.centre = body.centre();
     record.normal = plane.normal;
+    record.origin_closed_rightly = body.identity().closed_rightly;
 
     const MeshPose pose = body.pose();
     const std::optional<Plane> section = object_plane(plane, pose, origin);
@@ -113,16 +123,27 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
 
     CutOptions how;
     how.split_components = true;
+    record.cpu_ms = cpu.lap() * 1e3;
+    const double caps_before = options.hash_surfaces ? sim::cap_area(body.object()) : 0.0;
+    cpu.lap();
     watch.lap();
     CutResult result = cut(body.take_object(), *section, how);
     record.cut_ms = watch.lap();
     record.status = result.status;
     record.statistics = result.statistics;
+    record.section_area = result.section_area;
     if (result.object) {
         body.put_back(std::move(result.object));
         body.mark_missed(record.swipe);
-        record.cpu_ms = cpu.lap() * 1e3;
+        record.cpu_ms += cpu.lap() * 1e3;
         return;
+    }
+    if (options.hash_surfaces) {
+        record.cpu_ms += cpu.lap() * 1e3;
+        const double caps_after = cap_area(result.positive) + cap_area(result.negative);
+        record.closed_rightly = is_closed_rightly(caps_before, caps_after, record.section_area);
+        cpu.lap();
+        watch.lap();
     }
 
     std::vector<Piece> pieces;
@@ -149,7 +170,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
         record.pieces.push_back({made.id(), piece.positive, made.mass(), triangles, 0});
     }
     record.bodies_ms = watch.lap() - record.proxy_ms;
-    record.cpu_ms = cpu.lap() * 1e3;
+    record.cpu_ms += cpu.lap() * 1e3;
     if (options.hash_surfaces) hash_surfaces(world, record);
 }
 

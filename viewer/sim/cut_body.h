@@ -10,7 +10,7 @@ namespace kerf::sim {
 struct CutBodyOptions
 {
     ProxyKind proxy = ProxyKind::bounded_hull;
-    bool hash_surfaces = false;
+    bool hash_surfaces = false;   ///< and measure caps
     ObjectId* last_id = nullptr;  ///< the last id given out; counts up
 };
 
@@ -21,7 +21,8 @@ struct CutBodyOptions
 /// it was, marked as missed by this swipe.
 ///
 /// Fills in everything of `record` but its number, tick and swipe, which it reads. Costs what the cut costs, and O(1) a
-/// piece for proxies that do; hashing surfaces is O(n) and not part of the times.
+/// piece for proxies that do; hashing surfaces and measuring caps is O(n) and not
+/// part of the times.
 void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyOptions& options, CutRecord& record);
 
 }  // namespace kerf::sim

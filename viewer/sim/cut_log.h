@@ -32,8 +32,15 @@ struct CutRecord
     std::vector<PieceRecord> pieces;
     std::size_t dropped = 0;         ///< smallest pieces that the world has no room for (kMostBodies)
     std::uint64_t surface_hash = 0;  ///< over all pieces, by side; 0 when not asked for
-    glm::dvec3 normal{0.0};          ///< of the plane, world axes, towards the positive side
-    glm::dvec3 centre{0.0};          ///< of the object when it was cut, world, metres
+    /// Bodies had touched in this run before the cut: from then on back ends part in the last digit, and then in all.
+    bool contact_before = false;
+    double section_area = 0.0;  ///< CutResult::section_area, mesh units squared
+    /// Whether the object's section was closed by what covers it and no more (cap_area.h), and whether that is so for
+    /// all sections that the object itself descends from. Back ends agree on cuts of objects whose sections were.
+    /// True when not asked for.
+    bool closed_rightly = true, origin_closed_rightly = true;
+    glm::dvec3 normal{0.0};  ///< of the plane, world axes, towards the positive side
+    glm::dvec3 centre{0.0};  ///< of the object when it was cut, world, metres
 
     double cut_ms = 0.0;     ///< cut() as a whole, wall clock
     double proxy_ms = 0.0;   ///< collision proxies of all pieces

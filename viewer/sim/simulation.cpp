@@ -69,6 +69,7 @@ void Simulation::advance(Tick ticks)
 {
     for (Tick i = 0; i < ticks; ++i) {
         world_.step();
+        had_contact_ = had_contact_ || world_.contacts() > 0;
         for (const std::unique_ptr<Body>& gone : world_.remove_gone()) scene_->on_gone(*this, *gone);
         scene_->tick(*this);
         take_input();
@@ -153,6 +154,7 @@ void Simulation::cut(Body& body, const WorldPlane& plane, std::uint32_t swipe)
     record.number = cuts_.size() + 1;
     record.tick = now();
     record.swipe = swipe;
+    record.contact_before = had_contact_;
     const bool missed_before = body.missed_swipe() == swipe;
     cut_body(world_, body.id(), plane, {proxy_, settings_.hash_surfaces, &last_id_}, record);
     const bool is_cut = record.status == Status::cut || record.status == Status::open_section;

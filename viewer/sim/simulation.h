@@ -26,7 +26,7 @@ struct Settings
     ProxyKind proxy = ProxyKind::bounded_hull;
     Gesture gesture = Gesture::blade;
     std::uint64_t seed = 1;
-    bool hash_surfaces = false;  ///< fill in surface hashes: O(n) for each cut, off the timed path
+    bool hash_surfaces = false;  ///< fill in surface hashes, measure caps: O(n) for each cut, off the timed path
     bool record = false;         ///< keep what is pushed, for recording()
 };
 
@@ -72,6 +72,8 @@ public:
 
     /// All cuts since the start, oldest first.
     const std::vector<CutRecord>& cuts() const { return cuts_; }
+    /// Whether any two bodies have touched since the start.
+    bool had_contact() const { return had_contact_; }
 
     /// Hash of the whole state: bodies bit for bit, ids, input not yet taken in, the scene.
     std::uint64_t state_hash() const;
@@ -116,6 +118,7 @@ private:
     std::string message_;
     ObjectId last_id_ = 0;
     std::uint64_t throws_ = 0;
+    bool had_contact_ = false;
 };
 
 }  // namespace kerf::sim

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "viewer/game/autopilot.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
@@ -26,17 +28,30 @@ protected:
         return settings;
     }
 
-    /// Plays until so many cuts have happened, and brings every tick onto the card.
-    void play_until_cuts(std::size_t count)
+    /// Plays until so many cuts have happened, and brings every tick, or every so many, onto the card.
+    void play_until_cuts(std::size_t count, sim::Tick ticks = 1)
     {
         game::Autopilot autopilot(1);
-        for (int tick = 0; tick < 2000 && simulation.cuts().size() < count; ++tick) {
-            simulation.push(autopilot.play(simulation));
-            simulation.advance();
+        while (simulation.now() < 4000 && simulation.cuts().size() < count) {
+            for (sim::Tick tick = 0; tick < ticks; ++tick) {
+                simulation.push(autopilot.play(simulation));
+                simulation.advance();
+            }
+            const std::size_t before = world.cut_uploads().size();
             world.sync(simulation);
+            most_in_a_frame = std::max(most_in_a_frame, simulation.cuts().size() - before);
         }
         ASSERT_GE(simulation.cuts().size(), count);
     }
+
+    std::uint64_t bytes_of_cuts() const
+    {
+        std::uint64_t sum = 0;
+        for (const app::CutUpload& upload : world.cut_uploads()) sum += upload.bytes;
+        return sum;
+    }
+
+    std::size_t most_in_a_frame = 0;  ///< cuts
 };
 
 INSTANTIATE_TEST_SUITE_P(BackEnds, DrawnWorldTest, ::testing::Values("halfedge", "baseline/hash"),
@@ -52,6 +67,30 @@ TEST_P(DrawnWorldTest, UploadsForEachCutWhatTheBackEndSaid)
         const sim::CutRecord& cut = simulation.cuts()[i];
         EXPECT_EQ(world.cut_uploads()[i].bytes, cut.statistics.bytes_to_upload) << "cut " << cut.number;
     }
+}
+
+TEST_P(DrawnWorldTest, CountsForEachOfSeveralCutsInAFrameWhatItMade)
+{
+    play_until_cuts(25, sim::kTicksPerFrame);
+    EXPECT_GE(most_in_a_frame, 2u) << "pieces of one object are cut in one frame";
+    for (std::size_t i = 0; i < simulation.cuts().size(); ++i) {
+        EXPECT_EQ(world.cut_uploads()[i].bytes, simulation.cuts()[i].statistics.bytes_to_upload) << i;
+        EXPECT_GT(world.cut_uploads()[i].cpu_ms, 0.0) << i;
+    }
+    EXPECT_EQ(bytes_of_cuts() + world.bytes_of_throws(), world.store().bytes_uploaded());
+}
+
+TEST_P(DrawnWorldTest, CountsWhatWasCutAgainBeforeItWasSeenOnceAtMost)
+{
+    play_until_cuts(25, 100);
+    bool some_were_cut_again = false;
+    for (std::size_t i = 0; i < simulation.cuts().size(); ++i) {
+        const std::uint64_t made = simulation.cuts()[i].statistics.bytes_to_upload;
+        EXPECT_LE(world.cut_uploads()[i].bytes, made) << i;
+        some_were_cut_again = some_were_cut_again || world.cut_uploads()[i].bytes < made;
+    }
+    EXPECT_TRUE(some_were_cut_again);
+    EXPECT_EQ(bytes_of_cuts() + world.bytes_of_throws(), world.store().bytes_uploaded());
 }
 
 TEST_P(DrawnWorldTest, DrawsEveryBodyAndNothingElse)

@@ -5,6 +5,10 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "support/allocations.h"
 #include "viewer/sim/bodies.h"
@@ -72,6 +76,70 @@ TEST(Cost, FromTheHitToTheLastBodyMemoryAndBytesFollowTheSection)
         EXPECT_LE(cost.allocated, kAllocated * k + kBodies) << triangles;
         EXPECT_LE(cost.largest, 1000 * k) << triangles;
         EXPECT_LE(double(cost.new_bytes), kUploaded * k) << triangles;
+    }
+}
+
+// The exact price of a fixed script: three strokes across an asteroid, which fall to pieces. A change that allocates or
+// uploads more, or less, is to be seen here, and its numbers are to be put in on purpose.
+
+struct Price
+{
+    std::uint64_t allocations = 0, uploaded = 0;
+
+    friend bool operator==(const Price&, const Price&) = default;
+    friend std::ostream& operator<<(std::ostream& out, const Price& p)
+    {
+        return out << "{" << p.allocations << ", " << p.uploaded << "}";
+    }
+};
+
+/// Of all cuts together.
+const std::map<std::string, Price> kPrices{{"halfedge", {924, 167132}}, {"baseline/hash", {16233, 776928}}};
+
+std::vector<Price> prices_of_three_strokes(const std::string& backend)
+{
+    World world(0.0);
+    world.add(test::body_of(test::shape("asteroid", 5000), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
+                            ProxyKind::bounded_hull, backend));
+    world.find(1)->object().mark_uploaded();
+    ObjectId last_id = 1;
+    std::vector<Price> prices;
+    for (std::uint32_t swipe = 1; swipe <= 3; ++swipe) {
+        const WorldPlane plane{glm::normalize(glm::dvec3(swipe, 2, 0.3 * swipe - 1.0)), {0.02 * swipe, 0, 0}};
+        std::vector<ObjectId> all;
+        for (const auto& body : world.bodies()) all.push_back(body->id());
+        for (const ObjectId id : all) {
+            CutRecord record;
+            record.number = prices.size() + 1;
+            record.swipe = swipe;
+            record.pieces.reserve(8);
+            const std::uint64_t before = test::allocations();
+            cut_body(world, id, plane, {ProxyKind::bounded_hull, false, &last_id}, record);
+            const std::uint64_t allocations = test::allocations() - before;
+            std::uint64_t uploaded = 0;
+            for (const auto& piece : world.bodies()) {
+                uploaded += bytes_to_upload(piece->object());
+                piece->object().mark_uploaded();
+            }
+            EXPECT_EQ(uploaded, record.statistics.bytes_to_upload);
+            prices.push_back({allocations, uploaded});
+        }
+    }
+    return prices;
+}
+
+TEST(Cost, AllocationsAndBytesOfAScriptAreTheseExactly)
+{
+    const auto sum_of = [](const std::vector<Price>& prices) {
+        Price sum;
+        for (const Price& p : prices) sum = {sum.allocations + p.allocations, sum.uploaded + p.uploaded};
+        return sum;
+    };
+    for (const std::string backend : {"halfedge", "baseline/hash"}) {
+        const std::vector<Price> prices = prices_of_three_strokes(backend);
+        EXPECT_EQ(prices.size(), 7u);
+        EXPECT_EQ(prices, prices_of_three_strokes(backend)) << "every run costs the same";
+        EXPECT_EQ(sum_of(prices), kPrices.at(backend)) << backend;
     }
 }
 
