@@ -22,8 +22,8 @@ std::span<const NamedLook> fruit_skins()
     static const std::array<NamedLook, 18> kSkins{{
         {"watermelon", look(watermelon_skin, {0.045f, 0.17f, 0.04f}, {}, {}, 1, 0.32f)},
         {"apple", look(apple_skin, {0.52f, 0.022f, 0.025f}, {}, {}, 1, 0.24f, 0.05f)},
-        {"orange", look(citrus_skin, {0.88f, 0.21f, 0.006f}, {0.74f, 0.12f, 0.003f}, {0.30f, 0.34f, 0.03f}, 60, 0.38f)},
-        {"lemon", look(citrus_skin, {0.90f, 0.64f, 0.028f}, {0.80f, 0.47f, 0.016f}, {0.42f, 0.52f, 0.04f}, 56, 0.36f)},
+        {"orange", look(citrus_skin, {0.88f, 0.21f, 0.006f}, {0.74f, 0.12f, 0.003f}, {0.30f, 0.34f, 0.03f}, 44, 0.38f)},
+        {"lemon", look(citrus_skin, {0.90f, 0.64f, 0.028f}, {0.80f, 0.47f, 0.016f}, {0.42f, 0.52f, 0.04f}, 46, 0.36f)},
         {"kiwi", look(kiwi_skin, {0.22f, 0.125f, 0.05f}, {}, {}, 1, 0.85f, 0.03f, 0.6f)},
         {"banana", look(banana_skin, {0.86f, 0.58f, 0.05f}, {}, {}, 1, 0.45f)},
         {"coconut", look(coconut_skin, {0.15f, 0.075f, 0.033f}, {}, {}, 1, 0.9f, 0.03f, 0.5f)},

@@ -219,13 +219,14 @@ TEST_F(FruitLook, ShowsTheSkinOnlyAtTheEdgeOfACut)
     const Plane across = *Plane::through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
     const NamedBackend backend = both_back_ends().front();
     const View seen = view(opened(*backend.make(), fruit("watermelon"), across));
+    // pattern_scale is 1 / diagonal: back to metres.
+    const Box box = fruit("watermelon").bounds();
+    const float size = glm::length(box.hi - box.lo);
     std::size_t rim = 0, green_rim = 0, inner = 0, red_inner = 0;
     for (std::size_t i = 0; i < seen.facts.size(); ++i) {
         if (!seen.facts[i].is_cap()) continue;
         const std::uint8_t* p = seen.picture.rgba.data() + 4 * i;
-        // pattern_scale is half a radius: back to metres.
-        const Box box = fruit("watermelon").bounds();
-        const glm::vec3 place = seen.facts[i].place * glm::length(box.hi - box.lo);
+        const glm::vec3 place = seen.facts[i].place * size;
         const float share = glm::length(glm::vec2(place.x, place.z)) / 0.80f;
         if (share > 0.92f && share < 0.96f) {
             ++rim;

@@ -72,7 +72,7 @@ void paint(Look look, Place place, inout Surface s)
     s.albedo = mix(s.albedo, srgb(244.0, 240.0, 200.0), smoothstep(0.85, 0.895, rim));
     s.albedo = mix(s.albedo, srgb(190.0, 214.0, 120.0), smoothstep(0.90, 0.955, rim));
     s.albedo = mix(s.albedo, srgb(36.0, 92.0, 30.0), above(0.972, rim, 0.006));
-    s.height = 0.004 * grain.x * (1.0 - rind) - 0.004 * seam + 0.002 * fine * (1.0 - rind);
+    s.height = 0.0025 * grain.x * (1.0 - rind) - 0.004 * seam + 0.001 * fine * (1.0 - rind);
     s.roughness = mix(0.42, 0.5, rind);
     s.through = mix(srgb(255.0, 70.0, 50.0), srgb(220.0, 235.0, 150.0), rind);
     s.depth = 0.32;

@@ -71,7 +71,7 @@ void main()
         const float kFilm2 = 0.0009;  // roughness 0.17, to the fourth power
         float film_d = kFilm2 / (3.14159 * pow(film_nh * film_nh * (kFilm2 - 1.0) + 1.0, 2.0) + 1e-5);
         // A flat cut that happens to mirror the light is a sheet of glare: only drops may shine that much.
-        light += s.wet * frame.light_colour.rgb * arriving * lit * min(0.003 * film_d, 0.045);
+        light += s.wet * frame.light_colour.rgb * arriving * lit * min(0.003 * film_d, 0.020);
         float film_edge = 0.02 + 0.45 * pow(1.0 - film_nv, 5.0);
         float film_ceiling = smoothstep(-0.25, 0.6, reflect(-v, film).y);
         light += s.wet * film_edge * mix(frame.ground_colour.rgb, 2.2 * frame.sky_colour.rgb, film_ceiling);
