@@ -13,7 +13,7 @@ endif()
 if(KERF_SANITIZE)
   target_compile_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
     # GCC's manual: sanitizers cause false positives of this warning (here in OpenMesh's headers).
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
 endif()
 

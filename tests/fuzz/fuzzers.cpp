@@ -1,0 +1,24 @@
+#include "fuzz/fuzzers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kerf::fuzz {
+
+std::span<const Fuzzer> fuzzers()
+{
+    static constexpr auto kAll = std::to_array<Fuzzer>({
+        {"cap", fuzz_cap, 1024},
+        {"cut", fuzz_cut, 512},
+    });
+    return kAll;
+}
+
+const Fuzzer* find_fuzzer(std::string_view name)
+{
+    const auto all = fuzzers();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Fuzzer& f) { return f.name == name; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+}  // namespace kerf::fuzz

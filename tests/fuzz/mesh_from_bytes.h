@@ -1,0 +1,18 @@
+#pragma once
+
+#include "common/assemble.h"
+#include "common/plane.h"
+#include "fuzz/byte_reader.h"
+
+namespace kerf::fuzz {
+
+/// At most some two hundred triangles: a generated shape whose vertices are moved about, or any triangles over a few
+/// points. Coordinates are finite and indices in range; nothing else is promised. With several materials, seams and a
+/// stream now and then.
+TriangleSoup soup_from(ByteReader& bytes);
+
+/// A plane that meets the mesh in an interesting way: through vertices, along edges, in faces, along the axes,
+/// anywhere. Valid, but may miss.
+Plane plane_from(ByteReader& bytes, const IndexedMesh& mesh);
+
+}  // namespace kerf::fuzz
