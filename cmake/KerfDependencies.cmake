@@ -3,7 +3,6 @@
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
-find_package(assimp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet)
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -53,7 +54,7 @@ TEST_F(GlbTest, ReadsTextWithBuffersInsideAndBeside)
     write("a b.bin", sample_buffer());
     EXPECT_EQ(soup_of("a.gltf", document.dump()).triangles.size(), 2u);
     std::filesystem::remove(file("a b.bin"));
-    EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "a b.bin is not there"));
+    EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "'a b.bin', which is not there"));
 }
 
 TEST_F(GlbTest, RefusesWhatItsSizesDoNotAllow)
@@ -82,11 +83,113 @@ TEST_F(GlbTest, RefusesIndicesOutOfRangeAndCoordinatesThatAreNotFinite)
 {
     std::string buffer = sample_buffer();
     buffer[80] = 4;
-    EXPECT_TRUE(
-        contains(error_of("a.glb", glb(sample_document(), buffer)), "names a vertex that its mesh does not have"));
+    EXPECT_TRUE(contains(error_of("a.glb", glb(sample_document(), buffer)),
+                         "corner 0 of mesh 0 names vertex 4, but there are only 4"));
     buffer = sample_buffer();
     buffer.replace(0, 4, "\xFF\xFF\xFF\x7F");
     EXPECT_TRUE(contains(error_of("a.glb", glb(sample_document(), buffer)), "not finite"));
+}
+
+TEST_F(GlbTest, ReadsBuffersBelowItsFolderAndNowhereElse)
+{
+    json document = sample_document();
+    std::filesystem::create_directory(file("parts"));
+    write("parts/a b.bin", sample_buffer());
+    document["buffers"][0]["uri"] = "parts/a%20b.bin";
+    EXPECT_EQ(soup_of("a.gltf", document.dump()).triangles.size(), 2u);
+
+    write("a.bin", sample_buffer());
+    const std::string absolute = file("a.bin").string();
+    for (const std::string& uri :
+         {absolute, "file://" + absolute, std::string("../a.bin"), std::string("parts/../a.bin"),
+          std::string("parts/%2e%2e/a.bin"), std::string("C:\\a.bin"), std::string("parts\\a b.bin"), std::string(),
+          std::string("a%0.bin"), std::string("a.bin%00"), std::string("http://example.org/a.bin")}) {
+        document["buffers"][0]["uri"] = uri;
+        EXPECT_TRUE(contains(error_of("parts/a.gltf", document.dump()), "below it")) << uri;
+    }
+    document["buffers"][0]["uri"] = "parts";
+    EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "not a regular file"));
+}
+
+TEST_F(GlbTest, HoldsABufferOnceHoweverOftenItIsNamed)
+{
+    json document = sample_document();
+    write("a.bin", sample_buffer() + std::string(10'000'000, '\0'));
+    document["buffers"][0]["uri"] = "a.bin";
+    // 100 GB if each had bytes of its own.
+    for (int i = 0; i < 10'000; ++i) document["buffers"].push_back(document["buffers"][0]);
+    EXPECT_EQ(soup_of("a.gltf", document.dump()).triangles.size(), 2u);
+}
+
+TEST_F(GlbTest, RefusesBase64WithOtherCharacters)
+{
+    json document = sample_document();
+    document["buffers"][0]["uri"] = "data:;base64," + std::string(100, 'A') + "\n" + std::string(100, 'A');
+    EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "digit 100"));
+    document["buffers"][0]["uri"] = "data:,AAAA";
+    EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "not base64"));
+}
+
+TEST_F(GlbTest, ReadsStripsAndFansAndVerticesWithoutIndices)
+{
+    json document = sample_document();
+    json& primitive = document["meshes"][0]["primitives"][0];
+    primitive.erase("indices");
+    primitive["mode"] = 5;
+    EXPECT_EQ(soup_of("a.glb", glb(document, sample_buffer())).triangles, (Buffer<Triangle>{{0, 1, 2}, {1, 3, 2}}));
+    primitive["mode"] = 6;
+    EXPECT_EQ(soup_of("a.glb", glb(document, sample_buffer())).triangles, (Buffer<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST_F(GlbTest, ReadsFractionsAsIntegers)
+{
+    json document = sample_document();
+    document["accessors"].push_back(
+        {{"bufferView", 0}, {"componentType", 5121}, {"count", 4}, {"type", "VEC4"}, {"normalized", true}});
+    document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 3;
+    std::string buffer = sample_buffer();
+    buffer.replace(0, 4, std::string("\xFF\x00\x33\x00", 4));
+    const TriangleSoup soup = soup_of("a.glb", glb(document, buffer));
+    ASSERT_EQ(soup.streams.size(), 1u);
+    EXPECT_EQ(soup.streams[0].name, "color");
+    EXPECT_EQ(soup.streams[0].values[0], 1.0f);
+    EXPECT_EQ(soup.streams[0].values[2], 0.2f);
+}
+
+TEST_F(GlbTest, TurnsByQuaternionsInDouble)
+{
+    json document = sample_document();
+    const double half = std::sqrt(0.5);
+    document["nodes"][0]["rotation"] = {0.0, 0.0, half, half};  // a quarter turn around z
+    document["nodes"][0]["translation"] = {0, 0, 7};
+    const TriangleSoup soup = soup_of("a.glb", glb(document, sample_buffer()));
+    EXPECT_NEAR(soup.vertices[1].position.x, 0.0f, 1e-8f);
+    EXPECT_EQ(soup.vertices[1].position.y, 0.1f);
+    EXPECT_EQ(soup.vertices[1].position.z, 7.0f);
+}
+
+TEST_F(GlbTest, ReadsTheSceneThatTheFileOpensWith)
+{
+    json document = sample_document();
+    document["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {5, 0, 0}}}};
+    document["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+    document["scene"] = 1;
+    EXPECT_EQ(soup_of("a.glb", glb(document, sample_buffer())).vertices[0].position.x, 5.0f);
+    document["scene"] = 2;
+    EXPECT_TRUE(contains(error_of("a.glb", glb(document, sample_buffer())), "scene that does not exist"));
+    document.erase("scene");
+    document.erase("scenes");
+    EXPECT_EQ(soup_of("a.glb", glb(document, sample_buffer())).triangles.size(), 4u) << "all roots";
+    document.erase("nodes");
+    EXPECT_EQ(soup_of("a.glb", glb(document, sample_buffer())).triangles.size(), 2u) << "each mesh";
+}
+
+TEST_F(GlbTest, RefusesDeeplyNestedJson)
+{
+    const std::size_t depth = 1'000'000;
+    EXPECT_TRUE(contains(error_of("a.gltf", std::string(depth, '[')), "malformed"));
+    // Balanced, so that it is parsed to its end.
+    EXPECT_TRUE(contains(error_of("a.gltf", std::string(depth, '[') + std::string(depth, ']')), "not an object"));
 }
 
 TEST_F(GlbTest, RefusesATreeThatMultipliesItself)

@@ -51,8 +51,6 @@ protected:
             write_mesh(path, sample_mesh());
             all.push_back({"b." + extension, read_text(path)});
         }
-        // Assimp looks whether the file is there.
-        for (const Sample& sample : all) write(sample.name, sample.bytes);
         return all;
     }
 
@@ -122,11 +120,10 @@ TEST_F(MalformedFileTest, IsRefusedWhenABinaryFileIsCutOffAtAnyByte)
 TEST_F(MalformedFileTest, IsReadOrRefusedWithBytesChangedAtRandom)
 {
     for (const Sample& sample : samples()) {
-        // Assimp takes milliseconds to begin.
-        const int tries = sample.name.find(".gl") == std::string::npos ? 10000 : 2000;
+        constexpr int kTries = 10000;
         SCOPED_TRACE(sample.name);
         std::mt19937 random(1);
-        for (int i = 0; i < tries; ++i) {
+        for (int i = 0; i < kTries; ++i) {
             std::string bytes = sample.bytes;
             for (std::uint32_t k = 0; k < 1 + random() % 4; ++k) {
                 const std::size_t at = random() % bytes.size();

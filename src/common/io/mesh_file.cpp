@@ -47,6 +47,16 @@ void fail(const fs::path& path, const std::string& reason)
     throw FileError(path.string() + ": " + reason);
 }
 
+std::optional<fs::path> file_beside(const fs::path& path, const std::string& name)
+{
+    if (name.empty() || name.find('\0') != std::string::npos || name.find_first_of("\\:") != std::string::npos)
+        return std::nullopt;
+    const fs::path relative(name);
+    if (!relative.is_relative() || std::find(relative.begin(), relative.end(), "..") != relative.end())
+        return std::nullopt;
+    return path.parent_path() / relative;
+}
+
 std::string read_bytes(const fs::path& path)
 {
     std::error_code error;

@@ -56,7 +56,7 @@ bool read_numbers(TextScanner& line, float* values, int count)
 
 }  // namespace
 
-void read_mtl(const std::filesystem::path& path, std::unordered_map<std::string, Material>& materials)
+void read_mtl(const std::filesystem::path& path, MaterialLibrary& materials)
 {
     std::string bytes;
     try {
@@ -64,6 +64,11 @@ void read_mtl(const std::filesystem::path& path, std::unordered_map<std::string,
     } catch (const FileError&) {
         return;
     }
+    parse_mtl(path, bytes, materials);
+}
+
+void parse_mtl(const std::filesystem::path& path, std::string_view bytes, MaterialLibrary& materials)
+{
     TextScanner line(path, bytes, {.comment = '#', .continuations = true});
     Material* material = nullptr;
     while (line.next_line()) {

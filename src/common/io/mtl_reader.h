@@ -2,14 +2,20 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include "common/indexed_mesh.h"
 
 namespace kerf::io {
 
+using MaterialLibrary = std::unordered_map<std::string, Material>;
+
 /// Adds the materials of an .mtl file: name, Kd, d or Tr, map_Kd. Materials are decoration, so a file that is not
 /// there, and a line that makes no sense, change nothing.
-void read_mtl(const std::filesystem::path& path, std::unordered_map<std::string, Material>& materials);
+void read_mtl(const std::filesystem::path& path, MaterialLibrary& materials);
+
+/// The same from the bytes of the file.
+void parse_mtl(const std::filesystem::path& path, std::string_view bytes, MaterialLibrary& materials);
 
 }  // namespace kerf::io

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -143,17 +144,25 @@ private:
     void read_libraries()
     {
         const std::string rest(line_.rest());
-        const std::filesystem::path folder = path_.parent_path();
         std::error_code ignored;
-        if (std::filesystem::is_regular_file(folder / rest, ignored)) {
-            read_mtl(folder / rest, library_);
+        if (const auto whole = file_beside(path_, rest); whole && std::filesystem::is_regular_file(*whole, ignored)) {
+            read_library(*whole);
             return;
         }
         for (std::size_t at = 0; at < rest.size();) {
             const std::size_t end = std::min(rest.find_first_of(" \t", at), rest.size());
-            if (end > at) read_mtl(folder / rest.substr(at, end - at), library_);
+            if (end > at)
+                if (const auto file = file_beside(path_, rest.substr(at, end - at))) read_library(*file);
             at = end + 1;
         }
+    }
+
+    /// Each file once, however often and under however many names it is called for.
+    void read_library(const std::filesystem::path& file)
+    {
+        std::error_code error;
+        const std::filesystem::path canonical = std::filesystem::canonical(file, error);
+        if (!error && libraries_read_.insert(canonical).second) read_mtl(canonical, library_);
     }
 
     /// Positions without a colour are white where others have one.
@@ -178,7 +187,8 @@ private:
     std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
     std::vector<std::size_t> position_of_vertex_;
     std::vector<std::uint32_t> face_;
-    std::unordered_map<std::string, Material> library_;
+    MaterialLibrary library_;
+    std::set<std::filesystem::path> libraries_read_;
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ void check_room(const TextScanner& line, const PlyHeader& header)
     for (const PlyElement& element : header.elements) {
         const std::uint64_t size = least_size(element, header.format);
         if (size > 0 && element.count > room / size)
-            line.fail("element '" + element.name + "' is said to occur " + std::to_string(element.count) +
+            line.fail("element " + in_quotes(element.name) + " is said to occur " + std::to_string(element.count) +
                       " times, which is more than the file has room for");
         room -= element.count * size;
     }
@@ -124,8 +124,8 @@ PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view by
         } else if (keyword == "element") {
             PlyElement element;
             element.name = line.word();
-            const std::int64_t count = line.integer("the number of '" + element.name + "'");
-            if (count < 0) line.fail("the number of '" + element.name + "' is negative");
+            const std::int64_t count = line.integer("the number of " + in_quotes(element.name));
+            if (count < 0) line.fail("the number of " + in_quotes(element.name) + " is negative");
             element.count = static_cast<std::uint64_t>(count);
             header.elements.push_back(std::move(element));
         } else if (keyword == "property") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,10 @@ namespace kerf::io {
 
 /// All bytes of a regular file.
 std::string read_bytes(const std::filesystem::path& path);
+
+/// The file of this name in the folder of `path` or below it; nothing for an absolute path, one with "..", one of
+/// another system or an address. A file from somewhere else must not make us read what its sender cannot.
+std::optional<std::filesystem::path> file_beside(const std::filesystem::path& path, const std::string& name);
 
 TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes);
 TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes);

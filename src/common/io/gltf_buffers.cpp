@@ -1,0 +1,89 @@
+#include "common/io/gltf_buffers.h"
+
+#include <array>
+#include <optional>
+
+#include "common/io/read_formats.h"
+#include "common/io/text_scanner.h"
+
+namespace kerf::io {
+
+namespace {
+
+constexpr std::string_view kInside = "data:", kBase64 = ";base64,";
+
+/// Value of a base64 digit; 64 for anything else.
+constexpr std::array<std::uint8_t, 256> kDigitValues = [] {
+    std::array<std::uint8_t, 256> values{};
+    values.fill(64);
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t i = 0; i < kDigits.size(); ++i)
+        values[static_cast<unsigned char>(kDigits[i])] = static_cast<std::uint8_t>(i);
+    return values;
+}();
+
+std::optional<std::string> percent_decoded(std::string_view text)
+{
+    const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10; };
+    const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || ((c | 0x20) >= 'a' && (c | 0x20) <= 'f'); };
+    std::string decoded;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '%') {
+            decoded.push_back(text[i]);
+            continue;
+        }
+        if (i + 2 >= text.size() || !is_digit(text[i + 1]) || !is_digit(text[i + 2])) return std::nullopt;
+        decoded.push_back(static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2])));
+        i += 2;
+    }
+    return decoded;
+}
+
+}  // namespace
+
+std::string_view GltfBuffers::bytes_of(const std::string& uri, const std::string& where)
+{
+    const auto known = bytes_.find(uri);
+    if (known != bytes_.end()) return known->second;
+    std::string bytes = uri.starts_with(kInside) ? decode(uri, where) : read_beside(uri, where);
+    return bytes_.emplace(uri, std::move(bytes)).first->second;
+}
+
+std::string GltfBuffers::decode(std::string_view uri, const std::string& where) const
+{
+    const std::size_t mark = uri.find(kBase64);
+    if (mark == std::string_view::npos) fail(path_, where + " has data that are not base64");
+    std::string_view digits = uri.substr(mark + kBase64.size());
+    while (digits.ends_with('=')) digits.remove_suffix(1);
+    std::string bytes;
+    bytes.reserve(digits.size() / 4 * 3 + 3);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        const std::uint8_t value = kDigitValues[static_cast<unsigned char>(digits[i])];
+        if (value == 64) fail(path_, where + " has data that are not base64: digit " + std::to_string(i) + " is none");
+        bits = bits << 6 | value;
+        // Every digit but the first of four completes a byte.
+        if (i % 4 != 0) bytes.push_back(static_cast<char>(bits >> (6 - 2 * (i % 4)) & 0xFFu));
+    }
+    return bytes;
+}
+
+std::string GltfBuffers::read_beside(std::string_view uri, const std::string& where)
+{
+    const auto name = percent_decoded(uri);
+    const auto beside = name ? file_beside(path_, *name) : std::nullopt;
+    if (!beside)
+        fail(path_, where + " names " + in_quotes(uri) +
+                        ": buffers must lie in the folder of the file or below it; copy it there and name it so");
+    std::error_code error;
+    const auto type = std::filesystem::status(*beside, error).type();
+    if (type == std::filesystem::file_type::not_found)
+        fail(path_, where + " names " + in_quotes(*name) + ", which is not there; put it beside the file");
+    if (type != std::filesystem::file_type::regular)
+        fail(path_, where + " names " + in_quotes(*name) + ", which is not a regular file");
+    std::string bytes = read_bytes(*beside);
+    beside_ += bytes.size();
+    return bytes;
+}
+
+}  // namespace kerf::io

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace kerf::io {
+
+/// The bytes that the buffers of a glTF file name: base64 inside the file, or files beside it.
+///
+/// A buffer may only lie in the folder of the glTF file or below it: no absolute path, no "..", no address of another
+/// kind. A file from somewhere else must not make us read what its sender cannot.
+class GltfBuffers
+{
+public:
+    explicit GltfBuffers(const std::filesystem::path& path) : path_(path) {}
+
+    /// @param uri    as the file has it: "data:...;base64,..." or a relative path, percent-encoded
+    /// @param where  names the buffer in messages: "buffer 0"
+    /// @throws FileError
+    std::string_view bytes_of(const std::string& uri, const std::string& where);
+
+    /// Bytes in files of their own, each counted once.
+    std::uint64_t bytes_beside() const { return beside_; }
+
+private:
+    std::string decode(std::string_view uri, const std::string& where) const;
+    std::string read_beside(std::string_view uri, const std::string& where);
+
+    const std::filesystem::path& path_;
+    std::map<std::string, std::string, std::less<>> bytes_;  ///< by uri: however often it is named, it is held once
+    std::uint64_t beside_ = 0;
+};
+
+}  // namespace kerf::io
