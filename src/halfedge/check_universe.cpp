@@ -1,6 +1,7 @@
 #include "halfedge/check_universe.h"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace kerf::halfedge {
@@ -83,14 +84,21 @@ private:
         const Box& have = u_.tree.nodes[n].box;
         if (have.lo != box.lo || have.hi != box.hi) return fail("node " + number(n) + " has a wrong box");
         if (u_.tree.supports[n].best != support.best) return fail("node " + number(n) + " has wrong maxima");
-        // The order of the additions may differ.
-        const double scale = std::abs(moments.volume6) + glm::length(moments.squares120) + glm::length(moments.first24);
-        const auto near = [&](double a, double b) { return std::abs(a - b) <= 1e-9 * scale + 1e-12; };
+        // The order of the additions may differ: rounding is relative to what is added up, which may cancel. The
+        // numbers in front are those of the tetrahedra's sums (mass_properties.h).
+        const glm::dvec3 far =
+            glm::max(glm::abs(glm::dvec3(box.lo) - u_.reference), glm::abs(glm::dvec3(box.hi) - u_.reference));
+        const double r = glm::length(far);
+        constexpr double kRounding = 1e-9;
+        const auto near = [&](double x, double y, double largest) {
+            return std::abs(x - y) <= kRounding * largest + std::numeric_limits<double>::min();
+        };
         const MassMoments& m = u_.tree.moments[n];
-        bool same = near(m.volume6, moments.volume6);
+        bool same = near(m.volume6, moments.volume6, 6 * r * r * r);
         for (int i = 0; i < 3; ++i)
-            same = same && near(m.first24[i], moments.first24[i]) && near(m.squares120[i], moments.squares120[i]) &&
-                   near(m.products120[i], moments.products120[i]);
+            same = same && near(m.first24[i], moments.first24[i], 24 * r * r * r * r) &&
+                   near(m.squares120[i], moments.squares120[i], 120 * r * r * r * r * r) &&
+                   near(m.products120[i], moments.products120[i], 120 * r * r * r * r * r);
         return same || fail("node " + number(n) + " has wrong moments");
     }
 
