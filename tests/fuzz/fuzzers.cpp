@@ -10,6 +10,13 @@ std::span<const Fuzzer> fuzzers()
     static constexpr auto kAll = std::to_array<Fuzzer>({
         {"cap", fuzz_cap, 1024},
         {"cut", fuzz_cut, 512},
+        {"read_gltf", fuzz_read_gltf, 4096},
+        {"read_mtl", fuzz_read_mtl, 1024},
+        {"read_obj", fuzz_read_obj, 2048},
+        {"read_off", fuzz_read_off, 2048},
+        {"read_ply", fuzz_read_ply, 2048},
+        {"read_stl", fuzz_read_stl, 2048},
+        {"repair", fuzz_repair, 512},
     });
     return kAll;
 }

@@ -2,11 +2,18 @@
 
 #include "fuzz/fuzzer.h"
 
-// One function a fuzzer, each in a file of its name.
+// One function a fuzzer; the files are named like them.
 
 namespace kerf::fuzz {
 
 void fuzz_cap(Bytes bytes);
 void fuzz_cut(Bytes bytes);
+void fuzz_read_gltf(Bytes bytes);
+void fuzz_read_mtl(Bytes bytes);
+void fuzz_read_obj(Bytes bytes);
+void fuzz_read_off(Bytes bytes);
+void fuzz_read_ply(Bytes bytes);
+void fuzz_read_stl(Bytes bytes);
+void fuzz_repair(Bytes bytes);
 
 }  // namespace kerf::fuzz

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "common/shapes.h"
 
@@ -159,6 +161,35 @@ Plane plane_from(ByteReader& bytes, const IndexedMesh& mesh)
     // Across the middle of the bounds where the numbers give no plane.
     if (!plane) plane = Plane::through(glm::dvec3(mesh.bounds().centre()), {1.0, 0.0, 0.0});
     return plane.value_or(Plane{});
+}
+
+bool is_manifold(const IndexedMesh& mesh)
+{
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> fan_after;  // point and next point: third corner
+    std::map<std::uint32_t, std::size_t> corners;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = mesh.points[t[i]], b = mesh.points[t[(i + 1) % 3]], c = mesh.points[t[(i + 2) % 3]];
+            if (!edges.emplace(a, b).second) return false;
+            fan_after[{a, b}] = c;
+            ++corners[a];
+        }
+    for (const auto& [point, count] : corners) {
+        // To the start of the fan, or once around, and then along it.
+        std::map<std::uint32_t, std::uint32_t> before;
+        const auto first = fan_after.lower_bound({point, 0});
+        for (auto it = first; it != fan_after.end() && it->first.first == point; ++it)
+            before[it->second] = it->first.second;
+        std::uint32_t start = first->first.second;
+        for (std::size_t i = 0; i < count && before.count(start) != 0; ++i) start = before[start];
+        std::size_t met = 0;
+        for (auto it = fan_after.find({point, start}); met < count && it != fan_after.end();
+             it = fan_after.find({point, it->second}))
+            ++met;
+        if (met != count) return false;
+    }
+    return true;
 }
 
 }  // namespace kerf::fuzz

@@ -15,4 +15,8 @@ TriangleSoup soup_from(ByteReader& bytes);
 /// anywhere. Valid, but may miss.
 Plane plane_from(ByteReader& bytes, const IndexedMesh& mesh);
 
+/// No directed edge twice, and one fan around each point: what IndexedMesh promises about neighbours and check() does
+/// not look at.
+bool is_manifold(const IndexedMesh& mesh);
+
 }  // namespace kerf::fuzz
