@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
 
+#include "common/convex_hull.h"
 #include "common/mesh_facts.h"
 
 namespace kerf::bench {
@@ -49,13 +51,21 @@ std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t co
     return planes;
 }
 
-std::string check_cut(const Cuttable& object, const Plane& plane)
+std::string check_cut(const Cuttable& object, const Plane& plane, CutStatistics* counted)
 {
     constexpr double kShare = 1e-6;  // of the whole: what rounding cut points to float may change
     const double volume = object.mass_properties().volume, area = surface_area(object.to_indexed_mesh());
     const double noise = plane_noise(object.bounds().largest_coordinate());
     const CutResult result = cut(object.clone(), plane);
     if (result.status != Status::cut) return "status " + std::string(name_of(result.status));
+    if (counted) {
+        const CutStatistics& s = result.statistics;
+        counted->crossing_triangles += s.crossing_triangles;
+        counted->triangles_touched += s.triangles_touched;
+        counted->nodes_visited += s.nodes_visited;
+        counted->bytes_to_upload += s.bytes_to_upload;
+        counted->vertex_comparisons += s.vertex_comparisons;
+    }
     double volume_sum = 0.0, area_sum = 0.0;
     for (const auto* side : {&result.positive, &result.negative})
         for (const auto& fragment : *side) {
@@ -73,6 +83,26 @@ std::string check_cut(const Cuttable& object, const Plane& plane)
     if (!(std::abs(volume_sum - volume) <= kShare * std::abs(volume))) return "volumes do not add up";
     if (!(std::abs(area_sum - area) <= kShare * area)) return "surface areas do not add up";
     return {};
+}
+
+double proxy_volume(const CollisionProxy& proxy)
+{
+    constexpr double kPi = 3.14159265358979323846;
+    if (proxy.kind == ProxyKind::box) {
+        const glm::dvec3 size = glm::dvec3(proxy.box.hi) - glm::dvec3(proxy.box.lo);
+        return size.x * size.y * size.z;
+    }
+    if (proxy.kind == ProxyKind::sphere) return 4.0 / 3.0 * kPi * std::pow(double(proxy.radius), 3);
+    const ConvexHull hull = convex_hull(proxy.points);
+    double six = 0.0;
+    for (const Triangle& face : hull.faces) {
+        // About the first corner, so that coordinates far from the origin cost nothing.
+        const auto corner = [&](std::size_t i) {
+            return glm::dvec3(proxy.points[hull.corners[face[i]]]) - glm::dvec3(proxy.points[hull.corners[0]]);
+        };
+        six += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+    }
+    return six / 6.0;
 }
 
 std::string check_proxy(const CollisionProxy& proxy, std::span<const Vertex> vertices)

@@ -12,8 +12,12 @@ namespace kerf::bench {
 std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t count, std::uint64_t seed);
 
 /// Cuts a clone of `object` and looks at the result: both sides closed, volumes and surface areas add up to the
-/// whole's. Empty when all is right, otherwise what is wrong: such a result is not timed.
-std::string check_cut(const Cuttable& object, const Plane& plane);
+/// whole's. Empty when all is right, otherwise what is wrong: such a result is not timed. What the cut counted is added
+/// to `counted` when that is given; times stay out.
+std::string check_cut(const Cuttable& object, const Plane& plane, CutStatistics* counted = nullptr);
+
+/// Volume of the convex body that a proxy stands for, mesh units cubed. O(points log points).
+double proxy_volume(const CollisionProxy& proxy);
 
 /// Whether a proxy is one of these vertices: boxes and spheres hold all of them, hulls reach as far in each support
 /// direction and have corners among them. Empty when it is.

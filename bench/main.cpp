@@ -11,6 +11,7 @@ namespace kerf::bench {
 void register_model_benchmarks();
 void register_scale_benchmarks();
 void register_chain_benchmarks();
+void register_long_benchmarks();
 #ifdef KERF_HAS_VIEWER
 void register_sim_benchmarks();
 #endif
@@ -28,6 +29,7 @@ int main(int argc, char** argv)
         kerf::bench::register_model_benchmarks();
         kerf::bench::register_scale_benchmarks();
         kerf::bench::register_chain_benchmarks();
+        kerf::bench::register_long_benchmarks();
 #ifdef KERF_HAS_VIEWER
         kerf::bench::register_sim_benchmarks();
 #endif

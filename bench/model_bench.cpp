@@ -76,12 +76,15 @@ void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
     if (!object) return;
     std::vector<CutResult> cuts;
     for (const Plane& plane : planes) cuts.push_back(cut(object->clone(), plane));
+    double volume = 0.0, full_volume = 0.0;
 
     for (const CutResult& result : cuts)
         for (const auto* side : {&result.positive, &result.negative}) {
-            const std::string error =
-                check_proxy(side->front()->collision_proxy(kind), side->front()->to_indexed_mesh().vertices);
+            const CollisionProxy proxy = side->front()->collision_proxy(kind);
+            const std::string error = check_proxy(proxy, side->front()->to_indexed_mesh().vertices);
             if (!error.empty()) return state.SkipWithError(error.c_str());
+            volume += proxy_volume(proxy);
+            full_volume += proxy_volume(side->front()->collision_proxy(ProxyKind::full_hull));
         }
 
     double seconds = 0.0;
@@ -101,6 +104,7 @@ void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
     }
     state.counters["proxy_ms"] = seconds * 1e3 / double(state.iterations()) / kCutsPerModel;
     state.counters["points"] = double(points) / (2 * kCutsPerModel);
+    state.counters["volume_ratio"] = volume / full_volume;
     state.counters["triangles"] = double(model.mesh.triangles.size());
 }
 

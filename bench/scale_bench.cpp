@@ -38,7 +38,8 @@ struct Prepared
 {
     std::string key;
     std::unique_ptr<Cuttable> object;
-    std::string error;  ///< why a cut of it must not be timed
+    CutStatistics counted;  ///< by one cut with each plane: the same on every run, however often is timed
+    std::string error;      ///< why a cut of it must not be timed
 };
 
 /// A mesh made ready and every cut of it that will be timed checked; kept for the repetitions and for the other extent.
@@ -52,7 +53,7 @@ const Prepared& prepared_and_checked(const Backend& backend, const IndexedMesh& 
     PrepareResult result = backend.prepare(mesh);
     last.error = result.reason;
     for (const Plane& plane : planes)
-        if (result.object && last.error.empty()) last.error = check_cut(*result.object, plane);
+        if (result.object && last.error.empty()) last.error = check_cut(*result.object, plane, &last.counted);
     last.object = std::move(result.object);
     last.key = key;
     return last;
@@ -68,7 +69,8 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
 
     std::uint64_t cuts = 0;
     double seconds = 0.0;
-    CutStatistics sum;
+    std::uint64_t crossing = 0;
+    PhaseTimes phases;
     double mass_ms = 0.0, proxy_ms = 0.0, draw_ms = 0.0;
     for (auto _ : state) {
         const Plane& plane = planes[cuts % planes.size()];
@@ -93,26 +95,22 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
         state.SetIterationTime(iteration);
         seconds += iteration;
         ++cuts;
-        const CutStatistics& s = result.statistics;
-        sum.crossing_triangles += s.crossing_triangles;
-        sum.triangles_touched += s.triangles_touched;
-        sum.nodes_visited += s.nodes_visited;
-        sum.bytes_to_upload += s.bytes_to_upload;
-        sum.vertex_comparisons += s.vertex_comparisons;
-        for (std::size_t i = 0; i < kPhaseCount; ++i) sum.phases.ms[i] += s.phases.ms[i];
+        crossing += result.statistics.crossing_triangles;
+        for (std::size_t i = 0; i < kPhaseCount; ++i) phases.ms[i] += result.statistics.phases.ms[i];
     }
     const auto n = double(cuts), triangles = double(mesh.triangles.size());
+    const CutStatistics& counted = prepared.counted;
+    const auto counts = double(planes.size());
     state.counters["triangles"] = triangles;
-    state.counters["crossing"] = double(sum.crossing_triangles) / n;
+    state.counters["crossing"] = double(counted.crossing_triangles) / counts;
     state.counters["ns_per_triangle"] = seconds * 1e9 / n / triangles;
-    state.counters["ns_per_crossing"] = seconds * 1e9 / double(sum.crossing_triangles);
-    state.counters["touched"] = double(sum.triangles_touched) / n;
-    state.counters["nodes"] = double(sum.nodes_visited) / n;
-    state.counters["comparisons"] = double(sum.vertex_comparisons) / n;
-    state.counters["upload_bytes"] = double(sum.bytes_to_upload) / n;
+    state.counters["ns_per_crossing"] = seconds * 1e9 / double(crossing);
+    state.counters["touched"] = double(counted.triangles_touched) / counts;
+    state.counters["nodes"] = double(counted.nodes_visited) / counts;
+    state.counters["comparisons"] = double(counted.vertex_comparisons) / counts;
+    state.counters["upload_bytes"] = double(counted.bytes_to_upload) / counts;
     for (std::size_t i = 0; i < kPhaseCount; ++i)
-        if (sum.phases.ms[i] > 0)
-            state.counters["ms_" + std::string(name_of(static_cast<Phase>(i)))] = sum.phases.ms[i] / n;
+        if (phases.ms[i] > 0) state.counters["ms_" + std::string(name_of(static_cast<Phase>(i)))] = phases.ms[i] / n;
     if (extent == Extent::whole_chain) {
         state.counters["ms_mass"] = mass_ms / n;
         state.counters["ms_proxy"] = proxy_ms / n;

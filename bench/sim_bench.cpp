@@ -4,6 +4,7 @@
 //                                          hulls, bodies, momentum (drawing and uploads are measured by kerf-viewer)
 //   Pieces/<spread|heap>/<count>           two ticks of 1/120 s, a frame's physics: pieces in flight, and pieces that
 //                                          all lie in one another because they were cut within a quarter of a second
+//   Physics/<proxy>/<count>                the same for pieces in flight, with each kind of collision proxy
 
 #include <benchmark/benchmark.h>
 
@@ -15,6 +16,7 @@
 #include "bench/timed_shapes.h"
 #include "common/cpu_stopwatch.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/proxy_names.h"
 #include "viewer/sim/simulation.h"
 
 namespace kerf::bench {
@@ -84,10 +86,12 @@ bool cut_up(sim::Simulation& run, std::size_t count, sim::Tick ticks_between)
     return true;
 }
 
-void pieces(benchmark::State& state, bool heap)
+void pieces(benchmark::State& state, bool heap, ProxyKind proxy)
 {
     const auto wanted = std::size_t(state.range(0));
-    sim::Simulation run(asteroid_shelf(5000), {});
+    sim::Settings settings;
+    settings.proxy = proxy;
+    sim::Simulation run(asteroid_shelf(5000), settings);
     // In a heap ten asteroids are cut within a moment; spread, many more are thrown and cut rarely.
     for (int i = 0; i < (heap ? 10 : 40); ++i) run.command("throw");
     run.advance(heap ? 70 : 60);
@@ -121,7 +125,14 @@ void register_sim_benchmarks()
         }
     for (const bool heap : {false, true})
         benchmark::RegisterBenchmark(heap ? "Pieces/heap" : "Pieces/spread",
-                                     [=](benchmark::State& state) { pieces(state, heap); })
+                                     [=](benchmark::State& state) { pieces(state, heap, ProxyKind::bounded_hull); })
+            ->Arg(300)
+            ->UseManualTime()
+            ->Iterations(20)
+            ->Unit(benchmark::kMillisecond);
+    for (const ProxyKind proxy : sim::kProxyKinds)
+        benchmark::RegisterBenchmark(("Physics/" + std::string(name_of(proxy))).c_str(),
+                                     [=](benchmark::State& state) { pieces(state, false, proxy); })
             ->Arg(300)
             ->UseManualTime()
             ->Iterations(20)

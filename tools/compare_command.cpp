@@ -27,6 +27,7 @@ struct CompareCommandOptions
     bool random_only = false;
     bool quiet = false;
     bool json = false;
+    bool caps = false;
 };
 
 /// What the rows of a file, or of all files, say together.
@@ -207,7 +208,30 @@ Json back_end_json(const BackEndRow& facts)
             {"equal_corners", facts.degenerate_triangles},
             {"volume_error", facts.volume_error},
             {"overhang", facts.overhang},
+            {"cap_triangles", facts.cap.triangles.size()},
+            {"cap_least_angle", facts.least_angle},
+            {"cap_overlap", std::isnan(facts.overlap) ? Json() : Json(facts.overlap)},
             {"cut_ms", facts.ms}};
+}
+
+Json points_json(const std::vector<glm::dvec2>& points)
+{
+    Json list = Json::array();
+    for (const glm::dvec2& p : points) list.push_back({p.x, p.y});
+    return list;
+}
+
+/// The outline and both caps in the coordinates of the plane.
+Json caps_json(const ComparisonRow& row)
+{
+    const auto cap_json = [](const FlatCap& cap) {
+        return Json{{"points", points_json(cap.points)}, {"triangles", cap.triangles}};
+    };
+    Json loops = Json::array();
+    for (const auto& loop : row.outline) loops.push_back(points_json(loop));
+    return {{"loops", std::move(loops)},
+            {"baseline", cap_json(row.baseline.cap)},
+            {"halfedge", cap_json(row.halfedge.cap)}};
 }
 
 Json row_json(const ComparisonRow& row)
@@ -280,9 +304,10 @@ void run(const CompareCommandOptions& options)
             mesh =
                 compare_mesh(std::move(loaded.mesh), *baseline, *halfedge, comparison, [&](const ComparisonRow& row) {
                     tally.add(row);
-                    if (options.json)
+                    if (options.json) {
                         rows.push_back(row_json(row));
-                    else if (!options.quiet || !row.failures.empty())
+                        if (options.caps) rows.back()["caps"] = caps_json(row);
+                    } else if (!options.quiet || !row.failures.empty())
                         print(row_text(row));
                 });
         } catch (const std::runtime_error& error) {
@@ -346,7 +371,10 @@ void add_compare_command(CLI::App& program)
     command->add_option("--only", options->only, "Cut by this one of the planes, as the first column numbers them")
         ->type_name("NUMBER");
     command->add_flag("--quiet", options->quiet, "Leave out the rows of cuts that are right");
-    command->add_flag("--json", options->json, "Print JSON instead of text");
+    CLI::Option* json = command->add_flag("--json", options->json, "Print JSON instead of text");
+    command
+        ->add_flag("--caps", options->caps, "With --json: the triangles of both caps, in the coordinates of the plane")
+        ->needs(json);
     command->footer(
         "One row a cut. surface: whether the surface triangles of both sides are equal bit for bit, attributes\n"
         "included. fan and cap: by how much the caps of baseline and halfedge miss the section's area. Open edges and\n"

@@ -188,8 +188,20 @@ private:
                      " triangles of baseline, " + grouped(difference.only_second) + " of halfedge");
         }
         judge_section(row, a, b);
+        row.outline = flat_loops(b.fragment(0)->section_loops(), row.plane.plane.normal);
+        look_at_cap(row, row.baseline, a.mesh[1], row.fan_fits);
+        look_at_cap(row, row.halfedge, b.mesh[1], row.cap_fits);
         judge_back_end(row, "baseline", row.baseline, a, volume);
         judge_back_end(row, "halfedge", row.halfedge, b, volume);
+    }
+
+    /// What is said of caps, not judged. Those of both fragments are alike.
+    void look_at_cap(const ComparisonRow& row, BackEndRow& facts, const IndexedMesh& negative, bool fits)
+    {
+        const auto material = first_cap_ + static_cast<std::uint32_t>(row.piece.size());
+        facts.cap = flat_cap(negative, material, row.plane.plane.normal);
+        facts.least_angle = least_angle(facts.cap);
+        if (!fits) facts.overlap = overlap_area(facts.cap);
     }
 
     void judge_section(ComparisonRow& row, Halves& a, Halves& b)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/cut.h"
+#include "tools/cap_facts.h"
 #include "tools/comparison_planes.h"
 #include "tools/surface_keys.h"
 
@@ -43,6 +44,10 @@ struct BackEndRow
     std::array<std::uint64_t, 2> triangles{};  ///< of the fragments: + and - side
     std::array<double, 2> cap_area{};          ///< of this cut's cap, each triangle counted positive: + and - side
     double cap_excess = 0.0;                   ///< the worse cap's area less what it should cover, mesh units squared
+    double least_angle = 180.0;                ///< smallest of the cap's triangles, degrees
+    double overlap = 0.0;                      ///< area that the cap covers more than once, mesh units squared; looked
+                                               ///< for only where it covers too much: see overlap_area()
+    FlatCap cap;                               ///< the negative fragment's, which faces along the normal
     double ms = 0.0;                           ///< of the cut, nothing else
 };
 
@@ -56,6 +61,7 @@ struct ComparisonRow
     std::array<SurfaceDifference, 2> surface;  ///< positive, negative side
     double section_area = 0.0;                 ///< signed sum of the section's loops
     std::uint64_t loops = 0, open_chains = 0;
+    std::vector<std::vector<glm::dvec2>> outline;  ///< the section's closed loops in the coordinates of FlatCap
     bool fan_fits = true, cap_fits = true;
     /// Loops wind around something backwards or more than once: the surface intersects itself or is open, and the
     /// half-edge cap's area is not judged. Looked at only when it is not the section's.

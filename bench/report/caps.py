@@ -20,11 +20,18 @@ def judged_rows(file: dict[str, Any]) -> Iterator[tuple[dict[str, Any], float, f
                    row["halfedge"]["cap_excess"] / row["covered_area"])
 
 
+def overlap_share(row: dict[str, Any]) -> float | None:
+    """Of the section: the area that the fan covers more than once; None where that was not looked for."""
+    overlap = row["baseline"].get("cap_overlap")
+    return None if overlap is None else overlap / row["covered_area"]
+
+
 def caps_table(found: Measurements, mix: str) -> Table:
     """One row a model: how often each cap is wrong, and by how much of the section."""
     table = Table(f"caps_{mix}", [Column("model", "model"), Column("cuts", "cuts"), Column("missed", "missed"),
                                   Column("fans_wrong", "fans wrong"), Column("median_fan_error", "median", percent),
                                   Column("worst_fan_error", "worst", percent),
+                                  Column("worst_overlap", "worst overlap", percent),
                                   Column("caps_wrong", "triangulations wrong"),
                                   Column("worst_cap_error", "worst", scientific),
                                   Column("not_judged", "self-crossing sections"),
@@ -34,7 +41,9 @@ def caps_table(found: Measurements, mix: str) -> Table:
         fans = [fan for _, fan, _ in judged_rows(file)]
         table.rows.append({"model": model_name(file["file"]), "cuts": summary["cut"], "missed": summary["missed"],
                            "fans_wrong": summary["fans_wrong"], "median_fan_error": statistics.median(fans) if fans else None,
-                           "worst_fan_error": summary["worst_fan"], "caps_wrong": summary["caps_wrong"],
+                           "worst_fan_error": summary["worst_fan"],
+                           "worst_overlap": max((share for row, _, _ in judged_rows(file)
+                                                 if (share := overlap_share(row)) is not None), default=None), "caps_wrong": summary["caps_wrong"],
                            "worst_cap_error": summary["worst_cap"],
                            "not_judged": summary["sections_that_intersect_themselves"],
                            "surfaces_differ": summary["surfaces_differ"], "failed": summary["failed"] + len(file["failures"])})
@@ -45,7 +54,7 @@ def cap_rows_table(found: Measurements) -> Table:
     """Each model and plane, one a row: for the CSV and the plot."""
     table = Table("caps_by_plane", [Column(key, key) for key in (
         "planes", "model", "number", "kind", "normal_x", "normal_y", "normal_z", "offset", "crossing", "loops",
-        "section_area", "fan_error", "triangulation_error", "fan_least_angle", "triangulation_least_angle", "fan_fits", "cap_fits", "section_intersects_itself")])
+        "section_area", "fan_error", "triangulation_error", "fan_overlap", "fan_least_angle", "triangulation_least_angle", "fan_fits", "cap_fits", "section_intersects_itself")])
     for mix, result in found.comparisons.items():
         for file in result["files"]:
             for row, fan, cap in judged_rows(file):
@@ -54,6 +63,7 @@ def cap_rows_table(found: Measurements) -> Table:
                                    "kind": row["kind"], "normal_x": x, "normal_y": y, "normal_z": z,
                                    "offset": row["plane"]["offset"], "crossing": row["crossing"], "loops": row["loops"],
                                    "section_area": row["section_area"], "fan_error": fan, "triangulation_error": cap,
+                                   "fan_overlap": overlap_share(row),
                                    "fan_least_angle": row["baseline"].get("cap_least_angle"),
                                    "triangulation_least_angle": row["halfedge"].get("cap_least_angle"),
                                    "fan_fits": row["fan_fits"], "cap_fits": row["cap_fits"],
@@ -87,9 +97,23 @@ def worst_fans(found: Measurements, most: int) -> list[dict[str, Any]]:
     return sorted(worst.values(), key=lambda row: -row["fan_error"])[:most]
 
 
-def gallery_sections(found: Measurements) -> list[dict[str, Any]]:
-    """What `kerf section` drew of the worst fans."""
-    return found.sections
+def gallery_table(found: Measurements) -> Table:
+    """The caps that are drawn."""
+    table = Table("gallery", [Column("model", "model"), Column("number", "plane"), Column("kind", "kind"),
+                              Column("crossing", "triangles crossed"), Column("loops", "loops"),
+                              Column("fan_error", "fan covers too much", percent),
+                              Column("fan_overlap", "more than once", percent),
+                              Column("fan_least_angle", "its smallest angle, °", digits(2)),
+                              Column("triangulation_error", "triangulation's error", scientific),
+                              Column("triangulation_least_angle", "its smallest angle, °", digits(2))])
+    for row in found.drawn_caps:
+        area, fan, cap = row["covered_area"], row["baseline"], row["halfedge"]
+        table.rows.append({"model": row["model"], "number": row["number"], "kind": row["kind"], "crossing": row["crossing"],
+                           "loops": row["loops"], "fan_error": fan["cap_excess"] / area,
+                           "fan_overlap": None if fan["cap_overlap"] is None else fan["cap_overlap"] / area,
+                           "fan_least_angle": fan["cap_least_angle"], "triangulation_error": cap["cap_excess"] / area,
+                           "triangulation_least_angle": cap["cap_least_angle"]})
+    return table
 
 
 def verdict(found: Measurements) -> str:

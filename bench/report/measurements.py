@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any, Iterator
 
 from report import files
-from report.names import ASTEROID, BACKENDS, Kind
+from report.names import ASTEROID, BACKENDS, GALLERY, Kind
 from run_bench import collect
 
 Counters = dict[str, tuple[float, float, float]]  # counter -> median, lowest, highest of the repetitions
@@ -42,7 +42,7 @@ class Measurements:
     comparisons: dict[str, dict[str, Any]] = field(default_factory=dict)  # plane mix -> the JSON of kerf compare
     runs: list[Run] = field(default_factory=list)
     peers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs
-    sections: list[dict[str, Any]] = field(default_factory=list)  # the JSON of kerf section, of the worst fans
+    drawn_caps: list[dict[str, Any]] = field(default_factory=list)  # rows of kerf compare --caps: the worst fans
     stages: list[dict[str, Any]] = field(default_factory=list)  # the stages' files, without their results
 
     def growth(self, kind: str, shape: str) -> dict[tuple[str, int], Counters]:
@@ -94,6 +94,9 @@ def load(stage_files: list[Path]) -> Measurements:
         kind = Kind(stage["kind"])
         if kind == Kind.BENCH:
             benchmarks += result["benchmarks"]
+        elif kind == Kind.COMPARE and stage["stage"].startswith(GALLERY):
+            file = result["files"][0]
+            all_of_them.drawn_caps.append({"model": model_name(file["file"])} | file["rows"][0])
         elif kind == Kind.COMPARE:
             all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
         else:

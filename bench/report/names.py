@@ -7,6 +7,8 @@ from run_bench import LOOKUPS
 BACKENDS = [f"baseline/{lookup}" for lookup in LOOKUPS] + ["halfedge"]
 ASTEROID = "asteroid"  # the generated model of the viewer's large run, beside the report's fifteen
 
+GALLERY = "gallery-"  # begins the names of stages that draw caps
+
 
 class Kind(Enum):
     """Which program a stage runs."""
@@ -14,6 +16,5 @@ class Kind(Enum):
     BENCH = "bench"
     COMPARE = "compare"
     VIEWER = "viewer"
-    SECTION = "section"  # `kerf section`: the outline and both caps of one cut
     PEERS = "peers"  # the program that cuts with CGAL
     VTK = "vtk"  # the script that cuts with VTK

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from report.names import ASTEROID, BACKENDS, Kind
+from report.caps import worst_fans
+from report.names import ASTEROID, BACKENDS, GALLERY, Kind
 from report.measurements import Measurements
 from run_bench import SIZES, report_rows
 
@@ -80,15 +81,23 @@ def bench_stages(extent: Extent) -> list[Stage]:
         stages.append(bench_stage(f"growth-{size}", f"^(Scale|Geometry)/{linear}.*/{tail}", extent, 0.05, growth_seconds(size)))
         if size in (10_000, 100_000, 1_000_000):
             stages.append(bench_stage(f"chain-{size}", f"^(Recut|Prepare)/.*/{tail}", extent, 0.01, 2 + size / 20_000))
+            # Both take long with a dictionary: in a short report only up to where the quadratic lookups go.
+            long = f"^(Chain/.*|Many/{linear.replace('hash|', '') if extent is QUICK else ''}.*)/{size}/iterations:1/manual_time$"
+            stages.append(bench_stage(f"long-{size}", long, extent, 0.01, 3 + size / 20_000))
             swipe = f"^Swipe/.*/{size}/iterations:[0-9]+/manual_time$"
             stages.append(bench_stage(f"swipe-{size}", swipe, extent, 0.01, 2 + size / 20_000))
-    stages.append(bench_stage("pieces", "^Pieces/", extent, 0.01, 4))
+    stages.append(bench_stage("pieces", "^(Pieces|Physics)/", extent, 0.01, 12))
     return stages
 
 
 def gallery_stages(found: Measurements) -> list[Stage]:
-    """The worst fans drawn beside the right caps: known only when the comparison is done."""
-    return []
+    """The worst fans drawn beside the right caps: which they are is known only when the comparison is done."""
+    stages = []
+    for row in worst_fans(found, SHOWN_FANS):
+        flags = ("--random-only",) if row["planes"] == "random" else ()
+        arguments = ("--json", "--caps", "--only", str(row["number"])) + flags + (model_file(str(row["model"])),)
+        stages.append(Stage(f"{GALLERY}{row['model']}", Kind.COMPARE, arguments, 0.3))
+    return stages
 
 
 def viewer_stages(extent: Extent, scratch: Path) -> list[Stage]:

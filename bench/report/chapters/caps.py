@@ -1,6 +1,6 @@
 """Whether the back ends agree, and whether caps are right."""
 
-from report.caps import cap_rows_table, caps_table, gallery_sections, least_angles_table, MIXES, verdict
+from report.caps import cap_rows_table, caps_table, gallery_table, least_angles_table, MIXES, verdict
 from report.measurements import Measurements
 from report.sections import Facts, Section, ShownFigure, ShownTable
 from report.tables import count, percent
@@ -26,12 +26,13 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
             parts += [ShownFigure("fan_errors", f"Error of the fan in each cut, {planes}: a dot a plane, a bar at the median.",
                                   arguments=(mix,)),
                       ShownTable(caps_table(found, mix), f"Caps, {planes}.", published=mix == "nasty")]
-    gallery = gallery_sections(found)
-    if gallery:
+    if found.drawn_caps:
         parts.append(ShownFigure("gallery", "The worst fans, one a model, beside the caps of the half-edge back end. Blue "
                                  "triangles face the right way; orange ones are turned over, and everything under them is "
-                                 "covered twice or lies outside of the outline (the dark line).", arguments=(gallery,),
+                                 "covered twice or lies outside of the outline (the dark line).", arguments=(found.drawn_caps,),
                                  wide=True, published=True))
+        parts.append(ShownTable(gallery_table(found), "The same caps. *More than once*: area that two or more triangles cover, "
+                                "as a share of the section.", published=True))
     angles = least_angles_table(found)
     if angles.rows:
         parts += ["Thin triangles shade badly and make trouble for what comes after. The outline decides how thin a "

@@ -1,7 +1,5 @@
 """Caps: by how much fans are wrong, the worst of them drawn beside the right caps, and how thin triangles are."""
 
-import textwrap
-
 from matplotlib.collections import PolyCollection
 
 from report.figures import Drawing, finished, legend_above, new_figure, token
@@ -37,22 +35,22 @@ def bounds_of(loops: list[list[list[float]]]) -> tuple[float, float, float, floa
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def gallery(tables: dict[str, Table], sections: list[dict]) -> Drawing | None:
-    """Two drawings a row: the fan, what it covers outside or turned over marked, and the triangulation."""
-    if not sections:
+def gallery(tables: dict[str, Table], drawn: list[dict]) -> Drawing | None:
+    """Two drawings a row: the fan with the triangles that are turned over marked, and the triangulation."""
+    if not drawn:
         return None
-    figure, all_axes = new_figure(height=2.45 * len(sections), rows=len(sections), columns=2, squeeze=False)
-    for row, section in zip(all_axes, sections):
-        loops = section["loops"]
+    figure, all_axes = new_figure(height=2.45 * len(drawn), rows=len(drawn), columns=2, squeeze=False)
+    for axes_of_row, row in zip(all_axes, drawn):
+        loops = row["caps"]["loops"]
         lo_x, hi_x, lo_y, hi_y = bounds_of(loops)
         margin = 0.06 * max(hi_x - lo_x, hi_y - lo_y)
-        for axes, name in zip(row, ("baseline", "halfedge")):
-            cap = section[name]
+        for axes, name in zip(axes_of_row, ("baseline", "halfedge")):
+            cap = row["caps"][name]
             triangles = [[cap["points"][corner] for corner in triangle] for triangle in cap["triangles"]]
             forward = [t for t in triangles if signed_area(t) >= 0.0]
             backward = [t for t in triangles if signed_area(t) < 0.0]
             axes.add_collection(PolyCollection(forward, facecolors=token("right"), edgecolors=token("paper"), linewidths=0.35,
-                                               alpha=0.62))
+                                               alpha=0.55))
             axes.add_collection(PolyCollection(backward, facecolors=token("wrong"), edgecolors=token("paper"), linewidths=0.35,
                                                alpha=0.72))
             for loop in loops:
@@ -62,9 +60,9 @@ def gallery(tables: dict[str, Table], sections: list[dict]) -> Drawing | None:
             axes.set_ylim(lo_y - margin, hi_y + margin)
             axes.set_aspect("equal")
             axes.axis("off")
-        title = f"{section['model']}, plane {section['number']}: fan {percent(section['fan_error'])} too much"
-        row[0].set_title("\n".join(textwrap.wrap(title, 34)), fontsize=9)
-        row[1].set_title("triangulation: right", fontsize=9)
+        error = percent(row["baseline"]["cap_excess"] / row["covered_area"])
+        axes_of_row[0].set_title(f"{row['model']}: fan, {error} too much", fontsize=9)
+        axes_of_row[1].set_title("triangulation", fontsize=9)
     return finished("gallery", figure)
 
 

@@ -1,0 +1,205 @@
+// What medians hide:
+//   Chain/<kept|compacted>/<back end>/asteroid/<triangles>  1000 cuts in a chain, always the largest fragment through
+//                                                           its centre of mass: cost and draw ranges on the way.
+//                                                           `compacted`: fragments that ask for it are compacted, off
+//                                                           the timed path
+//   Many/<back end>/asteroid/<triangles>                    the whole chain of a game for many planes anywhere through
+//                                                           the mesh: quantiles and the worst
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "bench/back_ends.h"
+#include "bench/checked_cut.h"
+#include "bench/timed_shapes.h"
+#include "common/cpu_stopwatch.h"
+
+namespace kerf::bench {
+
+namespace {
+
+constexpr std::uint64_t kPlaneSeed = 31;
+
+struct Piece
+{
+    std::unique_ptr<Cuttable> object;
+    MassProperties mass;
+    std::size_t ranges = 0;
+};
+
+struct SmallerVolume
+{
+    bool operator()(const Piece& a, const Piece& b) const { return a.mass.volume < b.mass.volume; }
+};
+
+/// A chain of cuts is looked at after so many.
+constexpr std::array kMarks{1, 3, 10, 30, 100, 300, 1000};
+
+void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t size, bool compacts)
+{
+    const IndexedMesh& mesh = timed_shape("asteroid", size);
+    const auto planes = planes_through_the_middle(mesh.bounds(), kMarks.back(), kPlaneSeed);
+    const PrepareResult prepared = backend.prepare(mesh);
+    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
+    const MassProperties whole = prepared.object->mass_properties();
+
+    for (auto _ : state) {
+        // A heap by volume: the largest piece is in front.
+        std::vector<Piece> pieces;
+        pieces.push_back({prepared.object->clone(), whole, 1});
+        double total = 0.0, since_mark = 0.0, worst = 0.0, compacting = 0.0;
+        std::size_t ranges = 0, most_ranges = 0, compactions = 0, mark = 0;
+        int at_mark = 0;
+        for (int i = 0; i < kMarks.back(); ++i) {
+            std::pop_heap(pieces.begin(), pieces.end(), SmallerVolume{});
+            Piece largest = std::move(pieces.back());
+            pieces.pop_back();
+            ranges -= i == 0 ? 0 : largest.ranges;
+            const Plane plane = *Plane::through(largest.mass.centre, planes[std::size_t(i)].normal);
+            CpuStopwatch watch;
+            CutResult result = cut(std::move(largest.object), plane);
+            const double seconds = watch.lap();
+            if (result.status != Status::cut) return state.SkipWithError("a plane of the chain cut nothing");
+            total += seconds;
+            since_mark += seconds;
+            worst = std::max(worst, seconds);
+            for (auto* side : {&result.positive, &result.negative})
+                for (auto& fragment : *side) {
+                    if (compacts && fragment->wants_compaction()) {
+                        CpuStopwatch compact_watch;
+                        fragment->compact();
+                        compacting += compact_watch.lap();
+                        ++compactions;
+                    }
+                    const std::size_t own = fragment->draw_view().ranges.size();
+                    ranges += own;
+                    most_ranges = std::max(most_ranges, own);
+                    const MassProperties mass = fragment->mass_properties();
+                    pieces.push_back({std::move(fragment), mass, own});
+                    std::push_heap(pieces.begin(), pieces.end(), SmallerVolume{});
+                }
+            if (i + 1 == kMarks[mark]) {
+                std::string at = "_";
+                at += std::to_string(i + 1);
+                state.counters["mean_ms" + at] = since_mark * 1e3 / (i + 1 - at_mark);
+                state.counters["worst_ms" + at] = worst * 1e3;
+                state.counters["ranges" + at] = double(ranges);
+                state.counters["most_ranges" + at] = double(most_ranges);
+                state.counters["compactions" + at] = double(compactions);
+                state.counters["compact_ms" + at] = compacting * 1e3;
+                since_mark = worst = 0.0;
+                at_mark = i + 1;
+                ++mark;
+            }
+        }
+        state.SetIterationTime(total);
+        double volume = 0.0;
+        for (const Piece& piece : pieces) volume += piece.mass.volume;
+        constexpr double kShare = 1e-6;  // what rounding cut points to float may change
+        if (!(std::abs(volume - whole.volume) <= kShare * std::abs(whole.volume)))
+            return state.SkipWithError("the volumes of the pieces do not add up");
+    }
+    state.counters["triangles"] = double(mesh.triangles.size());
+}
+
+/// Planes with random directions through random places of the box's inner half.
+std::vector<Plane> planes_anywhere(const Box& bounds, std::uint32_t count)
+{
+    std::vector<Plane> planes;
+    // Two directions make a place: their sum lies in a ball, thicker towards its middle.
+    const auto normals = planes_through_the_middle(bounds, 3 * count, kPlaneSeed);
+    const glm::dvec3 half = 0.5 * (glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 place =
+            glm::dvec3(bounds.centre()) + 0.5 * half * 0.5 * (normals[3 * i + 1].normal + normals[3 * i + 2].normal);
+        planes.push_back(*Plane::through(place, normals[3 * i].normal));
+    }
+    return planes;
+}
+
+double quantile(const std::vector<double>& sorted, double share)
+{
+    return sorted[std::min(sorted.size() - 1, std::size_t(share * double(sorted.size())))];
+}
+
+void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t size, std::uint32_t count)
+{
+    constexpr std::size_t kRuns = 3;  // the median of three is the cut's own time, not a neighbour's noise
+    constexpr double kFrame = 1.0 / 60.0;
+    const IndexedMesh& mesh = timed_shape("asteroid", size);
+    const PrepareResult prepared = backend.prepare(mesh);
+    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
+    const double whole = prepared.object->mass_properties().volume;
+    std::vector<double> seconds;
+    for (auto _ : state) {
+        seconds.clear();
+        double sum = 0.0;
+        for (const Plane& plane : planes_anywhere(mesh.bounds(), count)) {
+            std::array<double, kRuns> runs{};
+            for (double& run : runs) {
+                auto fresh = prepared.object->clone();
+                double volume = 0.0;
+                CpuStopwatch watch;
+                const CutResult result = cut(std::move(fresh), plane);
+                for (const auto* side : {&result.positive, &result.negative})
+                    for (const auto& fragment : *side) {
+                        volume += fragment->mass_properties().volume;
+                        benchmark::DoNotOptimize(fragment->collision_proxy(ProxyKind::bounded_hull).points.data());
+                        benchmark::DoNotOptimize(fragment->draw_view().ranges.data());
+                    }
+                run = watch.lap();
+                constexpr double kShare = 1e-6;  // what rounding cut points to float may change
+                if (result.status != Status::cut || !(std::abs(volume - whole) <= kShare * std::abs(whole)))
+                    return state.SkipWithError("a cut gave no two sides of the right volume");
+            }
+            std::sort(runs.begin(), runs.end());
+            seconds.push_back(runs[kRuns / 2]);
+            sum += seconds.back();
+        }
+        state.SetIterationTime(sum);
+    }
+    std::sort(seconds.begin(), seconds.end());
+    state.counters["triangles"] = double(mesh.triangles.size());
+    state.counters["cuts"] = double(seconds.size());
+    state.counters["p50_ms"] = quantile(seconds, 0.5) * 1e3;
+    state.counters["p90_ms"] = quantile(seconds, 0.9) * 1e3;
+    state.counters["p99_ms"] = quantile(seconds, 0.99) * 1e3;
+    state.counters["worst_ms"] = seconds.back() * 1e3;
+    state.counters["over_frame"] =
+        double(std::count_if(seconds.begin(), seconds.end(), [](double s) { return s > kFrame; }));
+}
+
+}  // namespace
+
+void register_long_benchmarks()
+{
+    for (const std::uint64_t size : {10'000ull, 100'000ull, 1'000'000ull})
+        for (const TimedBackend& back_end : back_ends()) {
+            const std::string name = back_end.backend->name(), tail = name + "/asteroid/" + std::to_string(size);
+            const auto add = [&](const std::string& full_name, auto function) {
+                benchmark::RegisterBenchmark(full_name.c_str(), function)
+                    ->UseManualTime()
+                    ->Iterations(1)
+                    ->Unit(benchmark::kMillisecond);
+            };
+            if (name == "baseline/remap" || name == "halfedge")
+                add("Chain/kept/" + tail,
+                    [&back_end, size](benchmark::State& s) { long_chain(s, *back_end.backend, size, false); });
+            if (name == "halfedge")
+                add("Chain/compacted/" + tail,
+                    [&back_end, size](benchmark::State& s) { long_chain(s, *back_end.backend, size, true); });
+            if (name == "baseline/hash" || name == "baseline/remap" || name == "halfedge") {
+                // A dictionary's cuts of a million triangles take longer than all others together.
+                if (name == "baseline/hash" && size > 100'000) continue;
+                const std::uint32_t count = size > 100'000 ? 100 : 200;
+                add("Many/" + tail,
+                    [&back_end, size, count](benchmark::State& s) { many_cuts(s, *back_end.backend, size, count); });
+            }
+        }
+}
+
+}  // namespace kerf::bench
