@@ -6,6 +6,7 @@ concerns is measured again. Exit status: 0 done, 1 a program failed, 2 wrong use
 """
 
 import argparse
+import importlib.util
 import os
 import signal
 import sys
@@ -29,6 +30,7 @@ def parse_arguments() -> argparse.Namespace:
     extents = parser.add_mutually_exclusive_group()
     extents.add_argument("--quick", action="store_true", help="meshes up to 100 000 triangles, each timed once: under three minutes")
     extents.add_argument("--full", action="store_true", help="meshes up to 16 million triangles: needs 16 GiB and some 25 minutes")
+    parser.add_argument("--peers", action="store_true", help="time VTK beside CGAL, too; ./run installs it (216 MB)")
     parser.add_argument("--again", action="store_true", help="measure everything again, whatever is there")
     parser.add_argument("--publish", action="store_true", help="write docs/results.md and its pictures too")
     parser.add_argument("--programs", type=Path, default=Path("build/release"), help=argparse.SUPPRESS)
@@ -53,7 +55,11 @@ def main() -> int:
     os.chdir(HERE.parent)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     stages = Stages(FOLDER / "stages" / extent.name, Programs.in_build(arguments.programs))
-    to_do = plan(extent, FOLDER / "models")
+    has_vtk = importlib.util.find_spec("vtkmodules") is not None
+    if arguments.peers and not has_vtk:
+        print("report: VTK is not there; Debian's package is python3-vtk9", file=sys.stderr)
+        return 1
+    to_do = plan(extent, FOLDER / "models", has_vtk)
     start = time.monotonic()
     try:
         if arguments.again:

@@ -18,9 +18,6 @@ namespace kerf::bench {
 
 namespace {
 
-constexpr std::uint32_t kCutsPerModel = 10;
-constexpr std::uint64_t kPlaneSeed = 2024;
-
 std::unique_ptr<Cuttable> prepared(benchmark::State& state, const Backend& backend, const Model& model,
                                    std::span<const Plane> planes)
 {
@@ -39,7 +36,7 @@ std::unique_ptr<Cuttable> prepared(benchmark::State& state, const Backend& backe
 
 void cut_model(benchmark::State& state, const Backend& backend, const Model& model)
 {
-    const auto planes = planes_through_the_middle(model.mesh.bounds(), kCutsPerModel, kPlaneSeed);
+    const auto planes = planes_of_model(model);
     const auto object = prepared(state, backend, model, planes);
     if (!object) return;
     std::uint64_t cuts = 0, crossing = 0;
@@ -71,7 +68,7 @@ void cut_model(benchmark::State& state, const Backend& backend, const Model& mod
 void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
 {
     const auto backend = baseline::make_backend(baseline::VertexLookup::remap);
-    const auto planes = planes_through_the_middle(model.mesh.bounds(), kCutsPerModel, kPlaneSeed);
+    const auto planes = planes_of_model(model);
     const auto object = prepared(state, *backend, model, planes);
     if (!object) return;
     std::vector<CutResult> cuts;
@@ -102,16 +99,15 @@ void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
         state.SetIterationTime(iteration);
         seconds += iteration;
     }
-    state.counters["proxy_ms"] = seconds * 1e3 / double(state.iterations()) / kCutsPerModel;
-    state.counters["points"] = double(points) / (2 * kCutsPerModel);
+    state.counters["proxy_ms"] = seconds * 1e3 / double(state.iterations()) / double(planes.size());
+    state.counters["points"] = double(points) / (2.0 * double(planes.size()));
     state.counters["volume_ratio"] = volume / full_volume;
     state.counters["triangles"] = double(model.mesh.triangles.size());
 }
 
 void prepare_model(benchmark::State& state, const Backend& backend, const Model& model)
 {
-    if (!prepared(state, backend, model, planes_through_the_middle(model.mesh.bounds(), kCutsPerModel, kPlaneSeed)))
-        return;
+    if (!prepared(state, backend, model, planes_of_model(model))) return;
     double seconds = 0.0;
     for (auto _ : state) {
         IndexedMesh copy = model.mesh;

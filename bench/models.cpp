@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "bench/checked_cut.h"
 #include "common/io/mesh_file.h"
 
 namespace kerf::bench {
@@ -17,6 +18,13 @@ const std::vector<Model>& models()
         return loaded;
     }();
     return all;
+}
+
+std::vector<Plane> planes_of_model(const Model& model)
+{
+    constexpr std::uint32_t kCuts = 10;
+    constexpr std::uint64_t kPlaneSeed = 2024;
+    return planes_through_the_middle(model.mesh.bounds(), kCuts, kPlaneSeed);
 }
 
 }  // namespace kerf::bench

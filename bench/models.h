@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/indexed_mesh.h"
+#include "common/plane.h"
 
 namespace kerf::bench {
 
@@ -17,5 +18,8 @@ struct Model
 /// The models of data/models in the order of the report's tables.
 /// @throws io::FileError
 const std::vector<Model>& models();
+
+/// The report's ten cuts of a model: planes with seeded random directions through its middle.
+std::vector<Plane> planes_of_model(const Model& model);
 
 }  // namespace kerf::bench

@@ -17,16 +17,7 @@ namespace kerf::bench {
 
 namespace {
 
-/// Planes to cut by in turn. Each is checked before anything is timed, which takes longer than the cuts: fewer for
-/// large meshes.
-std::uint32_t plane_count(std::size_t triangles)
-{
-    if (triangles < 200'000) return 10;
-    return triangles < 2'000'000 ? 5 : 2;
-}
-
 constexpr std::uint64_t kMostShuffled = 1'000'000;  // above, a dictionary takes ten seconds a cut
-constexpr std::uint64_t kPlaneSeed = 99;
 
 enum class Extent
 {
@@ -63,7 +54,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
                Extent extent)
 {
     const IndexedMesh& mesh = timed_shape(shape, size);
-    const auto planes = planes_through_the_middle(mesh.bounds(), plane_count(mesh.triangles.size()), kPlaneSeed);
+    const auto planes = planes_of_shape(mesh);
     const Prepared& prepared = prepared_and_checked(backend, mesh, shape, planes);
     if (!prepared.error.empty()) return state.SkipWithError(prepared.error.c_str());
 

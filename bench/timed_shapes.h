@@ -2,10 +2,16 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/indexed_mesh.h"
+#include "common/plane.h"
 
 namespace kerf::bench {
+
+/// The planes that `shape` is cut by in turn: seeded random directions through its middle. Each is checked before
+/// anything is timed, which takes longer than the cuts: fewer for large meshes.
+std::vector<Plane> planes_of_shape(const IndexedMesh& shape);
 
 /// `asteroid` (triangles in a coherent order) or `shuffled` (the same in a random order) with about `triangles`
 /// triangles. The last one made is kept: benchmarks of one size follow one another, and the large ones should not all

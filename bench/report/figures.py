@@ -81,7 +81,7 @@ def finished(name: str, figure: Figure) -> Drawing:
 
 def legend_above(axes: Axes, columns: int = 3) -> None:
     """Above the plot, where no line runs through it."""
-    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=columns, handlelength=2.4, columnspacing=1.1,
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.14, 1.0), ncols=columns, handlelength=2.4, columnspacing=1.0,
                 handletextpad=0.5, borderaxespad=0.2)
 
 

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 PACKAGES = ["libopenmesh-dev", "libcgal-dev", "libbullet-dev", "libassimp-dev", "libglm-dev", "libbenchmark-dev",
-            "libgl1-mesa-dri", "python3-matplotlib"]
+            "libgl1-mesa-dri", "python3-vtk9", "python3-matplotlib"]
 SEED = re.compile(r"constexpr std::uint64_t (k\w*Seed) = (\d+);")
 
 
@@ -61,7 +61,7 @@ def describe(build: Path) -> dict[str, str]:
     for package in PACKAGES:
         version = output_of(["dpkg-query", "-W", "-f", "${Version}", package])
         facts[package] = version or "not installed"
-    for source in sorted(Path("bench").glob("*_bench.cpp")):
+    for source in sorted(Path("bench").glob("*.cpp")):
         for name, value in SEED.findall(source.read_text(encoding="utf-8")):
             facts[f"{source.name}, {name}"] = value
     return facts

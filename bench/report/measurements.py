@@ -94,6 +94,8 @@ def load(stage_files: list[Path]) -> Measurements:
         kind = Kind(stage["kind"])
         if kind == Kind.BENCH:
             benchmarks += result["benchmarks"]
+        elif kind in (Kind.PEERS, Kind.VTK):
+            all_of_them.peers += result["peers"]
         elif kind == Kind.COMPARE and stage["stage"].startswith(GALLERY):
             file = result["files"][0]
             all_of_them.drawn_caps.append({"model": model_name(file["file"])} | file["rows"][0])

@@ -39,7 +39,7 @@ table { border-collapse: collapse; font-size: .87rem; font-variant-numeric: tabu
 th, td { padding: .28rem .7rem; text-align: right; white-space: nowrap; }
 th { font-weight: 600; vertical-align: bottom; white-space: normal; min-width: 4rem; line-height: 1.3; border-bottom: 1px solid var(--grid); }
 th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: var(--paper); padding-left: 0; }
-td.text { text-align: left; }
+th.text, td.text { text-align: left; }
 tbody tr:nth-child(even) td { background: var(--panel); }
 .tall { max-height: 28rem; overflow: auto; }
 .tall thead th { position: sticky; top: 0; background: var(--paper); z-index: 1; }
@@ -60,12 +60,13 @@ def variables(theme: str) -> str:
 
 def table_html(table: Table) -> str:
     """Cells carry nothing but what is shown; data-table names the CSV that has the values in full."""
-    head = "".join(f"<th>{html.escape(column.title)}</th>" for column in table.columns)
+    texts = [any(isinstance(row.get(column.key), str) for row in table.rows) for column in table.columns]
+    head = "".join(f'<th{" class=text" if is_text else ""}>{html.escape(column.title)}</th>'
+                   for column, is_text in zip(table.columns, texts))
     rows = []
-    for row, cells in zip(table.rows, table.cells()):
-        text = [isinstance(row.get(column.key), str) for column in table.columns]
+    for cells in table.cells():
         rows.append("<tr>" + "".join(f'<td class="text">{html.escape(cell)}</td>' if is_text else f"<td>{html.escape(cell)}</td>"
-                                     for cell, is_text in zip(cells, text)) + "</tr>")
+                                     for cell, is_text in zip(cells, texts)) + "</tr>")
     return f'<table data-table="{table.name}"><thead><tr>{head}</tr></thead><tbody>{"".join(rows)}</tbody></table>'
 
 

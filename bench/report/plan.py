@@ -41,11 +41,13 @@ QUICK = Extent("quick", 100_000, 1, 10_000, 40, ("halfedge", "baseline/hash"), 3
 NORMAL = Extent("normal", 4_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 100_000)
 FULL = Extent("full", 16_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 1_000_000)
 SHOWN_FANS = 4  # in the gallery
+MOST_FOR_PEERS = 100_000  # triangles
 
 
-def plan(extent: Extent, scratch: Path) -> list[Stage]:
+def plan(extent: Extent, scratch: Path, with_vtk: bool = False) -> list[Stage]:
     """All stages of a report, the quickest kinds first. `scratch` is where generated models go."""
-    return compare_stages(extent) + bench_stages(extent) + viewer_stages(extent, scratch)
+    stages = compare_stages(extent) + bench_stages(extent) + peer_stages(extent, scratch, with_vtk)
+    return stages + viewer_stages(extent, scratch)
 
 
 def model_file(model: str) -> str:
@@ -97,6 +99,16 @@ def gallery_stages(found: Measurements) -> list[Stage]:
         flags = ("--random-only",) if row["planes"] == "random" else ()
         arguments = ("--json", "--caps", "--only", str(row["number"])) + flags + (model_file(str(row["model"])),)
         stages.append(Stage(f"{GALLERY}{row['model']}", Kind.COMPARE, arguments, 0.3))
+    return stages
+
+
+def peer_stages(extent: Extent, scratch: Path, with_vtk: bool) -> list[Stage]:
+    """Other libraries. Most of them take a second a cut above 100 000 triangles."""
+    sizes = tuple(str(size) for size in SIZES if size <= MOST_FOR_PEERS)
+    budget = str(0.5 * extent.repetitions)  # seconds of cutting for each mesh and library
+    stages = [Stage("peers-cgal", Kind.PEERS, (budget, *sizes), 14.0 * extent.repetitions)]
+    if with_vtk:
+        stages.append(Stage("peers-vtk", Kind.VTK, (budget, str(scratch / "peers"), *sizes), 8.0 * extent.repetitions))
     return stages
 
 

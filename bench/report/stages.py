@@ -33,13 +33,17 @@ class Programs:
     bench: Path
     kerf: Path
     viewer: Path
+    peers: Path
+    vtk: Path
 
     @staticmethod
     def in_build(build: Path) -> "Programs":
-        return Programs(build / "bench/kerf_bench", build / "tools/kerf", build / "viewer/app/kerf-viewer")
+        return Programs(build / "bench/kerf_bench", build / "tools/kerf", build / "viewer/app/kerf-viewer",
+                        build / "bench/kerf_peers", Path("bench/peers/vtk_peer.py"))
 
     def of(self, kind: Kind) -> Path:
-        return {Kind.BENCH: self.bench, Kind.COMPARE: self.kerf, Kind.VIEWER: self.viewer}[kind]
+        return {Kind.BENCH: self.bench, Kind.COMPARE: self.kerf, Kind.VIEWER: self.viewer, Kind.PEERS: self.peers,
+                Kind.VTK: self.vtk}[kind]
 
 
 class Stages:
@@ -67,6 +71,8 @@ class Stages:
         parts = [str(FORMAT), self.digest(self.programs.of(stage.kind)), *stage.arguments, *stage.shape]
         if stage.shape:
             parts.append(self.digest(self.programs.kerf))
+        if stage.kind == Kind.VTK:
+            parts.append(self.digest(self.programs.peers))
         parts += [self.digest(model) for model in sorted(Path("data/models").glob("*.obj"))]
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
@@ -94,6 +100,10 @@ class Stages:
         if stage.kind == Kind.COMPARE:
             # Exit status 1 with JSON says that the back ends do not agree: a result, and the page shows it.
             return run_for_json([program, "compare", *stage.arguments], accepted=(0, 1))
+        if stage.kind == Kind.PEERS:
+            return run_for_json([program, "cgal", *stage.arguments], accepted=(0,))
+        if stage.kind == Kind.VTK:
+            return run_vtk(self.programs.peers, program, stage)
         return run_for_json([program, *stage.arguments], accepted=(0,))
 
 
@@ -110,6 +120,14 @@ def run_benchmarks(program: Path, stage: Stage, progress: Progress, folder: Path
     for private in ("host_name", "executable"):
         result["context"].pop(private, None)
     return result
+
+
+def run_vtk(peers: Path, script: Path, stage: Stage) -> Any:
+    """Writes the inputs, then lets VTK cut them."""
+    budget, folder, *sizes = stage.arguments
+    inputs = Path(folder) / "inputs.json"
+    files.write_json(inputs, run_for_json([peers, "export", folder, *sizes], accepted=(0,)))
+    return run_for_json(["/usr/bin/python3", script, inputs, "--seconds", budget], accepted=(0,))
 
 
 def run_for_json(command: list[Any], accepted: tuple[int, ...]) -> Any:

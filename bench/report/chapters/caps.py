@@ -5,6 +5,8 @@ from report.measurements import Measurements
 from report.sections import Facts, Section, ShownFigure, ShownTable
 from report.tables import count, percent
 
+FLAT = 1e-3  # degrees
+
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
     if not found.comparisons:
@@ -35,8 +37,13 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                                 "as a share of the section.", published=True))
     angles = least_angles_table(found)
     if angles.rows:
-        parts += ["Thin triangles shade badly and make trouble for what comes after. The outline decides how thin a "
-                  "triangulation without extra points must be; the fan's added middle point helps it on round sections.",
+        rows = [row for row in by_plane.rows if row.get("triangulation_least_angle") is not None]
+        flat = [sum(row[key] < FLAT for row in rows) / len(rows) for key in ("triangulation_least_angle", "fan_least_angle")]
+        parts += [f"Thin triangles shade badly and make trouble for what comes after, and here the triangulation is the worse one: "
+                  f"{facts.say('triangulations with a flat triangle', flat[0], percent)} of its caps have a triangle with an angle "
+                  f"below a thousandth of a degree, of the fans {facts.say('fans with a flat triangle', flat[1], percent)}. It uses the "
+                  f"outline's points and no others, many of which lie on straight lines, and is made for speed, not Delaunay; the "
+                  f"fan adds a point in the middle.",
                   ShownFigure("angles", "Smallest angle of each cap: the share of all caps whose smallest angle is at most this."),
                   ShownTable(angles, "Smallest angle of a cap in degrees: medians over the cuts.")]
     parts.append(ShownTable(by_plane, "Every cut that was judged.", folded=True))

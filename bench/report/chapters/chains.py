@@ -20,5 +20,6 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                   "took is in the table.",
                   ShownFigure("chain_times", "Time of a cut in a chain of a thousand."),
                   ShownFigure("chain_ranges", "Draw ranges a piece, mean of all pieces, after so many cuts."),
-                  ShownTable(decades, "Chains of a thousand cuts: cut times since the mark before, draw ranges at the mark.")]
+                  ShownTable(decades, "Chains of a thousand cuts: cut times since the mark before, draw ranges at the mark.",
+                             folded=True)]
     return [Section("chains", "A hundred and a thousand cuts in a row", parts)]

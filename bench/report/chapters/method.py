@@ -15,7 +15,8 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         "result is checked (closed, volumes and areas add up, nothing on the wrong side) before it is timed. Memory "
         "is kept by the allocator, as a game's does.",
         "Exact counters (triangles touched, nodes, bytes, comparisons) are the same on every run; the tests hold them.",
-        "Repeat it with `./run report`; `--quick` takes less than three minutes, `--full` goes up to 16 million triangles.",
+        "Repeat it with `./run report`; `--quick` takes less than three minutes, `--full` goes up to 16 million triangles, "
+        "`--peers` installs VTK and times it, too. `bench/compare REV_A REV_B` times two revisions against each other.",
         ShownTable(facts_table, "Machine, compiler, versions, seeds and commit.", published=True),
         ShownTable(stages_table(found), "What was run, when, and how busy the machine was.", folded=True),
         ShownTable(numbers_table(found), "Every counter of every benchmark.", folded=True)])]

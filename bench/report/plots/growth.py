@@ -28,8 +28,8 @@ def scaling(tables: dict[str, Table], kind: str, shape: str, suffix: str = "") -
         series(axes, str(row["backend"]), short(str(row["backend"])) + exponent, [x for x, _ in points], [y for _, y in points])
     log_log(axes, "triangles", "ms per cut")
     axes.axhline(1e3 / 60, color=token("muted"), linewidth=1)
-    axes.text(sizes[-1], 1e3 / 60, "a frame, 1/60 s ", color=token("muted"), fontsize=8.5, ha="right", va="bottom")
-    legend_above(axes)
+    axes.text(sizes[0], 1e3 / 60, "a frame, 1/60 s ", color=token("muted"), fontsize=8.5, ha="left", va="bottom")
+    legend_above(axes, 2)
     return finished(f"scaling_{kind.lower()}_{shape}{'_' if suffix else ''}{suffix}", figure)
 
 
