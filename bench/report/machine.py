@@ -52,7 +52,7 @@ def describe(build: Path) -> dict[str, str]:
     compiler = cache_entry(cache, "CMAKE_CXX_COMPILER")
     facts = {
         "processor": f"{processor()}, {os.cpu_count()} cores, {memory_gib():.0f} GiB",
-        "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux {platform.release()}",
+        "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux {platform.release().partition('-')[0]}",
         "compiler": (output_of([compiler, "--version"]) if compiler else "").partition("\n")[0] or "not known",
         "flags": " ".join([cache_entry(cache, "CMAKE_BUILD_TYPE"), cache_entry(cache, "CMAKE_CXX_FLAGS_RELEASE"),
                            cache_entry(cache, "CMAKE_CXX_FLAGS"), "-ffp-contract=off -fno-fast-math"]).strip(),

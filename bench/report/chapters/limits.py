@@ -31,7 +31,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                      f"not pay that back, and what is deformed between cuts must be prepared anew.")
     if parts:
         parts += ["**Draw calls.** A piece that was cut often is drawn in many runs of a shared buffer until it is compacted; "
-                  "a linear method's pieces are one run a material always.",
+                  "a linear method's pieces are drawn in one run for each material, and one for the cap.",
                   "**Flat faces in the plane's direction.** A plane parallel to a large flat face that is not aligned with the axes "
                   "meets the boxes of all its leaves: finding the section is then linear in that face, with a small factor.",
                   "**Connected pieces.** Asked for connected pieces, it searches the smaller parts of a side; where one part is bounded "

@@ -2,7 +2,7 @@
 
 from report.measurements import Measurements
 from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import peers_table
+from report.tables import peers_by_mesh_table, peers_table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
@@ -19,4 +19,5 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         "Every answer is checked: both sides closed, volumes that add up to the whole's to within a millionth. A ring in the "
         "plot marks an answer that is not right, and the table says what is the matter.",
         ShownFigure("peers", "Geometry only, coherent order: time of a cut with both sides."),
-        ShownTable(table, "Other libraries beside the back ends; ms per cut, mean of the planes.", published=True)])]
+        ShownTable(peers_by_mesh_table(found), "ms per cut, mean of the planes.", published=True),
+        ShownTable(table, "Each library and mesh, with the number of planes that it had time for.", folded=True)])]

@@ -6,7 +6,7 @@ from report.tables.growth import (EXTENTS, ORDERS, counter_exponents_table, coun
                                   phases_table, prepare_table, scaling_table)
 from report.tables.method import numbers_table, stages_table
 from report.tables.models import cuts_table, frames_table, hulls_table, model_exponents_table, sizes_table
-from report.tables.peers import peers_table
+from report.tables.peers import peers_by_mesh_table, peers_table
 from report.tables.pieces import (chain_decades_table, chains_table, distribution_table, proxies_table, swipes_table,
                                   viewer_cuts_table, viewer_distribution_table)
 
