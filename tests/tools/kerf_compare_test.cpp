@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "tools/program.h"
 
@@ -51,6 +52,30 @@ TEST_F(KerfCompare, FindsThatTheBackEndsAgreeOnTheReportsModels)
     }
     EXPECT_GT(result["total"]["fans_wrong"], 50);
     expect_agreement(result);
+}
+
+TEST_F(KerfCompare, GivesTheTrianglesOfBothCapsOnRequest)
+{
+    // A plane through a torus's middle cuts it in two rings or two discs: a fan over both covers what is between.
+    make("torus", 800);
+    const Json row = kerf_json("compare in.ply --caps --planes 1 --random-only")["files"][0]["rows"][0];
+    const auto area = [](const Json& cap) {
+        double twice = 0.0;
+        for (const Json& t : cap["triangles"]) {
+            const auto corner = [&](std::size_t i) { return cap["points"][t[i].get<std::size_t>()]; };
+            const auto x = [&](std::size_t i) { return corner(i)[0].get<double>() - corner(0)[0].get<double>(); };
+            const auto y = [&](std::size_t i) { return corner(i)[1].get<double>() - corner(0)[1].get<double>(); };
+            twice += std::abs(x(1) * y(2) - y(1) * x(2));
+        }
+        return twice / 2;
+    };
+    const double section = row["section_area"].get<double>();
+    EXPECT_NEAR(area(row["caps"]["halfedge"]), section, 1e-6 * section);
+    EXPECT_NEAR(area(row["caps"]["baseline"]), section + row["baseline"]["cap_excess"].get<double>(), 1e-6 * section);
+    EXPECT_GT(row["baseline"]["cap_overlap"].get<double>(), 0.01 * section);
+    EXPECT_EQ(row["caps"]["loops"].size(), row["loops"].get<std::size_t>());
+    EXPECT_FALSE(kerf_json("compare in.ply --planes 1")["files"][0]["rows"][0].contains("caps"));
+    EXPECT_EQ(kerf("compare in.ply --caps").status, 2);
 }
 
 TEST_F(KerfCompare, CutsThePiecesAgain)
