@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "viewer/render/proxy_lines.h"
+#include "viewer/render/wall.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::app {
@@ -16,9 +17,9 @@ constexpr float kBladeWidth = 0.022f;
 
 constexpr glm::vec4 kProxyColour{0.25f, 1.0f, 0.55f, 0.85f};
 
-sim::Camera camera_for(const render::FrameTarget& target)
+sim::Camera camera_for(const render::SceneRenderer::Area& area)
 {
-    return sim::Camera(double(target.width()) / double(target.height()));
+    return sim::Camera(double(area.width) / double(area.height));
 }
 
 /// Clip space to clip space: what ViewSettings say about enlarging.
@@ -30,9 +31,51 @@ glm::mat4 enlargement(const sim::Camera& camera, const ViewSettings& settings)
     return glm::translate(larger, glm::vec3(-middle.x, -middle.y, 0.0f));
 }
 
+/// The same for a camera that trembles.
+glm::mat4 shaken(const sim::Camera& camera, const effects::Effects* effects)
+{
+    if (effects == nullptr || effects->shake().at_rest()) return glm::mat4(1.0f);
+    const glm::dvec3 offset(glm::dvec2(effects->shake().offset()), 0.0);
+    const glm::vec2 moved(camera.world_to_ndc(offset) - camera.world_to_ndc(glm::dvec3(0.0)));
+    return glm::translate(glm::mat4(1.0f), glm::vec3(moved, 0.0f));
+}
+
+static_assert(effects::kWallZ == render::Wall::kZ, "juice ends on the wall that is drawn");
+
+render::StainSprite sprite_of(const effects::Stain& stain)
+{
+    return {stain.place, stain.size * stain.spread(), stain.run(), stain.colour, stain.opacity(), stain.shape};
+}
+
+render::FlyingSprite sprite_of(const effects::Drop& drop)
+{
+    constexpr float kExposure = 0.018f;  // seconds: what moves is drawn as long as its way in this time
+    render::FlyingSprite sprite;
+    sprite.place = drop.place;
+    sprite.size = drop.size;
+    sprite.colour = drop.colour;
+    switch (drop.kind) {
+        case effects::DropKind::juice:
+            sprite.kind = render::FlyingSprite::juice;
+            sprite.stretch = kExposure * glm::vec2(drop.velocity);
+            sprite.opacity = std::min(4.0f * drop.left(), 1.0f);
+            break;
+        case effects::DropKind::spark:
+            sprite.kind = render::FlyingSprite::spark;
+            sprite.stretch = 1.5f * kExposure * glm::vec2(drop.velocity);
+            sprite.opacity = drop.left();
+            break;
+        case effects::DropKind::smoke:
+            sprite.kind = render::FlyingSprite::smoke;
+            sprite.opacity = drop.left();
+            break;
+    }
+    return sprite;
+}
+
 }  // namespace
 
-Painter::Painter(int width, int height) : world_(looks_), renderer_(looks_), target_(width, height) {}
+Painter::Painter(int width, int height) : world_(std::in_place, looks_), renderer_(looks_), target_(width, height) {}
 
 void Painter::warm_up(const sim::ModelShelf& models)
 {
@@ -51,38 +94,56 @@ void Painter::resize(int width, int height)
     target_ = render::FrameTarget(width, height);
 }
 
-void Painter::paint(const sim::Simulation& simulation, const ViewSettings& settings, double fraction)
+void Painter::paint(const sim::Simulation& simulation, const ViewSettings& settings, double fraction,
+                    const effects::Effects* effects)
 {
-    const sim::Camera camera = camera_for(target_);
+    std::vector<glm::vec3> lines;
+    if (settings.proxies)
+        for (const auto& body : simulation.bodies())
+            render::append_proxy_lines(body->proxy().proxy(), glm::mat4(body->model_matrix(fraction)), lines);
+    const StagePicture stage{
+        world_->objects(simulation, fraction), &simulation.blade(), simulation.time(), effects, lines, whole()};
+    paint(std::span(&stage, 1), settings);
+}
+
+void Painter::paint(std::span<const StagePicture> stages, const ViewSettings& settings)
+{
+    target_.bind();
+    for (const StagePicture& stage : stages) paint_stage(stage, settings);
+    target_.resolve();
+}
+
+void Painter::paint_stage(const StagePicture& stage, const ViewSettings& settings)
+{
+    const sim::Camera camera = camera_for(stage.area);
+    const glm::mat4 to_picture = shaken(camera, stage.effects) * enlargement(camera, settings);
     render::Viewpoint viewpoint;
     viewpoint.view = glm::mat4(camera.view());
-    viewpoint.projection = enlargement(camera, settings) * glm::mat4(camera.projection());
+    viewpoint.projection = to_picture * glm::mat4(camera.projection());
     viewpoint.eye = glm::vec3(camera.eye());
     render::DrawOptions options;
     options.lighting = settings.lighting;
     options.wireframe = settings.wireframe;
-
-    target_.bind();
-    renderer_.draw(viewpoint, world_.objects(simulation, fraction), options, {0, 0, target_.width(), target_.height()});
-    if (settings.proxies) paint_proxies(simulation, fraction);
-    paint_blade(simulation, settings);
-    target_.resolve();
+    renderer_.draw(viewpoint, stage.objects, options, stage.area);
+    if (stage.effects != nullptr) paint_effects(*stage.effects);
+    overlay_.draw_lines(stage.lines, kProxyColour);
+    paint_blade(stage, to_picture);
 }
 
-void Painter::paint_proxies(const sim::Simulation& simulation, double fraction)
+void Painter::paint_effects(const effects::Effects& effects)
 {
-    std::vector<glm::vec3> lines;
-    for (const auto& body : simulation.bodies())
-        render::append_proxy_lines(body->proxy().proxy(), glm::mat4(body->model_matrix(fraction)), lines);
-    overlay_.draw_lines(lines, kProxyColour);
+    std::vector<render::StainSprite> stains;
+    for (const effects::Stain& stain : effects.stains().all()) stains.push_back(sprite_of(stain));
+    std::vector<render::FlyingSprite> flying;
+    for (const effects::Drop& drop : effects.drops().all()) flying.push_back(sprite_of(drop));
+    effects_pass_.draw(stains, flying);
 }
 
-void Painter::paint_blade(const sim::Simulation& simulation, const ViewSettings& settings)
+void Painter::paint_blade(const StagePicture& stage, const glm::mat4& to_picture)
 {
-    const sim::Camera camera = camera_for(target_);
-    const glm::mat4 to_picture = enlargement(camera, settings);
-    const glm::vec2 size(target_.width(), target_.height());
-    const sim::Microseconds now = simulation.time();
+    if (stage.blade == nullptr) return;
+    const sim::Camera camera = camera_for(stage.area);
+    const glm::vec2 size(stage.area.width, stage.area.height);
     std::vector<render::BladePoint> path;
     std::uint32_t swipe = 0;
     const auto draw = [&] {
@@ -90,13 +151,13 @@ void Painter::paint_blade(const sim::Simulation& simulation, const ViewSettings&
         overlay_.draw_blade(ribbon, size.x, size.y);
         path.clear();
     };
-    for (const sim::TrailPoint& point : simulation.blade().trail(now)) {
+    for (const sim::TrailPoint& point : stage.blade->trail(stage.now)) {
         if (point.swipe != swipe) draw();
         swipe = point.swipe;
         const glm::vec4 ndc(camera.world_to_ndc({point.position, 0.0}), 1.0);
         const glm::vec2 place(to_picture * ndc);
-        const double age = double(now - point.time) / double(sim::kTrail);
-        const bool fades = simulation.blade().gesture() == sim::Gesture::blade;
+        const double age = double(stage.now - point.time) / double(sim::kTrail);
+        const bool fades = stage.blade->gesture() == sim::Gesture::blade;
         path.push_back(
             {0.5f * (place + 1.0f) * size, fades ? static_cast<float>(std::clamp(1.0 - age, 0.0, 1.0)) : 1.0f});
     }

@@ -1,15 +1,29 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "viewer/app/drawn_world.h"
 #include "viewer/app/view_settings.h"
+#include "viewer/effects/effects.h"
+#include "viewer/render/effects_pass.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/overlay.h"
 
 namespace kerf::app {
 
-/// Paints a simulation: objects, wall, proxies and blade. Needs a current GL context.
+/// One stage, and where on the picture it is seen.
+struct StagePicture
+{
+    std::span<const render::DrawnObject> objects;
+    const sim::Blade* blade = nullptr;          ///< null: none
+    sim::Microseconds now = 0;                  ///< of the blade
+    const effects::Effects* effects = nullptr;  ///< null: none
+    std::span<const glm::vec3> lines = {};      ///< collision proxies: ends of lines, world
+    render::SceneRenderer::Area area;           ///< pixels from the lower left corner
+};
+
+/// Paints simulations: objects, wall, proxies, effects and blade. Needs a current GL context.
 class Painter
 {
 public:
@@ -24,23 +38,34 @@ public:
     void resize(int width, int height);
 
     /// Uploads what is new, without drawing.
-    void sync(const sim::Simulation& simulation) { world_.sync(simulation); }
+    void sync(const sim::Simulation& simulation) { world_->sync(simulation); }
+    /// For another simulation: frees what is on the graphics card of the last one.
+    void forget_world() { world_.emplace(looks_); }
 
     /// Submits everything for one picture; afterwards the resolved picture is the target, for the panel.
     /// @param fraction  of the tick that is under way, for smooth movement between ticks
-    void paint(const sim::Simulation& simulation, const ViewSettings& settings, double fraction = 1.0);
+    /// @param effects   of the simulation; null: none
+    void paint(const sim::Simulation& simulation, const ViewSettings& settings, double fraction = 1.0,
+               const effects::Effects* effects = nullptr);
+
+    /// The same for several stages on one picture.
+    void paint(std::span<const StagePicture> stages, const ViewSettings& settings);
+    render::LookTable& looks() { return looks_; }
+    render::SceneRenderer::Area whole() const { return {0, 0, target_.width(), target_.height()}; }
 
     const render::FrameTarget& target() const { return target_; }
-    const DrawnWorld& world() const { return world_; }
+    const DrawnWorld& world() const { return *world_; }
     const render::DrawStatistics& statistics() const { return renderer_.statistics(); }
 
 private:
-    void paint_proxies(const sim::Simulation& simulation, double fraction);
-    void paint_blade(const sim::Simulation& simulation, const ViewSettings& settings);
+    void paint_stage(const StagePicture& stage, const ViewSettings& settings);
+    void paint_effects(const effects::Effects& effects);
+    void paint_blade(const StagePicture& stage, const glm::mat4& to_picture);
 
     render::LookTable looks_;
-    DrawnWorld world_;
+    std::optional<DrawnWorld> world_;  ///< never empty
     render::SceneRenderer renderer_;
+    render::EffectsPass effects_pass_;
     render::Overlay overlay_;
     render::FrameTarget target_;
 };
