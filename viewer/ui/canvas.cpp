@@ -1,0 +1,147 @@
+#include "viewer/ui/canvas.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <string>
+
+namespace kerf::ui {
+
+namespace {
+
+ImU32 packed(const glm::vec3& colour, float opacity)
+{
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(colour.r, colour.g, colour.b, std::clamp(opacity, 0.0f, 1.0f)));
+}
+
+ImVec2 vec(const glm::vec2& v)
+{
+    return {v.x, v.y};
+}
+
+}  // namespace
+
+Canvas::Canvas(const Typeface& typeface, const glm::vec2& size)
+    : typeface_(typeface), size_(size), list_(ImGui::GetBackgroundDrawList())
+{
+    constexpr float kFar = std::numeric_limits<float>::max();
+    reach_ = {{kFar, kFar}, {-kFar, -kFar}};
+}
+
+/// The letters that are enlarged least.
+static ImFont* font_for(const Typeface& typeface, float height)
+{
+    if (height <= 26.0f) return typeface.text;
+    return height <= 44.0f ? typeface.large : typeface.huge;
+}
+
+glm::vec2 Canvas::measure(std::string_view text, float height) const
+{
+    const ImVec2 size = font_for(typeface_, height)
+                            ->CalcTextSizeA(height * unit(), std::numeric_limits<float>::max(), 0.0f, text.data(),
+                                            text.data() + text.size());
+    return {size.x, size.y};
+}
+
+void Canvas::text(const glm::vec2& place, const glm::vec2& anchor, std::string_view text, float height,
+                  const glm::vec3& colour, float opacity)
+{
+    if (text.empty() || opacity <= 0.0f) return;
+    ImFont* const font = font_for(typeface_, height);
+    const glm::vec2 whole = measure(text, height);
+    const glm::vec2 corner = place - anchor * whole;
+    reach_ = {glm::min(reach_.low, corner), glm::max(reach_.high, corner + whole)};
+    const float rim = std::max(1.0f, 0.035f * height * unit());
+    const ImU32 ink = packed(kInk, 0.62f * opacity), fill = packed(colour, opacity);
+
+    // Lines are centred on one another as the anchor says.
+    float y = corner.y;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        const glm::vec2 size = measure(line, height);
+        const glm::vec2 start(corner.x + anchor.x * (whole.x - size.x), y);
+        const auto draw = [&](const glm::vec2& offset, ImU32 tone) {
+            list_->AddText(font, height * unit(), vec(start + offset), tone, line.data(), line.data() + line.size());
+        };
+        for (const glm::vec2 side : {glm::vec2(-1, 0), glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(0, 1.6f),
+                                     glm::vec2(0.7f, 0.9f), glm::vec2(-0.7f, 0.9f)})
+            draw(rim * side, ink);
+        draw({0.0f, 0.0f}, fill);
+        y += height * unit();
+        begin = end + 1;
+    }
+}
+
+void Canvas::fill(const Box2& box, const glm::vec3& colour, float opacity, float rounding)
+{
+    list_->AddRectFilled(vec(box.low), vec(box.high), packed(colour, opacity), rounding);
+}
+
+void Canvas::card(const Box2& box, float opacity)
+{
+    fill(box, {0.05f, 0.062f, 0.066f}, opacity, 14.0f * unit());
+}
+
+void Canvas::frame(const Box2& box, const glm::vec3& colour)
+{
+    list_->AddRect(vec(box.low), vec(box.high), packed(colour, 1.0f), 10.0f * unit(), 0, 2.5f * unit());
+}
+
+void Canvas::bar(const Box2& box, float share, const glm::vec3& colour)
+{
+    const float rounding = 0.5f * box.size().y;
+    fill(box, kInk, 0.55f, rounding);
+    const float width = std::max(std::clamp(share, 0.0f, 1.0f) * box.size().x, 2.0f * rounding);
+    if (share > 0.0f) fill({box.low, {box.low.x + width, box.high.y}}, colour, 1.0f, rounding);
+}
+
+void Canvas::heart(const glm::vec2& middle, float radius, const glm::vec3& colour, float opacity)
+{
+    constexpr int kPoints = 40;
+    const auto outline = [&](float size, ImU32 tone) {
+        // Two halves, each convex enough to be filled.
+        for (const float side : {-1.0f, 1.0f}) {
+            list_->PathClear();
+            for (int i = 0; i <= kPoints; ++i) {
+                const float t = 3.14159265f * static_cast<float>(i) / static_cast<float>(kPoints);
+                const float x = std::pow(std::sin(t), 3.0f);
+                const float y =
+                    (13.0f * std::cos(t) - 5.0f * std::cos(2.0f * t) - 2.0f * std::cos(3.0f * t) - std::cos(4.0f * t)) /
+                    16.0f;
+                list_->PathLineTo(vec(middle + size * glm::vec2(side * x, -y)));
+            }
+            list_->PathFillConvex(tone);
+        }
+    };
+    outline(1.16f * radius, packed(kInk, 0.6f * opacity));
+    outline(radius, packed(colour, opacity));
+}
+
+void Canvas::plot(const Box2& box, const float* values, int count, int offset, float most, const glm::vec3& colour)
+{
+    if (count < 2 || !(most > 0.0f)) return;
+    list_->PathClear();
+    for (int i = 0; i < count; ++i) {
+        const float share = static_cast<float>(i) / static_cast<float>(count - 1);
+        const float height = std::clamp(values[(i + offset) % count] / most, 0.0f, 1.0f);
+        list_->PathLineTo({box.low.x + share * box.size().x, box.high.y - height * box.size().y});
+    }
+    list_->PathStroke(packed(colour, 1.0f), 0, 1.6f * unit());
+}
+
+void Canvas::rim(const Box2& box, const glm::vec3& colour, float opacity)
+{
+    const ImU32 full = packed(colour, opacity), none = packed(colour, 0.0f);
+    const glm::vec2 deep = 0.16f * glm::vec2(box.size().y);
+    list_->AddRectFilledMultiColor(vec(box.low), {box.high.x, box.low.y + deep.y}, full, full, none, none);
+    list_->AddRectFilledMultiColor({box.low.x, box.high.y - deep.y}, vec(box.high), none, none, full, full);
+    list_->AddRectFilledMultiColor(vec(box.low), {box.low.x + deep.x, box.high.y}, full, none, none, full);
+    list_->AddRectFilledMultiColor({box.high.x - deep.x, box.low.y}, vec(box.high), none, full, full, none);
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,286 @@
+#include "viewer/ui/screens.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace kerf::ui {
+
+namespace {
+
+// Lines of the settings, in their order.
+enum Setting : std::size_t
+{
+    kVolume,
+    kMute,
+    kBackend,
+    kFullscreen,
+    kWindowSize,
+    kVsync,
+    kSettingsBack,
+};
+
+constexpr double kVolumeStep = 0.05, kWindowStep = 0.25;
+
+std::string yes_or_no(bool value)
+{
+    return value ? "on" : "off";
+}
+
+std::string window_text(double scale)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.0f x %.0f", std::round(1280.0 * scale), std::round(720.0 * scale));
+    return text.data();
+}
+
+double window_share(double scale)
+{
+    return (scale - kSmallestWindow) / (kLargestWindow - kSmallestWindow);
+}
+
+Preferences within_bounds(Preferences p, const std::vector<std::string>& backends)
+{
+    p.volume = p.volume > 0.0 ? std::min(p.volume, 1.0) : 0.0;
+    p.window_scale = std::isfinite(p.window_scale) ? std::clamp(p.window_scale, kSmallestWindow, kLargestWindow) : 1.0;
+    if (std::find(backends.begin(), backends.end(), p.backend) == backends.end())
+        p.backend = backends.empty() ? std::string() : backends.front();
+    return p;
+}
+
+}  // namespace
+
+const std::vector<Mode>& modes()
+{
+    static const std::vector<Mode> all{
+        {"classic", "Classic", "three misses or a bomb end it", "watermelon"},
+        {"arcade", "Arcade", "60 seconds, bombs cost points", "banana"},
+        {"zen", "Zen", "90 seconds of peace", "apple"},
+        {"giant", "Giant", "cut millions of triangles", "asteroid"},
+        {"duel", "Duel", "two ways to cut, side by side", "coconut"},
+    };
+    return all;
+}
+
+const Mode* find_mode(std::string_view scene)
+{
+    for (const Mode& mode : modes())
+        if (mode.scene == scene) return &mode;
+    return nullptr;
+}
+
+Screens::Screens(Preferences preferences, std::vector<std::string> backends)
+    : preferences_(within_bounds(std::move(preferences), backends)), backends_(std::move(backends))
+{
+    list_items();
+}
+
+void Screens::set_preferences(const Preferences& preferences)
+{
+    preferences_ = within_bounds(preferences, backends_);
+    list_items();
+}
+
+void Screens::show(Screen screen)
+{
+    if (screen == Screen::settings || screen == Screen::scores) {
+        if (screen_ != Screen::settings && screen_ != Screen::scores) before_ = screen_;
+    }
+    screen_ = screen;
+    selected_ = 0;
+    list_items();
+}
+
+void Screens::play(std::string scene)
+{
+    scene_ = std::move(scene);
+    show(Screen::play);
+}
+
+void Screens::list_items()
+{
+    items_.clear();
+    switch (screen_) {
+        case Screen::menu:
+            for (const Mode& mode : modes()) items_.push_back({std::string(mode.title)});
+            for (const char* label : {"High scores", "Settings", "Quit"}) items_.push_back({label});
+            break;
+        case Screen::play:
+            break;
+        case Screen::paused:
+            for (const char* label : {"Go on", "Start again", "Settings", "Menu"}) items_.push_back({label});
+            break;
+        case Screen::over:
+            for (const char* label : {"Play again", "High scores", "Menu"}) items_.push_back({label});
+            break;
+        case Screen::scores:
+            items_.push_back({"Back"});
+            break;
+        case Screen::settings: {
+            const int percent = static_cast<int>(std::lround(100.0 * preferences_.volume));
+            items_.push_back({"Volume", std::to_string(percent).append(" %"), preferences_.volume});
+            items_.push_back({"Sound", yes_or_no(!preferences_.muted)});
+            items_.push_back({"Back end", preferences_.backend});
+            items_.push_back({"Full screen", yes_or_no(preferences_.fullscreen)});
+            items_.push_back(
+                {"Window", window_text(preferences_.window_scale), window_share(preferences_.window_scale)});
+            items_.push_back({"Wait for the screen", yes_or_no(preferences_.vsync)});
+            items_.push_back({"Back"});
+            break;
+        }
+    }
+    selected_ = std::min(selected_, items_.empty() ? 0 : items_.size() - 1);
+}
+
+std::optional<Request> Screens::press(MenuKey key)
+{
+    const std::size_t count = items_.size();
+    const auto step = [&](std::size_t by) {
+        if (count > 0) selected_ = (selected_ + by) % count;
+        return std::nullopt;
+    };
+    switch (key) {
+        case MenuKey::up:
+            return step(count - 1);
+        case MenuKey::down:
+            return step(1);
+        case MenuKey::left:
+            if (screen_ == Screen::settings) return adjust(-1);
+            return step(count - 1);
+        case MenuKey::right:
+            if (screen_ == Screen::settings) return adjust(1);
+            return step(1);
+        case MenuKey::accept:
+            return accept();
+        case MenuKey::back:
+            return back();
+    }
+    return std::nullopt;
+}
+
+void Screens::point_at(std::size_t item)
+{
+    if (item < items_.size()) selected_ = item;
+}
+
+std::optional<Request> Screens::click(std::size_t item, double share)
+{
+    if (item >= items_.size()) return std::nullopt;
+    selected_ = item;
+    if (!items_[item].share) return accept();
+    set_slider(item, share);
+    return Request{Request::Kind::preferences};
+}
+
+void Screens::set_slider(std::size_t item, double share)
+{
+    share = std::clamp(share, 0.0, 1.0);
+    if (item == kVolume) {
+        preferences_.volume = std::round(share / kVolumeStep) * kVolumeStep;
+    } else {
+        const double scale = kSmallestWindow + share * (kLargestWindow - kSmallestWindow);
+        preferences_.window_scale = std::round(scale / kWindowStep) * kWindowStep;
+    }
+    preferences_ = within_bounds(preferences_, backends_);
+    list_items();
+}
+
+std::optional<Request> Screens::adjust(int direction)
+{
+    switch (static_cast<Setting>(selected_)) {
+        case kVolume:
+            set_slider(kVolume, preferences_.volume + direction * kVolumeStep);
+            break;
+        case kMute:
+            preferences_.muted = !preferences_.muted;
+            break;
+        case kBackend: {
+            if (backends_.empty()) return std::nullopt;
+            const auto found = std::find(backends_.begin(), backends_.end(), preferences_.backend);
+            const auto place = static_cast<std::size_t>(found - backends_.begin());
+            const std::size_t by = direction > 0 ? 1 : backends_.size() - 1;
+            preferences_.backend = backends_[(place + by) % backends_.size()];
+            break;
+        }
+        case kFullscreen:
+            preferences_.fullscreen = !preferences_.fullscreen;
+            break;
+        case kWindowSize:
+            set_slider(kWindowSize, window_share(preferences_.window_scale + direction * kWindowStep));
+            break;
+        case kVsync:
+            preferences_.vsync = !preferences_.vsync;
+            break;
+        case kSettingsBack:
+            return std::nullopt;
+    }
+    list_items();
+    return Request{Request::Kind::preferences};
+}
+
+std::optional<Request> Screens::accept()
+{
+    switch (screen_) {
+        case Screen::menu:
+            if (selected_ < modes().size()) return Request{Request::Kind::start, std::string(modes()[selected_].scene)};
+            if (selected_ == modes().size())
+                show(Screen::scores);
+            else if (selected_ == modes().size() + 1)
+                show(Screen::settings);
+            else
+                return Request{Request::Kind::quit};
+            return std::nullopt;
+        case Screen::play:
+            return std::nullopt;
+        case Screen::paused:
+            if (selected_ == 0) {
+                show(Screen::play);
+                return Request{Request::Kind::resume};
+            }
+            if (selected_ == 1) return Request{Request::Kind::restart, scene_};
+            if (selected_ == 3) return back();
+            show(Screen::settings);
+            return std::nullopt;
+        case Screen::over:
+            if (selected_ == 0) return Request{Request::Kind::restart, scene_};
+            if (selected_ == 2) return back();
+            show(Screen::scores);
+            return std::nullopt;
+        case Screen::scores:
+            return back();
+        case Screen::settings:
+            return selected_ == kSettingsBack ? back() : adjust(1);
+    }
+    return std::nullopt;
+}
+
+std::optional<Request> Screens::back()
+{
+    switch (screen_) {
+        case Screen::menu:
+            selected_ = items_.size() - 1;  // Esc is not to end the program by surprise: it chooses "Quit"
+            return std::nullopt;
+        case Screen::play:
+            show(Screen::paused);
+            return std::nullopt;
+        case Screen::paused:
+            // The Esc that came here may be pressed once too often; leaving a game needs the line "Menu".
+            if (selected_ != 3) {
+                show(Screen::play);
+                return Request{Request::Kind::resume};
+            }
+            show(Screen::menu);
+            return Request{Request::Kind::to_menu};
+        case Screen::over:
+            show(Screen::menu);
+            return Request{Request::Kind::to_menu};
+        case Screen::scores:
+        case Screen::settings:
+            show(before_);
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace kerf::ui

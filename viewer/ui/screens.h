@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/ui/preferences.h"
+
+namespace kerf::ui {
+
+/// What is on the picture besides the stage.
+enum class Screen
+{
+    menu,
+    play,
+    paused,
+    over,  ///< the game has ended
+    scores,
+    settings,
+};
+
+/// What the arrow keys and their like mean in a menu.
+enum class MenuKey
+{
+    up,
+    down,
+    left,
+    right,
+    accept,
+    back,
+};
+
+/// A line of a menu.
+struct MenuItem
+{
+    std::string label;
+    std::string value = {};            ///< what is chosen, for lines that have a choice
+    std::optional<double> share = {};  ///< 0 to 1, for lines with a slider
+};
+
+/// What the player asked for.
+struct Request
+{
+    enum class Kind
+    {
+        start,    ///< a scene
+        resume,   ///< the game that is paused
+        restart,  ///< the same scene again
+        to_menu,
+        quit,
+        preferences,  ///< they have changed
+    } kind = Kind::start;
+    std::string scene = {};
+
+    friend bool operator==(const Request&, const Request&) = default;
+};
+
+/// Something that can be played.
+struct Mode
+{
+    std::string_view scene;
+    std::string_view title;
+    std::string_view promise;  ///< a few words
+    std::string_view model;    ///< what stands for it on the menu's stage
+};
+const std::vector<Mode>& modes();
+/// Null for a scene that is not in the menu.
+const Mode* find_mode(std::string_view scene);
+
+/// Which screen is shown, what can be chosen on it and what follows from a choice. All of it works with keys alone; a
+/// pointer does the same by choosing a line. It knows nothing of windows and drawing.
+class Screens
+{
+public:
+    /// @param backends  that can be chosen, the default first
+    Screens(Preferences preferences, std::vector<std::string> backends);
+
+    Screen screen() const { return screen_; }
+    /// Goes to a screen as the program sees fit: the game is over, the window lost its focus.
+    void show(Screen screen);
+    /// A game of this scene has begun.
+    void play(std::string scene);
+    const std::string& scene() const { return scene_; }
+
+    const std::vector<MenuItem>& items() const { return items_; }
+    std::size_t selected() const { return selected_; }
+    const Preferences& preferences() const { return preferences_; }
+    void set_preferences(const Preferences& preferences);
+
+    /// What follows, if anything does; the screen has changed already.
+    std::optional<Request> press(MenuKey key);
+    /// The pointer is over a line, or has left for none.
+    void point_at(std::size_t item);
+    /// The pointer has pressed a line.
+    /// @param share  where along a slider, 0 to 1
+    std::optional<Request> click(std::size_t item, double share = 1.0);
+
+private:
+    std::optional<Request> accept();
+    std::optional<Request> back();
+    std::optional<Request> adjust(int direction);
+    void set_slider(std::size_t item, double share);
+    void list_items();
+
+    Preferences preferences_;
+    std::vector<std::string> backends_;
+    Screen screen_ = Screen::menu;
+    Screen before_ = Screen::menu;  ///< where settings and scores were asked for
+    std::string scene_;             ///< that is played, or was
+    std::vector<MenuItem> items_;
+    std::size_t selected_ = 0;
+};
+
+}  // namespace kerf::ui
