@@ -6,6 +6,7 @@
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
+#include "viewer/app/game_overlay.h"
 #include "viewer/app/painter.h"
 #include "viewer/app/panel.h"
 #include "viewer/app/run_report.h"
@@ -43,7 +44,8 @@ public:
           messages_(messages)
     {
         if (!options.record.empty()) recording_.emplace(options.record);
-        if (options.view.panel || options.view.help) interface_.emplace(options.view.ui_scale);
+        if (options.view.panel || options.view.help || game::game_of(simulation_.scene()) != nullptr)
+            interface_.emplace(options.view.ui_scale);
         simulation_.push(session.script.events);
     }
 
@@ -59,10 +61,11 @@ public:
                 messages_.push_back(std::move(message));
             }
 
+            effects_.follow(simulation_);
             CpuStopwatch submit;
             painter_.sync(simulation_);
             if (wants_picture(frame)) {
-                painter_.paint(simulation_, options_.view);
+                painter_.paint(simulation_, options_.view, 1.0, &effects_);
                 times_.submit_cpu_ms.push_back(1e3 * submit.lap());
                 finish_picture(frame);
                 times_.frame_ms.push_back(whole.lap());
@@ -92,10 +95,13 @@ private:
     void finish_picture(std::int64_t frame)
     {
         if (interface_) {
+            if (game::game_of(simulation_.scene()) != nullptr) interface_->use_game_letters(options_.height);
             PanelState state{simulation_, painter_, statistics_, options_.view, {}};
             state.simulation_ms = times_.simulate_ms.back();
             interface_->begin(options_.width, options_.height, 1.0 / 60.0);
             show_panel(state);
+            if (const game::GameScene* const game = game::game_of(simulation_.scene()))
+                show_game(*interface_, options_.width, options_.height, *game, effects_);
             interface_->draw();
         }
         glFinish();
@@ -107,6 +113,7 @@ private:
     Options options_;
     std::int64_t frames_;
     sim::Simulation simulation_;
+    effects::Effects effects_;
     Painter painter_;
     game::Autopilot autopilot_;
     std::optional<render::Recording> recording_;

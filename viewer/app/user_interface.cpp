@@ -85,6 +85,14 @@ UserInterface::~UserInterface()
     ImGui::DestroyContext();
 }
 
+void UserInterface::use_game_letters(int picture_height)
+{
+    if (ui::fits(letters_, picture_height)) return;
+    letters_ = ui::load_typeface(picture_height);
+    // The next frame makes them again, with the new letters.
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+}
+
 void UserInterface::begin()
 {
     ImGui_ImplOpenGL3_NewFrame();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "viewer/ui/typeface.h"
+
 struct GLFWwindow;
 
 namespace kerf::app {
@@ -15,6 +17,10 @@ public:
     UserInterface(const UserInterface&) = delete;
     UserInterface& operator=(const UserInterface&) = delete;
 
+    /// Loads the game's letters for pictures of this height, unless those that are there fit. Before begin().
+    void use_game_letters(int picture_height);
+    const ui::Typeface& letters() const { return letters_; }
+
     /// Starts a frame of the window.
     void begin();
     /// Starts a frame of so many pixels.
@@ -28,6 +34,7 @@ public:
 
 private:
     GLFWwindow* window_;
+    ui::Typeface letters_;
 };
 
 }  // namespace kerf::app

@@ -44,7 +44,7 @@ void add_splash(const Splash& splash, Drops& drops, Stains& stains)
 {
     Dice dice(splash.seed);
     const float strength = std::clamp(splash.strength, 0.0f, 1.5f);
-    const int count = static_cast<int>(70.0f * strength);
+    const int count = static_cast<int>(95.0f * strength);
     for (int i = 0; i < count; ++i) {
         const glm::vec3 rim = splash.outline.empty() ? splash.centre + splash.size * dice.direction()
                                                      : splash.outline[dice.below(splash.outline.size())];
@@ -58,16 +58,16 @@ void add_splash(const Splash& splash, Drops& drops, Stains& stains)
                         side * dice.between(0.2f, 2.4f) * splash.normal + 1.3f * dice.direction();
         // Few are large: mist and some heavy drops.
         const float share = dice.between(0.0f, 1.0f);
-        drop.size = splash.size * (0.012f + 0.05f * share * share * share);
+        drop.size = splash.size * (0.014f + 0.075f * share * share * share);
         drop.life = dice.between(0.7f, 1.6f);
         drop.colour = varied(dice, splash.colour);
         drops.add(drop);
     }
     if (strength < 0.2f) return;
     Stain stain;
-    stain.place = glm::vec2(splash.centre) + 0.25f * splash.size * glm::vec2(dice.direction());
+    stain.place = splash.behind + 0.25f * splash.size * glm::vec2(dice.direction());
     stain.colour = splash.colour;
-    stain.size = splash.size * dice.between(0.95f, 1.25f) * std::min(strength, 1.0f);
+    stain.size = splash.size * dice.between(1.5f, 1.95f) * std::min(strength, 1.0f);
     stain.shape = dice.between(0.0f, 1.0f);
     stains.add(stain);
 }

@@ -15,6 +15,7 @@ struct Splash
     std::uint64_t seed = 0;
     std::vector<glm::vec3> outline;  ///< points of the section's loops; empty: from the centre alone
     glm::vec3 centre{0.0f};
+    glm::vec2 behind{0.0f};              ///< where the wall is stained: behind the centre, as the eye sees it
     glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< of the cut
     glm::vec3 velocity{0.0f};            ///< of the object
     glm::vec3 colour{1.0f};              ///< of its juice, linear

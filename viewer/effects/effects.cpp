@@ -104,6 +104,8 @@ void Effects::take_cut(const sim::Simulation& simulation, const sim::CutRecord& 
     } else {
         splash.size = 0.5f * static_cast<float>(fruit->radius);
     }
+    constexpr auto kEye = static_cast<float>(sim::kEyeDistance);
+    splash.behind = glm::vec2(splash.centre) * (kEye - kWallZ) / (kEye - splash.centre.z);
     // A small section bleeds little.
     splash.strength = std::clamp(splash.size / 0.6f, 0.1f, 1.2f);
     add_splash(splash, drops_, stains_);
