@@ -61,7 +61,8 @@ LoadedSettings load_settings(const std::filesystem::path& folder)
     read(stored.value, "backend", settings.backend);
     read(stored.value, "scene", settings.scene);
     read(stored.value, "fullscreen", settings.fullscreen);
-    read(stored.value, "ui_scale", settings.ui_scale, 0.5, 4.0);
+    read(stored.value, "window_scale", settings.window_scale, 0.5, 3.0);
+    read(stored.value, "vsync", settings.vsync);
     read(stored.value, "giant", settings.giant, kFewestGiantTriangles, kMostGiantTriangles);
     return loaded;
 }
@@ -79,7 +80,8 @@ std::string save_settings(const std::filesystem::path& folder, const StoredSetti
     json["backend"] = settings.backend;
     json["scene"] = settings.scene;
     json["fullscreen"] = settings.fullscreen;
-    json["ui_scale"] = settings.ui_scale;
+    json["window_scale"] = settings.window_scale;
+    json["vsync"] = settings.vsync;
     json["giant"] = settings.giant;
     return save_json(file_in(folder), json);
 }

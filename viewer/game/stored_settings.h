@@ -14,7 +14,8 @@ struct StoredSettings
     std::string backend;  ///< empty: the default
     std::string scene;    ///< played last; empty: none yet
     bool fullscreen = false;
-    double ui_scale = 1.0;         ///< 0.5 to 4, on top of the screen's
+    double window_scale = 1.0;  ///< of 1280x720, 0.5 to 3
+    bool vsync = true;
     std::int64_t giant = 100'000;  ///< triangles, kFewestGiantTriangles to kMostGiantTriangles
 
     friend bool operator==(const StoredSettings&, const StoredSettings&) = default;

@@ -40,7 +40,7 @@ double window_share(double scale)
     return (scale - kSmallestWindow) / (kLargestWindow - kSmallestWindow);
 }
 
-Preferences within_bounds(Preferences p, const std::vector<std::string>& backends)
+game::StoredSettings within_bounds(game::StoredSettings p, const std::vector<std::string>& backends)
 {
     p.volume = p.volume > 0.0 ? std::min(p.volume, 1.0) : 0.0;
     p.window_scale = std::isfinite(p.window_scale) ? std::clamp(p.window_scale, kSmallestWindow, kLargestWindow) : 1.0;
@@ -70,15 +70,15 @@ const Mode* find_mode(std::string_view scene)
     return nullptr;
 }
 
-Screens::Screens(Preferences preferences, std::vector<std::string> backends)
-    : preferences_(within_bounds(std::move(preferences), backends)), backends_(std::move(backends))
+Screens::Screens(game::StoredSettings settings, std::vector<std::string> backends)
+    : settings_(within_bounds(std::move(settings), backends)), backends_(std::move(backends))
 {
     list_items();
 }
 
-void Screens::set_preferences(const Preferences& preferences)
+void Screens::set_settings(const game::StoredSettings& settings)
 {
-    preferences_ = within_bounds(preferences, backends_);
+    settings_ = within_bounds(settings, backends_);
     list_items();
 }
 
@@ -118,14 +118,13 @@ void Screens::list_items()
             items_.push_back({"Back"});
             break;
         case Screen::settings: {
-            const int percent = static_cast<int>(std::lround(100.0 * preferences_.volume));
-            items_.push_back({"Volume", std::to_string(percent).append(" %"), preferences_.volume});
-            items_.push_back({"Sound", yes_or_no(!preferences_.muted)});
-            items_.push_back({"Back end", preferences_.backend});
-            items_.push_back({"Full screen", yes_or_no(preferences_.fullscreen)});
-            items_.push_back(
-                {"Window", window_text(preferences_.window_scale), window_share(preferences_.window_scale)});
-            items_.push_back({"Wait for the screen", yes_or_no(preferences_.vsync)});
+            const int percent = static_cast<int>(std::lround(100.0 * settings_.volume));
+            items_.push_back({"Volume", std::to_string(percent).append(" %"), settings_.volume});
+            items_.push_back({"Sound", yes_or_no(!settings_.mute)});
+            items_.push_back({"Back end", settings_.backend});
+            items_.push_back({"Full screen", yes_or_no(settings_.fullscreen)});
+            items_.push_back({"Window", window_text(settings_.window_scale), window_share(settings_.window_scale)});
+            items_.push_back({"Wait for the screen", yes_or_no(settings_.vsync)});
             items_.push_back({"Back"});
             break;
         }
@@ -170,19 +169,19 @@ std::optional<Request> Screens::click(std::size_t item, double share)
     selected_ = item;
     if (!items_[item].share) return accept();
     set_slider(item, share);
-    return Request{Request::Kind::preferences};
+    return Request{Request::Kind::settings};
 }
 
 void Screens::set_slider(std::size_t item, double share)
 {
     share = std::clamp(share, 0.0, 1.0);
     if (item == kVolume) {
-        preferences_.volume = std::round(share / kVolumeStep) * kVolumeStep;
+        settings_.volume = std::round(share / kVolumeStep) * kVolumeStep;
     } else {
         const double scale = kSmallestWindow + share * (kLargestWindow - kSmallestWindow);
-        preferences_.window_scale = std::round(scale / kWindowStep) * kWindowStep;
+        settings_.window_scale = std::round(scale / kWindowStep) * kWindowStep;
     }
-    preferences_ = within_bounds(preferences_, backends_);
+    settings_ = within_bounds(settings_, backends_);
     list_items();
 }
 
@@ -190,33 +189,33 @@ std::optional<Request> Screens::adjust(int direction)
 {
     switch (static_cast<Setting>(selected_)) {
         case kVolume:
-            set_slider(kVolume, preferences_.volume + direction * kVolumeStep);
+            set_slider(kVolume, settings_.volume + direction * kVolumeStep);
             break;
         case kMute:
-            preferences_.muted = !preferences_.muted;
+            settings_.mute = !settings_.mute;
             break;
         case kBackend: {
             if (backends_.empty()) return std::nullopt;
-            const auto found = std::find(backends_.begin(), backends_.end(), preferences_.backend);
+            const auto found = std::find(backends_.begin(), backends_.end(), settings_.backend);
             const auto place = static_cast<std::size_t>(found - backends_.begin());
             const std::size_t by = direction > 0 ? 1 : backends_.size() - 1;
-            preferences_.backend = backends_[(place + by) % backends_.size()];
+            settings_.backend = backends_[(place + by) % backends_.size()];
             break;
         }
         case kFullscreen:
-            preferences_.fullscreen = !preferences_.fullscreen;
+            settings_.fullscreen = !settings_.fullscreen;
             break;
         case kWindowSize:
-            set_slider(kWindowSize, window_share(preferences_.window_scale + direction * kWindowStep));
+            set_slider(kWindowSize, window_share(settings_.window_scale + direction * kWindowStep));
             break;
         case kVsync:
-            preferences_.vsync = !preferences_.vsync;
+            settings_.vsync = !settings_.vsync;
             break;
         case kSettingsBack:
             return std::nullopt;
     }
     list_items();
-    return Request{Request::Kind::preferences};
+    return Request{Request::Kind::settings};
 }
 
 std::optional<Request> Screens::accept()

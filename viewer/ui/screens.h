@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/ui/preferences.h"
+#include "viewer/game/stored_settings.h"
 
 namespace kerf::ui {
 
@@ -49,12 +49,15 @@ struct Request
         restart,  ///< the same scene again
         to_menu,
         quit,
-        preferences,  ///< they have changed
+        settings,  ///< they have changed
     } kind = Kind::start;
     std::string scene = {};
 
     friend bool operator==(const Request&, const Request&) = default;
 };
+
+/// Of the window, in 1280x720.
+inline constexpr double kSmallestWindow = 0.5, kLargestWindow = 3.0;
 
 /// Something that can be played.
 struct Mode
@@ -74,7 +77,7 @@ class Screens
 {
 public:
     /// @param backends  that can be chosen, the default first
-    Screens(Preferences preferences, std::vector<std::string> backends);
+    Screens(game::StoredSettings settings, std::vector<std::string> backends);
 
     Screen screen() const { return screen_; }
     /// Goes to a screen as the program sees fit: the game is over, the window lost its focus.
@@ -85,8 +88,8 @@ public:
 
     const std::vector<MenuItem>& items() const { return items_; }
     std::size_t selected() const { return selected_; }
-    const Preferences& preferences() const { return preferences_; }
-    void set_preferences(const Preferences& preferences);
+    const game::StoredSettings& settings() const { return settings_; }
+    void set_settings(const game::StoredSettings& settings);
 
     /// What follows, if anything does; the screen has changed already.
     std::optional<Request> press(MenuKey key);
@@ -103,7 +106,7 @@ private:
     void set_slider(std::size_t item, double share);
     void list_items();
 
-    Preferences preferences_;
+    game::StoredSettings settings_;
     std::vector<std::string> backends_;
     Screen screen_ = Screen::menu;
     Screen before_ = Screen::menu;  ///< where settings and scores were asked for

@@ -21,7 +21,8 @@ StoredSettings unusual()
     settings.backend = "baseline/hash";
     settings.scene = "zen";
     settings.fullscreen = true;
-    settings.ui_scale = 1.5;
+    settings.window_scale = 1.5;
+    settings.vsync = false;
     settings.giant = 2'000'000;
     return settings;
 }
@@ -43,9 +44,8 @@ TEST_F(StoredSettingsTest, AreThereInTheNextProgram)
 
 TEST_F(StoredSettingsTest, TakeTheDefaultForEachValueThatMakesNoSense)
 {
-    Json json{
-        {"format", "kerf-settings"}, {"volume", 2.0}, {"mute", "yes"}, {"scene", "zen"}, {"giant", 3}, {"ui_scale", ""},
-        {"fullscreen", true}};
+    Json json{{"format", "kerf-settings"}, {"volume", 2.0},     {"mute", "yes"}, {"scene", "zen"}, {"giant", 3},
+              {"window_scale", ""},        {"fullscreen", true}};
     write("settings.json", json.dump());
     StoredSettings expected;
     expected.scene = "zen";

@@ -104,30 +104,30 @@ TEST(Screens, SettingsChangeByArrowsAndStayWithinBounds)
 {
     Screens s = screens();
     s.show(Screen::settings);
-    for (int i = 0; i < 50; ++i) EXPECT_EQ(s.press(MenuKey::right), Request{Request::Kind::preferences});
-    EXPECT_DOUBLE_EQ(s.preferences().volume, 1.0);
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(s.press(MenuKey::right), Request{Request::Kind::settings});
+    EXPECT_DOUBLE_EQ(s.settings().volume, 1.0);
     for (int i = 0; i < 50; ++i) s.press(MenuKey::left);
-    EXPECT_DOUBLE_EQ(s.preferences().volume, 0.0);
+    EXPECT_DOUBLE_EQ(s.settings().volume, 0.0);
     s.press(MenuKey::down);
     s.press(MenuKey::accept);
-    EXPECT_TRUE(s.preferences().muted);
+    EXPECT_TRUE(s.settings().mute);
     s.press(MenuKey::down);
-    EXPECT_EQ(s.preferences().backend, "halfedge");
+    EXPECT_EQ(s.settings().backend, "halfedge");
     s.press(MenuKey::right);
-    EXPECT_EQ(s.preferences().backend, "baseline/hash");
+    EXPECT_EQ(s.settings().backend, "baseline/hash");
     s.press(MenuKey::right);
-    EXPECT_EQ(s.preferences().backend, "halfedge");
+    EXPECT_EQ(s.settings().backend, "halfedge");
     s.press(MenuKey::down);
     s.press(MenuKey::right);
-    EXPECT_TRUE(s.preferences().fullscreen);
+    EXPECT_TRUE(s.settings().fullscreen);
     s.press(MenuKey::down);
     for (int i = 0; i < 50; ++i) s.press(MenuKey::right);
-    EXPECT_DOUBLE_EQ(s.preferences().window_scale, ui::kLargestWindow);
+    EXPECT_DOUBLE_EQ(s.settings().window_scale, ui::kLargestWindow);
     for (int i = 0; i < 50; ++i) s.press(MenuKey::left);
-    EXPECT_DOUBLE_EQ(s.preferences().window_scale, ui::kSmallestWindow);
+    EXPECT_DOUBLE_EQ(s.settings().window_scale, ui::kSmallestWindow);
     s.press(MenuKey::down);
     s.press(MenuKey::left);
-    EXPECT_FALSE(s.preferences().vsync);
+    EXPECT_FALSE(s.settings().vsync);
 }
 
 TEST(Screens, ThePointerDoesWhatTheKeysDo)
@@ -137,25 +137,25 @@ TEST(Screens, ThePointerDoesWhatTheKeysDo)
     EXPECT_EQ(s.selected(), 2u);
     EXPECT_EQ(s.click(1), (Request{Request::Kind::start, "arcade"}));
     s.show(Screen::settings);
-    EXPECT_EQ(s.click(0, 0.52), Request{Request::Kind::preferences});
-    EXPECT_NEAR(s.preferences().volume, 0.5, 1e-9);
+    EXPECT_EQ(s.click(0, 0.52), Request{Request::Kind::settings});
+    EXPECT_NEAR(s.settings().volume, 0.5, 1e-9);
     s.click(1);
-    EXPECT_TRUE(s.preferences().muted);
+    EXPECT_TRUE(s.settings().mute);
     EXPECT_FALSE(s.click(99));
     s.point_at(99);
     EXPECT_LT(s.selected(), s.items().size());
 }
 
-TEST(Screens, PreferencesThatMakeNoSenseAreMended)
+TEST(Screens, SettingsThatMakeNoSenseAreMended)
 {
-    ui::Preferences odd;
+    game::StoredSettings odd;
     odd.volume = -3.0;
     odd.window_scale = 1e9;
     odd.backend = "magic";
     const Screens s(odd, {"halfedge", "baseline/hash"});
-    EXPECT_EQ(s.preferences().volume, 0.0);
-    EXPECT_EQ(s.preferences().window_scale, ui::kLargestWindow);
-    EXPECT_EQ(s.preferences().backend, "halfedge");
+    EXPECT_EQ(s.settings().volume, 0.0);
+    EXPECT_EQ(s.settings().window_scale, ui::kLargestWindow);
+    EXPECT_EQ(s.settings().backend, "halfedge");
 }
 
 }  // namespace kerf::test
