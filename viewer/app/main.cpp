@@ -5,7 +5,9 @@
 
 #include "common/io/unfinished_files.h"
 #include "viewer/app/exit_status.h"
+#include "viewer/app/game_window.h"
 #include "viewer/app/headless.h"
+#include "viewer/app/headless_game.h"
 #include "viewer/app/options.h"
 #include "viewer/app/player.h"
 #include "viewer/render/render_error.h"
@@ -20,6 +22,20 @@ void remove_unfinished_and_end(int signal_number)
     std::raise(signal_number);
 }
 
+/// The game is played in real time and by hand; whoever brings models, a script or a number of frames wants to see a
+/// simulation.
+bool is_game(const kerf::app::Options& options)
+{
+    return options.files.empty() && options.script.empty() && options.frames == 0 && !options.autopilot &&
+           options.record.empty() && options.save_script.empty() && options.scene != "report";
+}
+
+/// Menu, screens and duel are more than one simulation.
+bool needs_game(const kerf::app::Options& options)
+{
+    return options.scene == "menu" || options.scene == "duel" || !options.screen.empty();
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -29,7 +45,9 @@ int main(int argc, char** argv)
     try {
         const ParsedOptions parsed = parse_options(argc, argv);
         if (!parsed.options) return parsed.exit_status;
-        return parsed.options->headless ? run_headless(*parsed.options) : run_player(*parsed.options);
+        const Options& options = *parsed.options;
+        if (options.headless) return needs_game(options) ? run_headless_game(options) : run_headless(options);
+        return is_game(options) ? run_game(options) : run_player(options);
     } catch (const kerf::render::NoDisplay& error) {
         std::cerr << "kerf-viewer: " << error.what() << "\n";
         return kNoDisplay;

@@ -9,6 +9,7 @@
 #include "viewer/game/scenes.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"
+#include "viewer/ui/screens.h"
 
 namespace kerf::app {
 
@@ -37,6 +38,14 @@ std::vector<std::string> proxy_names()
     return names;
 }
 
+/// Those that a simulation plays alone, and those that only the game has.
+std::vector<std::string> all_scenes()
+{
+    std::vector<std::string> names = game::scene_names();
+    for (const char* name : {"duel", "menu"}) names.emplace_back(name);
+    return names;
+}
+
 }  // namespace
 
 ParsedOptions parse_options(int argc, char** argv)
@@ -51,7 +60,12 @@ ParsedOptions parse_options(int argc, char** argv)
     program.set_version_flag("--version", "kerf-viewer " KERF_VERSION);
     program.add_option("FILE", options.files, "models to throw (default: the report's fifteen)");
     program.add_option("--data", options.data_folder, "folder that holds models/ and fruit/")->type_name("DIR");
-    program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(game::scene_names()));
+    program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(all_scenes()));
+    program.add_option("--screen", options.screen, "of the game, for the last picture of --headless")
+        ->check(CLI::IsMember(ui::screen_names()));
+    program.add_option("--boulder", options.boulder, "triangles of what the scene duel throws")
+        ->check(CLI::Range(1000, 2'000'000))
+        ->type_name("N");
     program.add_option("--giant", options.giant, "triangles of the scene giant")
         ->check(CLI::Range(game::kFewestGiantTriangles, game::kMostGiantTriangles))
         ->type_name("N");

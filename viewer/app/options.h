@@ -16,6 +16,8 @@ struct Options
 {
     std::vector<std::filesystem::path> files;  ///< models to throw; empty: the report's fifteen
     std::filesystem::path data_folder;         ///< where `models/` and `fruit/` lie
+    std::string screen;                        ///< of the game, for the last frame of --headless; empty: none
+    std::int64_t boulder = 0;                  ///< triangles, of the scene duel; 0: its default
     std::string scene;                         ///< empty: the script's, or "report"
     std::int64_t giant = 0;                    ///< triangles at the start of scene giant; 0: its default
     std::vector<std::string> backends;         ///< several: one run each, without a screen only

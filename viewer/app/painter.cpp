@@ -95,14 +95,14 @@ void Painter::resize(int width, int height)
 }
 
 void Painter::paint(const sim::Simulation& simulation, const ViewSettings& settings, double fraction,
-                    const effects::Effects* effects)
+                    const effects::Effects* effects, const sim::Blade* blade)
 {
     std::vector<glm::vec3> lines;
     if (settings.proxies)
         for (const auto& body : simulation.bodies())
             render::append_proxy_lines(body->proxy().proxy(), glm::mat4(body->model_matrix(fraction)), lines);
     const StagePicture stage{
-        world_->objects(simulation, fraction), &simulation.blade(), simulation.time(), effects, lines, whole()};
+        world_->objects(simulation, fraction), blade != nullptr ? blade : &simulation.blade(), simulation.time(), effects, lines, whole()};
     paint(std::span(&stage, 1), settings);
 }
 

@@ -45,8 +45,9 @@ public:
     /// Submits everything for one picture; afterwards the resolved picture is the target, for the panel.
     /// @param fraction  of the tick that is under way, for smooth movement between ticks
     /// @param effects   of the simulation; null: none
+    /// @param blade     that is shown; null: the simulation's own
     void paint(const sim::Simulation& simulation, const ViewSettings& settings, double fraction = 1.0,
-               const effects::Effects* effects = nullptr);
+               const effects::Effects* effects = nullptr, const sim::Blade* blade = nullptr);
 
     /// The same for several stages on one picture.
     void paint(std::span<const StagePicture> stages, const ViewSettings& settings);

@@ -89,12 +89,15 @@ void UserInterface::use_game_letters(int picture_height)
 {
     if (ui::fits(letters_, picture_height)) return;
     letters_ = ui::load_typeface(picture_height);
-    // The next frame makes them again, with the new letters.
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    // Before the first frame there is no texture of letters yet: that frame makes it.
+    if (!has_begun_) return;
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void UserInterface::begin()
 {
+    has_begun_ = true;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
@@ -102,6 +105,7 @@ void UserInterface::begin()
 
 void UserInterface::begin(int width, int height, double seconds)
 {
+    has_begun_ = true;
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(seconds);

@@ -35,6 +35,7 @@ public:
 private:
     GLFWwindow* window_;
     ui::Typeface letters_;
+    bool has_begun_ = false;
 };
 
 }  // namespace kerf::app

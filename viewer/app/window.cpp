@@ -85,6 +85,7 @@ struct Window::State
     glm::ivec2 place{60, 60}, size{1280, 720};  ///< to come back to from fullscreen
     std::vector<WindowPointer> pointer;
     std::vector<KeyAction> keys;
+    std::vector<int> key_codes;
 
     glm::dvec2 cursor() const
     {
@@ -116,6 +117,7 @@ void on_move(GLFWwindow* window, double x, double y)
 
 void on_key(GLFWwindow* window, int key, int, int action, int)
 {
+    if (action != GLFW_RELEASE) state_of(window).key_codes.push_back(key);
     if (action != GLFW_PRESS) return;
     if (const auto wanted = action_of(key)) state_of(window).keys.push_back(*wanted);
 }
@@ -261,6 +263,11 @@ bool Window::fullscreen() const
 std::vector<WindowPointer> Window::take_pointer()
 {
     return std::exchange(state_->pointer, {});
+}
+
+std::vector<int> Window::take_key_codes()
+{
+    return std::exchange(state_->key_codes, {});
 }
 
 std::vector<KeyAction> Window::take_keys()

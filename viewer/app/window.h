@@ -58,6 +58,8 @@ public:
     /// What happened since the last call, in order.
     std::vector<WindowPointer> take_pointer();
     std::vector<KeyAction> take_keys();
+    /// Key codes of GLFW, those that repeat included.
+    std::vector<int> take_key_codes();
 
     struct State;  ///< what the call-backs of GLFW work on
 

@@ -55,8 +55,10 @@ void Canvas::text(const glm::vec2& place, const glm::vec2& anchor, std::string_v
     const glm::vec2 whole = measure(text, height);
     const glm::vec2 corner = place - anchor * whole;
     reach_ = {glm::min(reach_.low, corner), glm::max(reach_.high, corner + whole)};
-    const float rim = std::max(1.0f, 0.035f * height * unit());
-    const ImU32 ink = packed(kInk, 0.62f * opacity), fill = packed(colour, opacity);
+    // Small letters are read better with a thin rim.
+    const bool is_small = height <= 26.0f;
+    const float rim = std::max(is_small ? 0.7f : 1.0f, (is_small ? 0.045f : 0.035f) * height * unit());
+    const ImU32 ink = packed(kInk, (is_small ? 0.38f : 0.62f) * opacity), fill = packed(colour, opacity);
 
     // Lines are centred on one another as the anchor says.
     float y = corner.y;

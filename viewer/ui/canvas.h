@@ -59,7 +59,7 @@ public:
     /// A frosty rim around a part of the picture.
     void rim(const Box2& box, const glm::vec3& colour, float opacity);
 
-    /// What all texts so far cover; empty: none.
+    /// What all texts so far cover; `low` beyond `high`: none.
     const Box2& reach() const { return reach_; }
 
 private:

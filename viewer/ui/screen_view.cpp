@@ -59,14 +59,14 @@ std::vector<Hotspot> show_menu(Layout& layout, const Screens& screens)
     for (std::size_t i = 0; i < modes().size(); ++i) {
         const bool is_selected = screens.selected() == i;
         const glm::vec2 middle = on_picture(place_of_mode(i), whole);
-        const glm::vec2 below = on_picture(place_of_mode(i) - glm::dvec2(0.0, kModeRadius + 0.45), whole);
+        const glm::vec2 below = on_picture(place_of_mode(i) - glm::dvec2(0.0, kModeRadius + 0.30), whole);
         const float wide = 0.5f * (on_picture({2.6, 0.0}, whole).x - on_picture({0.0, 0.0}, whole).x);
         const glm::vec2 title(middle.x, below.y);
         // Only the words can be clicked: on the fruit a press begins a swipe.
         const Box2 box{{title.x - wide, title.y - 24.0f * u}, {title.x + wide, title.y + 58.0f * u}};
         if (is_selected) canvas.fill(box, kAccent, 0.88f, 10.0f * u);
         canvas.text(title, {0.5f, 0.5f}, modes()[i].title, 34.0f, is_selected ? glm::vec3(1.0f) : kPaper);
-        canvas.text(title + glm::vec2(0.0f, 36.0f * u), {0.5f, 0.5f}, modes()[i].promise, 14.5f,
+        canvas.text(title + glm::vec2(0.0f, 36.0f * u), {0.5f, 0.5f}, modes()[i].promise, 17.0f,
                     is_selected ? glm::vec3(1.0f) : kPaper);
         hotspots.push_back({box, {}});
     }
@@ -205,7 +205,7 @@ std::vector<Hotspot> show_scores(Layout& layout, const Screens& screens, const S
 
 glm::dvec2 place_of_mode(std::size_t mode)
 {
-    constexpr double kApart = 2.72, kHeight = 0.35;
+    constexpr double kApart = 2.72, kHeight = 0.30;
     const double from_middle = double(mode) - 0.5 * double(modes().size() - 1);
     return {kApart * from_middle, kHeight};
 }

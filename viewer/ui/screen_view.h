@@ -47,6 +47,6 @@ std::optional<Pointed> item_at(const std::vector<Hotspot>& hotspots, const glm::
 /// Where the menu's fruit hang on the stage, in the order of modes(). Metres.
 glm::dvec2 place_of_mode(std::size_t mode);
 /// How large they are: radius, metres.
-inline constexpr double kModeRadius = 1.05;
+inline constexpr double kModeRadius = 1.32;
 
 }  // namespace kerf::ui

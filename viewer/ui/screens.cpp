@@ -51,14 +51,27 @@ game::StoredSettings within_bounds(game::StoredSettings p, const std::vector<std
 
 }  // namespace
 
+const std::vector<std::string>& screen_names()
+{
+    static const std::vector<std::string> names{"menu", "play", "paused", "over", "scores", "settings"};
+    return names;
+}
+
+std::optional<Screen> find_screen(std::string_view name)
+{
+    for (std::size_t i = 0; i < screen_names().size(); ++i)
+        if (screen_names()[i] == name) return static_cast<Screen>(i);
+    return std::nullopt;
+}
+
 const std::vector<Mode>& modes()
 {
     static const std::vector<Mode> all{
-        {"classic", "Classic", "three misses or a bomb end it", "watermelon"},
-        {"arcade", "Arcade", "60 seconds, bombs cost points", "banana"},
-        {"zen", "Zen", "90 seconds of peace", "apple"},
-        {"giant", "Giant", "cut millions of triangles", "asteroid"},
-        {"duel", "Duel", "two ways to cut, side by side", "coconut"},
+        {"classic", "Classic", "3 misses or a bomb end it", "watermelon"},
+        {"arcade", "Arcade", "60 s, bombs cost points", "banana"},
+        {"zen", "Zen", "90 s of peace", "apple"},
+        {"giant", "Giant", "cut 4 million triangles", "asteroid"},
+        {"duel", "Duel", "two back ends, one swipe", "coconut"},
     };
     return all;
 }
@@ -96,6 +109,12 @@ void Screens::play(std::string scene)
 {
     scene_ = std::move(scene);
     show(Screen::play);
+}
+
+bool Screens::holds_game() const
+{
+    if (screen_ == Screen::settings || screen_ == Screen::scores) return before_ == Screen::paused;
+    return screen_ == Screen::paused;
 }
 
 void Screens::list_items()

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viewer/game/stored_settings.h"
@@ -19,6 +20,10 @@ enum class Screen
     scores,
     settings,
 };
+
+/// "menu", "paused", ...: for the command line. Empty for a name that is none.
+std::optional<Screen> find_screen(std::string_view name);
+const std::vector<std::string>& screen_names();
 
 /// What the arrow keys and their like mean in a menu.
 enum class MenuKey
@@ -85,6 +90,8 @@ public:
     /// A game of this scene has begun.
     void play(std::string scene);
     const std::string& scene() const { return scene_; }
+    /// A game is under way behind this screen and stands still.
+    bool holds_game() const;
 
     const std::vector<MenuItem>& items() const { return items_; }
     std::size_t selected() const { return selected_; }

@@ -1,0 +1,252 @@
+#include "viewer/app/game_show.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "viewer/app/user_interface.h"
+#include "viewer/render/gl_test.h"
+#include "viewer/ui/menu_scene.h"
+
+namespace kerf::test {
+
+using app::GameShow;
+using app::ShowSetup;
+using ui::MenuKey;
+using ui::Screen;
+
+namespace {
+
+/// The game without a window, with a folder of its own for scores and settings.
+class GameShowTest : public GlTest
+{
+protected:
+    GameShowTest()
+    {
+        std::string pattern = (std::filesystem::temp_directory_path() / "kerf_show_XXXXXX").string();
+        folder = ::mkdtemp(pattern.data());
+    }
+    ~GameShowTest() override { std::filesystem::remove_all(folder); }
+
+    ShowSetup setup(const std::string& scene = "menu") const
+    {
+        ShowSetup setup;
+        setup.data_folder = KERF_DATA_DIR;
+        setup.user_folder = folder;
+        setup.scene = scene;
+        setup.fixed_step = true;
+        setup.boulder = 2000;
+        return setup;
+    }
+
+    /// Draws a picture and gives what its texts cover.
+    ui::Box2 picture(GameShow& show, int width, int height, bool with_stage = true)
+    {
+        if (with_stage) {
+            painter.resize(width, height);
+            show.paint({});
+        }
+        interface.use_game_letters(height);
+        interface.begin(width, height, 1.0 / 60.0);
+        ui::Canvas canvas(interface.letters(), {width, height});
+        show.write(canvas);
+        interface.draw();
+        return canvas.reach();
+    }
+
+    void frames(GameShow& show, int count, bool with_pictures = false)
+    {
+        for (int i = 0; i < count; ++i) {
+            show.advance(1.0 / 60.0);
+            if (with_pictures) picture(show, 192, 108);
+        }
+    }
+
+    void choose(GameShow& show, const std::string& label)
+    {
+        const auto& items = show.screens().items();
+        for (std::size_t i = 0; i < items.size() && items[show.screens().selected()].label != label; ++i)
+            show.press(MenuKey::down);
+        ASSERT_EQ(items[show.screens().selected()].label, label);
+        show.press(MenuKey::accept);
+    }
+
+    void expect_texts_fit(GameShow& show, const std::string& what)
+    {
+        for (const glm::ivec2 size : {glm::ivec2(1280, 720), glm::ivec2(3840, 2160)}) {
+            const ui::Box2 reach = picture(show, size.x, size.y, false);
+            EXPECT_LT(reach.low.x, reach.high.x) << what << " says nothing";
+            const ui::Box2 whole{{0.0f, 0.0f}, glm::vec2(size)};
+            EXPECT_TRUE(whole.holds(reach)) << what << " at " << size.x << "x" << size.y << ": " << reach.low.x << ","
+                                            << reach.low.y << " to " << reach.high.x << "," << reach.high.y;
+        }
+    }
+
+    std::filesystem::path folder;
+    app::Painter painter{320, 180};
+    app::UserInterface interface {
+        1.0f
+    };
+    sound::Speaker speaker = sound::Speaker::silent();
+};
+
+}  // namespace
+
+TEST_F(GameShowTest, DrawsNinetyFramesOfEverySceneAndScreen)
+{
+    for (const char* scene : {"menu", "classic", "arcade", "zen", "duel"}) {
+        GameShow show(setup(scene), painter, speaker);
+        frames(show, 90, true);
+        EXPECT_EQ(show.scene(), scene);
+    }
+    GameShow show(setup("zen"), painter, speaker);
+    for (const Screen screen : {Screen::paused, Screen::settings, Screen::scores, Screen::over, Screen::menu}) {
+        show.show_screen(screen);
+        frames(show, 18, true);
+    }
+}
+
+TEST_F(GameShowTest, AllTextsFitIntoTheSmallAndTheLargePicture)
+{
+    {
+        GameShow show(setup(), painter, speaker);
+        frames(show, 30);
+        expect_texts_fit(show, "menu");
+        show.show_screen(Screen::scores);
+        expect_texts_fit(show, "scores");
+        show.show_screen(Screen::settings);
+        expect_texts_fit(show, "settings");
+    }
+    {
+        GameShow show(setup("arcade"), painter, speaker);
+        frames(show, 100);
+        expect_texts_fit(show, "arcade");
+        show.show_screen(Screen::paused);
+        expect_texts_fit(show, "pause");
+        show.show_screen(Screen::over);
+        expect_texts_fit(show, "game over");
+    }
+    GameShow show(setup("duel"), painter, speaker);
+    frames(show, 60);
+    expect_texts_fit(show, "duel");
+}
+
+TEST_F(GameShowTest, EveryGameIsReachedAndLeftByKeyboardAlone)
+{
+    GameShow show(setup(), painter, speaker);
+    for (const char* title : {"Classic", "Arcade", "Zen", "Duel"}) {
+        frames(show, 2);
+        choose(show, title);
+        frames(show, 60);
+        EXPECT_EQ(show.screens().screen(), Screen::play) << title;
+        EXPECT_EQ(ui::find_mode(show.scene())->title, title);
+        show.press(MenuKey::back);
+        EXPECT_EQ(show.screens().screen(), Screen::paused);
+        choose(show, "Menu");
+        EXPECT_EQ(show.scene(), "menu");
+    }
+    choose(show, "Quit");
+    EXPECT_TRUE(show.has_ended());
+}
+
+TEST_F(GameShowTest, CuttingAFruitOfTheMenuChoosesItsGame)
+{
+    for (std::size_t mode = 0; mode < 3; ++mode) {
+        GameShow show(setup(), painter, speaker);
+        frames(show, 2);
+        // With the mouse, in pixels: from the lower left to the upper right of the fruit, within a tenth of a second.
+        const glm::vec2 size(1280.0f, 720.0f);
+        const sim::Camera camera(16.0 / 9.0);
+        using Kind = app::WindowPointer::Kind;
+        for (int i = 0; i <= 6; ++i) {
+            const glm::dvec2 stage = ui::place_of_mode(mode) + (double(i) / 3.0 - 1.0) * glm::dvec2(1.7, 0.8);
+            const glm::dvec2 pixel = camera.stage_to_screen(stage, glm::dvec2(size));
+            show.point({i == 0 ? Kind::press : i == 6 ? Kind::release : Kind::move, pixel}, size);
+            frames(show, 1);
+        }
+        frames(show, 60);
+        EXPECT_EQ(show.scene(), ui::modes()[mode].scene);
+    }
+}
+
+TEST_F(GameShowTest, ClickingAWordOfTheMenuChoosesItToo)
+{
+    GameShow show(setup(), painter, speaker);
+    frames(show, 2);
+    picture(show, 1280, 720);
+    const glm::dvec2 below = ui::place_of_mode(2) - glm::dvec2(0.0, ui::kModeRadius + 0.3);
+    const glm::dvec2 pixel = sim::Camera(16.0 / 9.0).stage_to_screen(below, {1280.0, 720.0});
+    show.point({app::WindowPointer::Kind::press, pixel}, {1280.0f, 720.0f});
+    show.point({app::WindowPointer::Kind::release, pixel}, {1280.0f, 720.0f});
+    frames(show, 60);
+    EXPECT_EQ(show.scene(), "zen");
+}
+
+TEST_F(GameShowTest, AGameThatIsPausedStandsStill)
+{
+    GameShow show(setup("classic"), painter, speaker);
+    frames(show, 80);
+    const std::uint64_t before = show.simulation()->state_hash();
+    show.pause();
+    frames(show, 30);
+    EXPECT_EQ(show.simulation()->state_hash(), before);
+    choose(show, "Settings");
+    frames(show, 30);
+    EXPECT_EQ(show.simulation()->state_hash(), before);
+    show.press(MenuKey::back);
+    choose(show, "Go on");
+    frames(show, 1);
+    EXPECT_NE(show.simulation()->state_hash(), before);
+}
+
+TEST_F(GameShowTest, SettingsAreThereInTheNextProgram)
+{
+    {
+        GameShow show(setup(), painter, speaker);
+        show.show_screen(Screen::settings);
+        for (int i = 0; i < 4; ++i) show.press(MenuKey::left);
+        show.press(MenuKey::down);
+        show.press(MenuKey::right);
+    }
+    GameShow show(setup(), painter, speaker);
+    EXPECT_NEAR(show.settings().volume, 0.5, 1e-9);
+    EXPECT_TRUE(show.settings().mute);
+    EXPECT_TRUE(speaker.muted());
+}
+
+TEST_F(GameShowTest, AGameThatIsLostLeadsToItsBalanceAndFromThereToTheNext)
+{
+    GameShow show(setup("classic"), painter, speaker);
+    // Nobody cuts: three misses end it.
+    for (int i = 0; i < 2400 && show.screens().screen() != Screen::over; ++i) frames(show, 1);
+    ASSERT_EQ(show.screens().screen(), Screen::over);
+    expect_texts_fit(show, "balance");
+    choose(show, "Play again");
+    EXPECT_EQ(show.screens().screen(), Screen::play);
+    EXPECT_LT(show.simulation()->now(), 3);
+}
+
+TEST_F(GameShowTest, ADuelGivesTheSameStatesEveryTime)
+{
+    std::array<std::uint64_t, 2> hashes{};
+    for (int run = 0; run < 2; ++run) {
+        GameShow show(setup("duel"), painter, speaker);
+        std::vector<sim::InputEvent> swipe{{2'150'000, sim::InputKind::press, {-6.5, 1.7}, {}}};
+        for (int i = 1; i < 20; ++i)
+            swipe.push_back({2'150'000 + 5000 * i, sim::InputKind::move, {-6.5 + 0.65 * i, 1.8}, {}});
+        swipe.push_back({2'250'000, sim::InputKind::release, {6.5, 1.9}, {}});
+        show.push(swipe);
+        frames(show, 150);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const sim::Simulation& half = show.duel()->duel().half(i).simulation();
+            EXPECT_EQ(half.now(), 300);
+            EXPECT_GE(half.cuts().size(), 1u);
+            if (run == 1) {
+                EXPECT_EQ(half.state_hash(), hashes[i]);
+            }
+            hashes[i] = half.state_hash();
+        }
+    }
+    EXPECT_NE(hashes[0], hashes[1]) << "each half names its back end";
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,206 @@
+#include "viewer/app/duel_show.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "viewer/app/stone_asteroid.h"
+#include "viewer/duel/timetable_scene.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/ui/hud.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// What a picture waits for the halves, so that an ordinary cut is seen in the frame in which it was made.
+constexpr std::chrono::milliseconds kPatience{4};
+
+std::array<std::string, 2> opponents()
+{
+    return {sim::backend_names().front(), sim::find_backend("baseline")};
+}
+
+std::size_t index_of(const sim::ModelShelf& models, std::string_view name)
+{
+    std::size_t index = 0;
+    while (index < models.size() && models.model(index).name != name) ++index;
+    return index;
+}
+
+std::string boulder_name(std::int64_t triangles)
+{
+    return "boulder " + std::to_string(triangles);
+}
+
+std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
+{
+    const std::string name = boulder_name(triangles);
+    const std::size_t known = index_of(models, name);
+    if (known < models.size()) return known;
+    return models.add(name, stone_asteroid(static_cast<std::uint64_t>(triangles), 5));
+}
+
+/// Boulder and fruit in turn, prepared for both.
+std::vector<std::size_t> prepare_all(sim::ModelShelf& models, std::int64_t triangles)
+{
+    const std::size_t boulder = add_boulder(models, triangles);
+    std::vector<std::size_t> thrown;
+    for (const std::string_view fruit : {"watermelon", "pineapple", "coconut", "orange"}) {
+        thrown.push_back(boulder);
+        if (const std::size_t index = index_of(models, fruit); index < models.size()) thrown.push_back(index);
+    }
+    for (const std::string& backend : opponents()) {
+        for (const std::size_t model : thrown) models.prepare(model, backend);
+        models.stock(boulder, backend);
+    }
+    return thrown;
+}
+
+std::string milliseconds(double ms)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ms < 10.0 ? "%.1f ms" : "%.0f ms", ms);
+    return text.data();
+}
+
+}  // namespace
+
+DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles)
+    : models_(std::move(models)),
+      settings_(settings),
+      triangles_(triangles),
+      preparing_(
+          std::async(std::launch::async, [shelf = models_, triangles] { return prepare_all(*shelf, triangles); }))
+{
+}
+
+DuelShow::~DuelShow()
+{
+    ends_ = true;
+    if (stocking_.joinable()) stocking_.join();
+}
+
+void DuelShow::wait_until_ready()
+{
+    if (preparing_.valid()) preparing_.wait();
+    ready();
+}
+
+bool DuelShow::ready()
+{
+    if (duel_) return true;
+    if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    const std::vector<std::size_t> thrown = preparing_.get();
+    duel_ = std::make_unique<duel::Duel>(models_, settings_, opponents(),
+                                         [&] { return std::make_unique<duel::TimetableScene>(thrown); });
+    stocking_ = std::thread([this, boulder = thrown.front()] {
+        while (!ends_) {
+            for (const std::string& backend : opponents()) models_->stock(boulder, backend);
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+    });
+    return true;
+}
+
+void DuelShow::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits)
+{
+    if (!ready()) {
+        waited_ += ticks;
+        return;
+    }
+    duel_->advance(ticks, events);
+    if (waits)
+        duel_->finish();
+    else
+        duel_->wait_for(kPatience);
+}
+
+void DuelShow::sync(Painter& painter)
+{
+    if (!duel_) return;
+    for (std::size_t i = 0; i < worlds_.size(); ++i) {
+        if (!worlds_[i]) worlds_[i] = std::make_unique<DrawnWorld>(painter.looks());
+        if (!duel_->half(i).idle()) continue;
+        const sim::Simulation& simulation = duel_->half(i).simulation();
+        effects_[i].follow(simulation);
+        worlds_[i]->sync(simulation);
+        objects_[i] = worlds_[i]->objects(simulation);
+    }
+}
+
+std::array<StagePicture, 2> DuelShow::stages(int width, int height) const
+{
+    std::array<StagePicture, 2> stages;
+    for (int i = 0; i < 2; ++i) {
+        StagePicture& stage = stages[static_cast<std::size_t>(i)];
+        const int left = i * width / 2;
+        stage.area = {left, 0, std::max((i + 1) * width / 2 - left, 1), std::max(height, 1)};
+        if (!duel_) continue;
+        stage.objects = objects_[static_cast<std::size_t>(i)];
+        stage.effects = &effects_[static_cast<std::size_t>(i)];
+        stage.blade = &duel_->blade();
+        stage.now = duel_->time();
+    }
+    return stages;
+}
+
+ui::Box2 DuelShow::box_of_half(std::size_t half, const glm::vec2& size)
+{
+    const float middle = 0.5f * size.x;
+    return half == 0 ? ui::Box2{{0.0f, 0.0f}, {middle, size.y}} : ui::Box2{{middle, 0.0f}, size};
+}
+
+void DuelShow::write_score(ui::Canvas& canvas, std::size_t half)
+{
+    const float u = canvas.unit();
+    const ui::Box2 box = box_of_half(half, canvas.size());
+    const float middle = box.middle().x;
+    const duel::Score score = duel_->score(half);
+    const duel::Score other = duel_->score(1 - half);
+    const bool leads = score.cut_ms <= other.cut_ms;
+    canvas.card({{box.low.x + 60.0f * u, 18.0f * u}, {box.high.x - 60.0f * u, 158.0f * u}}, 0.62f);
+    canvas.text({middle, 26.0f * u}, {0.5f, 0.0f}, score.backend, 30.0f, ui::kPaper);
+    canvas.text({middle, 58.0f * u}, {0.5f, 0.0f}, milliseconds(score.cut_ms), 58.0f,
+                score.cuts == 0 ? ui::kDim
+                : leads         ? glm::vec3(0.55f, 0.95f, 0.45f)
+                                : ui::kDanger);
+    canvas.text({middle, 126.0f * u}, {0.5f, 0.0f},
+                std::to_string(score.cuts)
+                    .append(score.cuts == 1 ? " cut   longest " : " cuts   longest ")
+                    .append(milliseconds(score.worst_ms)),
+                19.0f, ui::kPaper);
+    // A frame or two is how a frame is made; more is a hitch.
+    constexpr double kShownFrom = 60.0;
+    if (score.behind_ms > kShownFrom)
+        canvas.text({middle, canvas.size().y - 70.0f * u}, {0.5f, 0.5f},
+                    milliseconds(score.behind_ms).append(" behind"), 34.0f, ui::kDanger);
+}
+
+void DuelShow::write(ui::Canvas& canvas)
+{
+    const float u = canvas.unit();
+    const glm::vec2 size = canvas.size();
+    canvas.fill({{0.5f * size.x - 1.5f * u, 0.0f}, {0.5f * size.x + 1.5f * u, size.y}}, ui::kInk, 0.9f);
+    if (!duel_) {
+        canvas.text({0.5f * size.x, 0.5f * size.y}, {0.5f, 0.5f},
+                    "Preparing a boulder of " + std::to_string(triangles_ / 1000).append(" 000 triangles for both"),
+                    30.0f, ui::kPaper);
+        const float share =
+            static_cast<float>(waited_ % sim::kTicksPerSecond) / static_cast<float>(sim::kTicksPerSecond);
+        canvas.bar({{0.5f * size.x - 160.0f * u, 0.5f * size.y + 36.0f * u},
+                    {0.5f * size.x + 160.0f * u, 0.5f * size.y + 48.0f * u}},
+                   share, ui::kAccent);
+        return;
+    }
+    for (std::size_t half = 0; half < 2; ++half) {
+        ui::show_effects(canvas, effects_[half], box_of_half(half, size));
+        write_score(canvas, half);
+    }
+    if (now() < 4 * sim::kTicksPerSecond)
+        canvas.text({0.5f * size.x, size.y - 24.0f * u}, {0.5f, 1.0f},
+                    "One swipe cuts both: same throws, same planes. The numbers are what cutting took.", 24.0f,
+                    ui::kPaper);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <future>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "viewer/app/drawn_world.h"
+#include "viewer/app/painter.h"
+#include "viewer/duel/duel.h"
+#include "viewer/ui/canvas.h"
+
+namespace kerf::app {
+
+/// A duel as one sees it: both stages side by side, with what each half has spent on cutting. While the models are
+/// being prepared, on a thread of its own, there is a note instead.
+class DuelShow
+{
+public:
+    /// How much larger a half is shown than the window's shape asks for: the sides of the stage are left out.
+    static constexpr float kZoom = 1.4f;
+    /// Triangles of the boulder that is thrown between the fruit: large enough to feel a cut that costs all of it.
+    static constexpr std::int64_t kBoulder = 160'000;
+
+    /// @param models    with the fruit
+    /// @param triangles of the boulder
+    DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles = kBoulder);
+    ~DuelShow();
+    DuelShow(const DuelShow&) = delete;
+    DuelShow& operator=(const DuelShow&) = delete;
+
+    /// The models are prepared. @throws what went wrong with them
+    bool ready();
+    /// Waits for that.
+    void wait_until_ready();
+
+    sim::Tick now() const { return duel_ ? duel_->now() : 0; }
+    /// So many ticks more, with their input; waits for slow cuts only when told to.
+    void advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits);
+
+    /// Uploads what the halves that are idle have to show. @throws render::RenderError
+    void sync(Painter& painter);
+    /// Of a picture of this size.
+    std::array<StagePicture, 2> stages(int width, int height) const;
+    void write(ui::Canvas& canvas);
+
+    /// Where a half is on a picture. Pixels from the upper left corner.
+    static ui::Box2 box_of_half(std::size_t half, const glm::vec2& size);
+
+    duel::Duel& duel() { return *duel_; }
+
+private:
+    void write_score(ui::Canvas& canvas, std::size_t half);
+
+    std::shared_ptr<sim::ModelShelf> models_;
+    sim::Settings settings_;
+    std::int64_t triangles_;
+    std::future<std::vector<std::size_t>> preparing_;  ///< gives what is thrown
+    std::atomic<bool> ends_ = false;
+    std::thread stocking_;  ///< keeps copies of the boulder ready
+    std::unique_ptr<duel::Duel> duel_;
+    std::array<std::unique_ptr<DrawnWorld>, 2> worlds_;
+    std::array<effects::Effects, 2> effects_;
+    std::array<std::span<const render::DrawnObject>, 2> objects_;  ///< as they were when the half was last idle
+    sim::Tick waited_ = 0;                                         ///< for the note that moves
+};
+
+}  // namespace kerf::app

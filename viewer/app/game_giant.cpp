@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "viewer/app/game_show.h"
+#include "viewer/game/giant_scene.h"
+#include "viewer/game/giant_sizes.h"
+#include "viewer/sim/back_ends.h"
+
+// The part of the show that belongs to the scene `giant`: how large it is, what a cut takes, whether it was felt.
+
+namespace kerf::app {
+
+namespace {
+
+/// The slider is even in the logarithm.
+std::int64_t giant_triangles(double share)
+{
+    const double low = std::log(double(game::kFewestGiantTriangles)),
+                 high = std::log(double(game::kMostGiantTriangles));
+    const double exact = std::exp(low + share * (high - low));
+    const double grid = std::pow(10.0, std::floor(std::log10(exact)) - 1.0);
+    return std::clamp(static_cast<std::int64_t>(std::llround(exact / grid) * std::llround(grid)),
+                      game::kFewestGiantTriangles, game::kMostGiantTriangles);
+}
+
+double giant_share(std::int64_t triangles)
+{
+    const double low = std::log(double(game::kFewestGiantTriangles)),
+                 high = std::log(double(game::kMostGiantTriangles));
+    return std::clamp((std::log(double(std::max<std::int64_t>(triangles, 1))) - low) / (high - low), 0.0, 1.0);
+}
+
+/// 1234567 -> "1 234 567".
+std::string grouped(std::int64_t number)
+{
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, 1, ' ');
+    return text;
+}
+
+std::string with_unit(const char* label, double ms)
+{
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%s  %.1f ms", label, ms);
+    return text.data();
+}
+
+}  // namespace
+
+void GameShow::set_giant(double share)
+{
+    giant_share_ = std::clamp(share, 0.0, 1.0);
+    const std::int64_t triangles = giant_triangles(giant_share_);
+    simulation_->command("size " + std::to_string(triangles));
+    game::StoredSettings changed = settings();
+    changed.giant = triangles;
+    screens_.set_settings(changed);
+    store_settings();
+}
+
+void GameShow::next_backend()
+{
+    if (scene_ != "giant" || !simulation_) return;
+    const std::vector<std::string>& names = sim::backend_names();
+    const std::string baseline = sim::find_backend("baseline");
+    simulation_->command("backend " + (simulation_->backend() == baseline ? names.front() : baseline));
+    next_giant();
+}
+
+void GameShow::next_giant()
+{
+    if (scene_ == "giant" && simulation_) simulation_->command("next");
+}
+
+void GameShow::write_giant(ui::Canvas& canvas)
+{
+    const game::GiantScene* const scene = game::giant_of(simulation_->scene());
+    if (scene == nullptr) return;
+    const game::GiantState state = scene->state();
+    if (!giant_sliding_) giant_share_ = giant_share(state.triangles);
+    const float u = canvas.unit();
+    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, 404.0f * u}};
+    canvas.card(card, 0.70f);
+    const float left = card.low.x + 22.0f * u, right = card.high.x - 22.0f * u;
+    float y = card.low.y + 16.0f * u;
+    const auto line = [&](const std::string& text, float height, const glm::vec3& colour) {
+        canvas.text({left, y}, {0.0f, 0.0f}, text, height, colour);
+        y += 1.32f * height * u;
+    };
+    line(grouped(giant_triangles(giant_share_)), 36.0f, ui::kPaper);
+    line("triangles, cut by " + simulation_->backend(), 18.0f, ui::kDim);
+    giant_slider_ = {{left, y + 4.0f * u}, {right, y + 20.0f * u}};
+    canvas.bar(giant_slider_, static_cast<float>(giant_share_), ui::kAccent);
+    y += 34.0f * u;
+
+    const auto plot = [&](const FrameStatistics& times, const std::string& title, const glm::vec3& colour) {
+        line(title, 18.0f, ui::kPaper);
+        const ui::Box2 box{{left, y}, {right, y + 58.0f * u}};
+        canvas.fill(box, ui::kPaper, 0.06f, 4.0f * u);
+        const bool wraps = times.size() == FrameStatistics::kShown;
+        canvas.plot(box, times.values(), static_cast<int>(times.size()), wraps ? static_cast<int>(times.offset()) : 0,
+                    static_cast<float>(std::max(33.0, 1.1 * times.most())), colour);
+        y += 68.0f * u;
+    };
+    plot(frames_, with_unit("frame", frames_.last()) + with_unit("   longest", frames_.worst_since_reset()), ui::kIce);
+    plot(cut_times_,
+         cut_times_.size() == 0 ? std::string("cut: swipe across it")
+                                : with_unit("cut", cut_times_.last()) + with_unit("   longest", cut_times_.most()),
+         ui::kAccent);
+    line("Left, Right: size   B: other back end   N: next one", 15.0f, ui::kDim);
+
+    if (state.is_held || state.stage == game::GiantStage::ready) return;
+    const glm::vec2 middle = 0.5f * canvas.size();
+    canvas.text(middle, {0.5f, 0.5f}, std::string(name_of(state.stage)), 30.0f, ui::kPaper);
+    canvas.bar({{middle.x - 160.0f * u, middle.y + 34.0f * u}, {middle.x + 160.0f * u, middle.y + 46.0f * u}},
+               static_cast<float>(state.progress), ui::kAccent);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,383 @@
+#include "viewer/app/game_show.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "viewer/app/stone_asteroid.h"
+#include "viewer/game/fruit_models.h"
+#include "viewer/game/game_scene.h"
+#include "viewer/game/scenes.h"
+#include "viewer/game/stored_settings.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/ui/hud.h"
+#include "viewer/ui/menu_scene.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// From the cut that chooses to the game that begins: time to see the juice.
+constexpr sim::Tick kChoiceShown = 66;
+/// From the end of a game to its balance.
+constexpr sim::Tick kEndShown = 170;
+/// Triangles of what stands for the giant on the menu.
+constexpr std::uint64_t kSmallAsteroid = 3000;
+
+game::StoredSettings settings_for(const ShowSetup& setup, std::string& message)
+{
+    game::LoadedSettings loaded = game::load_settings(setup.user_folder);
+    message = std::move(loaded.message);
+    if (!setup.backend.empty()) loaded.settings.backend = setup.backend;
+    return loaded.settings;
+}
+
+}  // namespace
+
+GameShow::GameShow(const ShowSetup& setup, Painter& painter, sound::Speaker& speaker)
+    : setup_(setup),
+      painter_(painter),
+      speaker_(speaker),
+      scores_(setup.user_folder),
+      screens_({}, sim::backend_names())
+{
+    screens_.set_settings(settings_for(setup, message_));
+    if (std::string message = scores_.take_message(); !message.empty()) message_ = std::move(message);
+    game::add_fruit_models(*models_, setup.data_folder / "fruit");
+    models_->add("asteroid", stone_asteroid(kSmallAsteroid, 3));
+    speaker_.set_volume(settings().volume);
+    speaker_.set_muted(settings().mute);
+    start(setup.scene);
+}
+
+void GameShow::start(const std::string& scene)
+{
+    scene_ = scene;
+    if (scene == "menu")
+        screens_.show(ui::Screen::menu);
+    else
+        screens_.play(scene);
+    duel_.reset();
+    simulation_.reset();
+    painter_.forget_world();
+    effects_ = {};
+    soundtrack_ = {};
+    clock_ = {};
+    sampler_ = {};
+    pointer_.clear();
+    script_.clear();
+    demo_ = {};
+    swiping_ = false;
+    wanted_.clear();
+    over_at_.reset();
+    latest_place_.reset();
+    cut_times_ = {};
+    cuts_timed_ = 0;
+    speaker_.set_fuse(false);
+
+    sim::Settings how;
+    how.scene = scene;
+    how.backend = settings().backend;
+    how.seed = setup_.seed + games_++;
+    if (scene == "duel") {
+        duel_ = std::make_unique<DuelShow>(models_, how, setup_.boulder);
+        if (setup_.fixed_step) duel_->wait_until_ready();
+        return;
+    }
+    std::unique_ptr<sim::Scene> played;
+    if (scene == "menu") {
+        played = std::make_unique<ui::MenuScene>();
+    } else {
+        const std::optional<game::GameMode> mode = game::find_mode(scene);
+        try {
+            played =
+                game::make_scene(scene, models_,
+                                 {mode ? scores_.best(*mode) : 0,
+                                  setup_.fixed_step ? game::GiantArrival::at_once : game::GiantArrival::when_ready});
+        } catch (const std::invalid_argument& error) {
+            tell(error.what());
+            return start("menu");
+        }
+        speaker_.play(sound::Sound::start);
+    }
+    simulation_ = std::make_unique<sim::Simulation>(models_, how, std::move(played));
+    if (scene == "giant")
+        simulation_->command("size " + std::to_string(setup_.giant > 0 ? setup_.giant : settings().giant));
+}
+
+void GameShow::carry_out(const ui::Request& request)
+{
+    using Kind = ui::Request::Kind;
+    speaker_.play(sound::Sound::click);
+    switch (request.kind) {
+        case Kind::start:
+            choose_mode(request.scene);
+            break;
+        case Kind::restart:
+            start(request.scene);
+            break;
+        case Kind::resume:
+            break;
+        case Kind::to_menu:
+            start("menu");
+            break;
+        case Kind::quit:
+            has_ended_ = true;
+            break;
+        case Kind::settings:
+            store_settings();
+            break;
+    }
+}
+
+void GameShow::choose_mode(const std::string& scene)
+{
+    if (!wanted_.empty()) return;
+    wanted_ = scene;
+    wanted_at_ = simulation_->now();
+    // The fruit is cut as the player would have done it.
+    const ui::Mode* const mode = ui::find_mode(scene);
+    const glm::dvec2 middle = ui::place_of_mode(static_cast<std::size_t>(mode - ui::modes().data()));
+    constexpr int kSamples = 12;
+    constexpr sim::Microseconds kStep = 9000;
+    for (int i = 0; i <= kSamples; ++i) {
+        const double share = 2.0 * double(i) / kSamples - 1.0;
+        const auto kind = i == 0          ? sim::InputKind::press
+                          : i == kSamples ? sim::InputKind::release
+                                          : sim::InputKind::move;
+        simulation_->push({simulation_->time() + 1 + i * kStep, kind, middle + share * glm::dvec2(1.7, 0.9), {}});
+    }
+}
+
+void GameShow::store_settings()
+{
+    speaker_.set_volume(settings().volume);
+    speaker_.set_muted(settings().mute);
+    if (std::string message = game::save_settings(setup_.user_folder, settings()); !message.empty())
+        tell(std::move(message));
+}
+
+void GameShow::tell(std::string message)
+{
+    message_ = std::move(message);
+}
+
+bool GameShow::is_held() const
+{
+    return screens_.holds_game();
+}
+
+void GameShow::press(ui::MenuKey key)
+{
+    if (screens_.screen() == ui::Screen::play && (key == ui::MenuKey::left || key == ui::MenuKey::right)) {
+        if (scene_ == "giant") set_giant(giant_share_ + (key == ui::MenuKey::left ? -0.1 : 0.1));
+        return;
+    }
+    if (const std::optional<ui::Request> request = screens_.press(key)) carry_out(*request);
+}
+
+void GameShow::toggle_mute()
+{
+    game::StoredSettings changed = settings();
+    changed.mute = !changed.mute;
+    screens_.set_settings(changed);
+    store_settings();
+}
+
+void GameShow::pause()
+{
+    if (screens_.screen() == ui::Screen::play) screens_.show(ui::Screen::paused);
+}
+
+void GameShow::show_screen(ui::Screen screen)
+{
+    screens_.show(screen);
+}
+
+void GameShow::point(const WindowPointer& change, const glm::vec2& size)
+{
+    using Kind = WindowPointer::Kind;
+    const glm::vec2 place(change.position);
+    const bool in_menu = screens_.screen() != ui::Screen::play;
+    if (change.kind == Kind::press && giant_slider_.holds(place) && scene_ == "giant" && !in_menu)
+        giant_sliding_ = true;
+    if (giant_sliding_) {
+        giant_share_ = double((place.x - giant_slider_.low.x) / std::max(giant_slider_.size().x, 1.0f));
+        giant_share_ = std::clamp(giant_share_, 0.0, 1.0);
+        if (change.kind == Kind::release) {
+            giant_sliding_ = false;
+            set_giant(giant_share_);
+        }
+        return;
+    }
+    if (in_menu) {
+        const std::optional<ui::Pointed> pointed = ui::item_at(hotspots_, place);
+        if (change.kind == Kind::release) sliding_.reset();
+        if (pointed && change.kind == Kind::move && !swiping_) screens_.point_at(pointed->item);
+        const bool slides = change.kind == Kind::move && sliding_ && pointed && pointed->item == *sliding_;
+        if (pointed && (change.kind == Kind::press || slides)) {
+            if (screens_.items()[pointed->item].share) sliding_ = pointed->item;
+            if (const auto request = screens_.click(pointed->item, pointed->share)) carry_out(*request);
+            return;
+        }
+    }
+    const bool can_cut = screens_.screen() == ui::Screen::play || screens_.screen() == ui::Screen::menu;
+    if (change.kind == Kind::press && !can_cut) return;
+    ui::Box2 box{{0.0f, 0.0f}, size};
+    if (duel_) box = DuelShow::box_of_half(place.x < 0.5f * size.x ? 0 : 1, size);
+    const glm::dvec2 extent(box.size());
+    if (extent.x < 1.0 || extent.y < 1.0) return;
+    const sim::Camera camera(extent.x / extent.y);
+    const auto kind = change.kind == Kind::press  ? sim::PointerChange::Kind::press
+                      : change.kind == Kind::move ? sim::PointerChange::Kind::move
+                                                  : sim::PointerChange::Kind::release;
+    if (change.kind == Kind::press) swiping_ = true;
+    if (change.kind == Kind::release) swiping_ = false;
+    if (swiping_ && simulation_) touched_at_ = simulation_->now();
+    const double zoom = duel_ ? double(DuelShow::kZoom) : 1.0;
+    pointer_.push_back({kind, camera.screen_to_stage(glm::dvec2(place - box.low), extent) / zoom});
+}
+
+void GameShow::push(const std::vector<sim::InputEvent>& events)
+{
+    if (simulation_)
+        simulation_->push(events);
+    else
+        script_.insert(script_.end(), events.begin(), events.end());
+}
+
+void GameShow::advance(double seconds)
+{
+    frames_.add(1e3 * seconds);
+    double scale = effects_.time_scale();
+    if (simulation_) scale *= simulation_->scene().time_scale();
+    clock_.set_time_scale(scale);
+    clock_.set_paused(is_held());
+    const sim::Tick ticks = !setup_.fixed_step ? clock_.advance(seconds) : is_held() ? 0 : sim::kTicksPerFrame;
+    if (ticks > 0) simulate(ticks);
+    fraction_ = setup_.fixed_step ? 1.0 : clock_.fraction();
+}
+
+void GameShow::simulate(sim::Tick ticks)
+{
+    if (duel_) {
+        const sim::Tick end = duel_->now() + ticks;
+        std::vector<sim::InputEvent> events = sampler_.frame(sim::time_of(duel_->now()), sim::time_of(end), pointer_);
+        pointer_.clear();
+        while (!script_.empty() && sim::tick_of(script_.front().time) <= end) {
+            events.push_back(script_.front());
+            script_.erase(script_.begin());
+        }
+        duel_->advance(ticks, events, setup_.fixed_step);
+        return;
+    }
+    sim::Simulation& simulation = *simulation_;
+    simulation.push(sampler_.frame(simulation.time(), sim::time_of(simulation.now() + ticks), pointer_));
+    pointer_.clear();
+    simulation.advance(ticks);
+    if (std::string message = simulation.take_message(); !message.empty()) tell(std::move(message));
+    effects_.follow(simulation);
+    soundtrack_.follow(simulation, speaker_);
+    for (; cuts_timed_ < simulation.cuts().size(); ++cuts_timed_)
+        if (const sim::CutRecord& cut = simulation.cuts()[cuts_timed_]; !cut.pieces.empty())
+            cut_times_.add(cut.cut_ms + cut.proxy_ms + cut.bodies_ms);
+    watch_game();
+    watch_menu();
+}
+
+void GameShow::watch_game()
+{
+    const game::GameScene* const played = game::game_of(simulation_->scene());
+    if (played == nullptr) return;
+    const game::GameState& state = played->state();
+    if (state.fruit_cut > 0) is_new_player_ = false;
+    if (state.phase != game::GamePhase::over) return;
+    if (!over_at_) {
+        over_at_ = simulation_->now();
+        speaker_.set_fuse(false);
+        latest_place_ =
+            scores_.add(state.mode, game::score_of(state, simulation_->backend(), simulation_->settings().seed));
+        if (std::string message = scores_.take_message(); !message.empty()) tell(std::move(message));
+    }
+    if (simulation_->now() - *over_at_ >= kEndShown && screens_.screen() == ui::Screen::play)
+        screens_.show(ui::Screen::over);
+}
+
+void GameShow::watch_menu()
+{
+    if (scene_ != "menu") return;
+    move_demo_blade();
+    const auto& menu = static_cast<const ui::MenuScene&>(simulation_->scene());
+    const sim::Tick now = simulation_->now();
+    if (menu.chosen() && wanted_.empty()) {
+        wanted_ = ui::modes()[*menu.chosen()].scene;
+        wanted_at_ = now;
+    }
+    if (!wanted_.empty() && now - wanted_at_ >= kChoiceShown + 12) start(std::string(wanted_));
+}
+
+void GameShow::move_demo_blade()
+{
+    constexpr sim::Tick kPeriod = 300, kStroke = 26, kPatience = 240;
+    const sim::Tick now = simulation_->now();
+    const std::size_t mode = screens_.selected() < ui::modes().size() ? screens_.selected() : 0;
+    const sim::Tick phase = now % kPeriod - 60;
+    if (phase < 0 || phase > kStroke || now - touched_at_ < kPatience || !wanted_.empty() ||
+        screens_.screen() != ui::Screen::menu)
+        return;
+    const double share = 2.0 * double(phase) / kStroke - 1.0;
+    const glm::dvec2 place = ui::place_of_mode(mode) + share * glm::dvec2(1.9, 1.1);
+    if (phase <= 1) demo_.press(simulation_->time(), place);
+    demo_.move(simulation_->time(), place);
+}
+
+void GameShow::paint(const ViewSettings& view)
+{
+    if (duel_) {
+        duel_->sync(painter_);
+        const auto stages = duel_->stages(painter_.target().width(), painter_.target().height());
+        ViewSettings nearer = view;
+        nearer.zoom *= DuelShow::kZoom;
+        painter_.paint(stages, nearer);
+        return;
+    }
+    painter_.sync(*simulation_);
+    const bool shows_demo = scene_ == "menu" && !simulation_->blade().pressed() && wanted_.empty();
+    painter_.paint(*simulation_, view, fraction_, &effects_, shows_demo ? &demo_ : nullptr);
+}
+
+std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> GameShow::score_lists() const
+{
+    std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> lists;
+    for (const game::GameMode mode : game::kGameModes) {
+        std::vector<ui::ScoreLine> lines;
+        for (const game::HighScore& score : scores_.of(mode)) {
+            const bool is_latest = latest_place_ && scene_ == name_of(mode) && lines.size() == *latest_place_;
+            lines.push_back({score.score, score.date.substr(0, 10), is_latest});
+        }
+        lists.emplace_back(std::string(ui::find_mode(name_of(mode))->title), std::move(lines));
+    }
+    return lists;
+}
+
+void GameShow::write(ui::Canvas& canvas)
+{
+    ui::ScreenContent content;
+    content.message = message_;
+    if (screens_.screen() == ui::Screen::scores) content.scores = score_lists();
+    if (duel_) {
+        duel_->write(canvas);
+    } else {
+        ui::show_effects(canvas, effects_, {{0.0f, 0.0f}, canvas.size()});
+        if (const game::GameScene* const played = game::game_of(simulation_->scene())) {
+            content.game = &played->state();
+            if (screens_.screen() != ui::Screen::over)
+                ui::show_hud(canvas, played->state(), is_new_player_ && screens_.screen() == ui::Screen::play);
+        }
+        if (scene_ == "giant") write_giant(canvas);
+    }
+    hotspots_ = ui::show_screen(canvas, screens_, content);
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/app/duel_show.h"
+#include "viewer/app/frame_statistics.h"
+#include "viewer/app/painter.h"
+#include "viewer/app/soundtrack.h"
+#include "viewer/app/view_settings.h"
+#include "viewer/app/window.h"
+#include "viewer/effects/effects.h"
+#include "viewer/game/high_scores.h"
+#include "viewer/sim/frame_clock.h"
+#include "viewer/sim/pointer_sampler.h"
+#include "viewer/sound/speaker.h"
+#include "viewer/ui/screen_view.h"
+
+namespace kerf::app {
+
+/// What a show begins with.
+struct ShowSetup
+{
+    std::filesystem::path data_folder;  ///< where `fruit/` lies
+    std::filesystem::path user_folder;  ///< for scores and settings; empty: nothing is stored
+    std::string scene = "menu";
+    std::string backend;  ///< empty: the stored one
+    std::uint64_t seed = 1;
+    bool fixed_step = false;  ///< every frame is two ticks, nothing depends on the time of day or on a thread's speed
+    std::int64_t boulder = DuelShow::kBoulder;  ///< triangles, of the duel
+    std::int64_t giant = 0;                     ///< triangles, of the giant; 0: as stored
+};
+
+/// The game: menu, modes, duel, pause, settings and scores, without a window. Whoever has one hands in what the player
+/// does and shows the pictures.
+class GameShow
+{
+public:
+    /// @throws io::FileError  the fruit cannot be read
+    GameShow(const ShowSetup& setup, Painter& painter, sound::Speaker& speaker);
+
+    // What the player does.
+
+    void press(ui::MenuKey key);
+    /// A key of the scene `giant`: another back end, another giant.
+    void next_backend();
+    void next_giant();
+    void toggle_mute();
+    /// The player looks elsewhere.
+    void pause();
+    /// @param change  pixels of a picture of this size
+    void point(const WindowPointer& change, const glm::vec2& size);
+    /// Input of a script, for the scene that is played now.
+    void push(const std::vector<sim::InputEvent>& events);
+    /// Goes to another screen at once, for pictures.
+    void show_screen(ui::Screen screen);
+
+    /// Time goes on by a frame. @param seconds  since the last one; without meaning in fixed steps
+    void advance(double seconds);
+
+    /// Paints the stage. @throws render::RenderError
+    void paint(const ViewSettings& view);
+    /// Writes over it, between UserInterface::begin() and draw().
+    void write(ui::Canvas& canvas);
+
+    bool has_ended() const { return has_ended_; }
+    const ui::Screens& screens() const { return screens_; }
+    const game::StoredSettings& settings() const { return screens_.settings(); }
+    const std::string& scene() const { return scene_; }
+    /// Null during a duel.
+    const sim::Simulation* simulation() const { return simulation_.get(); }
+    DuelShow* duel() { return duel_.get(); }
+    const effects::Effects& effects() const { return effects_; }
+
+private:
+    void start(const std::string& scene);
+    void carry_out(const ui::Request& request);
+    void choose_mode(const std::string& scene);
+    void store_settings();
+    bool is_held() const;
+    void simulate(sim::Tick ticks);
+    void watch_menu();
+    void watch_game();
+    void move_demo_blade();
+    void write_giant(ui::Canvas& canvas);
+    void set_giant(double share);
+    void tell(std::string message);
+    std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> score_lists() const;
+
+    ShowSetup setup_;
+    Painter& painter_;
+    sound::Speaker& speaker_;
+    std::shared_ptr<sim::ModelShelf> models_ = std::make_shared<sim::ModelShelf>();
+    game::HighScores scores_;
+    ui::Screens screens_;
+    std::string scene_;
+    std::uint64_t games_ = 0;
+
+    std::unique_ptr<sim::Simulation> simulation_;
+    std::unique_ptr<DuelShow> duel_;
+    effects::Effects effects_;
+    Soundtrack soundtrack_;
+    sim::FrameClock clock_;
+    sim::PointerSampler sampler_;
+    std::vector<sim::PointerChange> pointer_;
+    std::vector<sim::InputEvent> script_;  ///< for the duel: not yet due
+    bool swiping_ = false;
+    std::optional<std::size_t> sliding_;  ///< the line whose slider is being moved
+    double fraction_ = 1.0;
+
+    std::string wanted_;  ///< the mode that was chosen by key, while its fruit is being cut
+    sim::Tick wanted_at_ = 0;
+    std::optional<sim::Tick> over_at_;
+    std::optional<std::size_t> latest_place_;  ///< of the last game among the scores
+    sim::Blade demo_;                          ///< shows on the menu how to cut
+    sim::Tick touched_at_ = -1000;             ///< when the player last swiped
+    bool is_new_player_ = true;
+    FrameStatistics frames_, cut_times_;
+    std::size_t cuts_timed_ = 0;
+    double giant_share_ = 0.0;  ///< of its slider
+    ui::Box2 giant_slider_;
+    bool giant_sliding_ = false;
+    std::vector<ui::Hotspot> hotspots_;
+    std::string message_;
+    bool has_ended_ = false;
+};
+
+}  // namespace kerf::app

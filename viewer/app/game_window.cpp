@@ -1,0 +1,157 @@
+#include "viewer/app/game_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "common/io/mesh_file.h"
+#include "viewer/app/exit_status.h"
+#include "viewer/game/user_folder.h"
+#include "viewer/sim/back_ends.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A frame after a hitch counts as no more, seconds.
+constexpr double kLongestFrame = 0.25;
+
+ShowSetup setup_of(const Options& options, const std::filesystem::path& user_folder)
+{
+    ShowSetup setup;
+    setup.data_folder = options.data_folder;
+    setup.user_folder = user_folder;
+    if (!options.scene.empty()) setup.scene = options.scene;
+    if (!options.backends.empty()) setup.backend = options.backends.front();
+    setup.giant = options.giant;
+    if (options.boulder > 0) setup.boulder = options.boulder;
+    // Another game each time, unless somebody wants this one.
+    setup.seed = options.seed.value_or(static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()));
+    return setup;
+}
+
+}  // namespace
+
+GameWindow::GameWindow(const Options& options, const std::filesystem::path& user_folder)
+    : options_(options),
+      window_(options.width, options.height, options.fullscreen, "Kerf"),
+      painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
+      interface_(1.0f),
+      show_(setup_of(options, user_folder), painter_, speaker_)
+{
+    window_.set_vsync(options.vsync);
+    // What the command line said about the window goes before what is stored.
+    applied_ = show_.settings();
+    if (options.vsync) window_.set_vsync(applied_.vsync);
+    if (applied_.fullscreen && !options.fullscreen) window_.set_fullscreen(true);
+}
+
+bool GameWindow::frame()
+{
+    window_.poll();
+    if (window_.should_close() || show_.has_ended()) return false;
+    const bool has_focus = window_.has_focus();
+    if (had_focus_ && !has_focus) show_.pause();
+    had_focus_ = has_focus;
+    take_input();
+    follow_settings();
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
+    show_.advance(std::min(seconds, kLongestFrame));
+
+    if (const glm::ivec2 pixels = window_.framebuffer_size(); pixels.x > 0 && pixels.y > 0) {
+        painter_.resize(pixels.x, pixels.y);
+        show_.paint(options_.view);
+        interface_.use_game_letters(pixels.y);
+        interface_.begin(pixels.x, pixels.y, std::max(seconds, 1e-4));
+        ui::Canvas canvas(interface_.letters(), glm::vec2(pixels));
+        show_.write(canvas);
+        interface_.draw();
+        painter_.target().show(pixels.x, pixels.y);
+        window_.swap();
+    }
+    errors_.check();
+    return true;
+}
+
+void GameWindow::take_input()
+{
+    window_.take_keys();  // they mean something in the viewer of models only
+    for (const int key : window_.take_key_codes()) take_key(key);
+    const glm::dvec2 size(window_.size()), pixels(window_.framebuffer_size());
+    if (size.x < 1.0 || size.y < 1.0) return;
+    for (WindowPointer change : window_.take_pointer()) {
+        change.position *= pixels / size;
+        show_.point(change, glm::vec2(pixels));
+    }
+}
+
+void GameWindow::take_key(int key)
+{
+    switch (key) {
+        case GLFW_KEY_UP:
+            return show_.press(ui::MenuKey::up);
+        case GLFW_KEY_DOWN:
+            return show_.press(ui::MenuKey::down);
+        case GLFW_KEY_LEFT:
+            return show_.press(ui::MenuKey::left);
+        case GLFW_KEY_RIGHT:
+            return show_.press(ui::MenuKey::right);
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+        case GLFW_KEY_SPACE:
+            return show_.press(ui::MenuKey::accept);
+        case GLFW_KEY_ESCAPE:
+        case GLFW_KEY_P:
+            return show_.press(ui::MenuKey::back);
+        case GLFW_KEY_M:
+            return show_.toggle_mute();
+        case GLFW_KEY_B:
+            return show_.next_backend();
+        case GLFW_KEY_N:
+            return show_.next_giant();
+        case GLFW_KEY_F11:
+            return window_.set_fullscreen(!window_.fullscreen());
+        case GLFW_KEY_F12: {
+            std::array<char, 32> name{};
+            std::snprintf(name.data(), name.size(), "kerf_%03d.png", pictures_++);
+            try {
+                render::write_png(name.data(), painter_.target().read());
+            } catch (const io::FileError& error) {
+                std::cerr << "kerf-viewer: " << error.what() << "\n";
+            }
+            return;
+        }
+        default:
+            return;
+    }
+}
+
+void GameWindow::follow_settings()
+{
+    const game::StoredSettings& wanted = show_.settings();
+    if (wanted.vsync != applied_.vsync) window_.set_vsync(wanted.vsync);
+    if (wanted.fullscreen != applied_.fullscreen) window_.set_fullscreen(wanted.fullscreen);
+    if (wanted.window_scale != applied_.window_scale && !window_.fullscreen())
+        window_.resize(static_cast<int>(std::lround(1280.0 * wanted.window_scale)),
+                       static_cast<int>(std::lround(720.0 * wanted.window_scale)));
+    applied_ = wanted;
+}
+
+int run_game(const Options& options)
+{
+    GameWindow game(options, game::user_folder());
+    while (game.frame()) {
+    }
+    const render::GlErrorLog& errors = game.errors();
+    for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
+    return errors.count() == 0 ? kDone : kUnusable;
+}
+
+}  // namespace kerf::app

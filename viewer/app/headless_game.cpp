@@ -1,0 +1,105 @@
+#include "viewer/app/headless_game.h"
+
+#include <array>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "viewer/app/exit_status.h"
+#include "viewer/app/game_show.h"
+#include "viewer/app/user_interface.h"
+#include "viewer/render/gl_error_log.h"
+#include "viewer/render/offscreen_context.h"
+#include "viewer/sim/script.h"
+
+namespace kerf::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string hexadecimal(std::uint64_t word)
+{
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(word));
+    return text.data();
+}
+
+Json report_of(const sim::Simulation& simulation)
+{
+    return {{"scene", simulation.scene().name()},
+            {"backend", simulation.backend()},
+            {"ticks", simulation.now()},
+            {"cuts", simulation.cuts().size()},
+            {"state_hash", hexadecimal(simulation.state_hash())}};
+}
+
+Json report_of(DuelShow& show)
+{
+    Json halves = Json::array();
+    for (std::size_t i = 0; i < 2; ++i) {
+        Json half = report_of(show.duel().half(i).simulation());
+        const duel::Score score = show.duel().score(i);
+        half["cut_ms"] = score.cut_ms;
+        half["longest_cut_ms"] = score.worst_ms;
+        halves.push_back(std::move(half));
+    }
+    return halves;
+}
+
+}  // namespace
+
+int run_headless_game(const Options& options)
+{
+    const render::OffscreenContext context;
+    render::GlErrorLog errors;
+    Painter painter(options.width, options.height);
+    UserInterface interface(1.0f);
+    sound::Speaker speaker = sound::Speaker::silent();
+
+    sim::Script script;
+    if (!options.script.empty()) script = sim::read_script(options.script);
+    ShowSetup setup;
+    setup.data_folder = options.data_folder;
+    setup.scene = options.scene.empty() ? script.scene : options.scene;
+    if (!options.backends.empty()) setup.backend = options.backends.front();
+    setup.seed = options.seed.value_or(script.seed.value_or(1));
+    setup.fixed_step = true;
+    setup.giant = options.giant;
+    if (options.boulder > 0) setup.boulder = options.boulder;
+    GameShow show(setup, painter, speaker);
+    show.push(script.events);
+    std::optional<render::Recording> recording;
+    if (!options.record.empty()) recording.emplace(options.record);
+
+    for (std::int64_t frame = 0; frame < options.frames; ++frame) {
+        const bool is_last = frame + 1 == options.frames;
+        if (is_last && !options.screen.empty()) show.show_screen(*ui::find_screen(options.screen));
+        show.advance(sim::kTickSeconds * double(sim::kTicksPerFrame));
+        const bool is_wanted = recording || (is_last && !options.screenshot.empty()) ||
+                               (options.draw_every > 0 && frame % options.draw_every == 0);
+        if (!is_wanted) continue;
+        show.paint(options.view);
+        interface.use_game_letters(options.height);
+        interface.begin(options.width, options.height, 1.0 / 60.0);
+        ui::Canvas canvas(interface.letters(), {options.width, options.height});
+        show.write(canvas);
+        interface.draw();
+        if (recording) recording->add(painter.target().read());
+        if (is_last && !options.screenshot.empty()) render::write_png(options.screenshot, painter.target().read());
+    }
+    errors.check();
+    Json report{{"version", KERF_VERSION},     {"graphics", render::describe_current_context()},
+                {"width", options.width},      {"height", options.height},
+                {"gl_errors", errors.count()}, {"gl_messages", errors.messages()},
+                {"scene", show.scene()}};
+    if (show.duel() != nullptr)
+        report["halves"] = report_of(*show.duel());
+    else
+        report["runs"] = Json::array({report_of(*show.simulation())});
+    std::cout << report.dump(2) << "\n";
+    for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
+    return errors.count() == 0 ? kDone : kUnusable;
+}
+
+}  // namespace kerf::app
