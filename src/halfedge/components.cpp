@@ -60,7 +60,6 @@ void Components::search_shell(Index shell)
     for (const Side side : {Side::negative, Side::positive}) search_side(side, cut.connected);
     assign_targets(shell);
     retarget(shell);
-    s_->extra_stamps += searches_.size();
     for (const Search& search : searches_) s_->triangles_read += search.faces.size();
 }
 
@@ -108,6 +107,7 @@ void Components::start(Index face, Side side)
     search.side = side;
     search.parent = static_cast<Index>(searches_.size());
     searches_.push_back(std::move(search));
+    ++s_->extra_stamps;  // before it is on any face: memory may run out half-way, and the next cut must know
     reach(face, static_cast<Index>(searches_.size() - 1));
     // Follow the section first: one search for each curve instead of one for each of its triangles.
     while (searches_.back().next < searches_.back().faces.size()) {

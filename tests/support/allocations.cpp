@@ -12,13 +12,13 @@ std::uint64_t calls = 0;
 
 constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 std::uint64_t until_failure = kNever;
-bool has_failed = false;
+bool has_failed = false, fails_for_good = false;
 
 /// Null when there is no memory, or when this allocation is to fail.
 void* counted(std::size_t size)
 {
     if (until_failure != kNever && until_failure-- == 0) {
-        until_failure = kNever;
+        until_failure = fails_for_good ? 0 : kNever;
         has_failed = true;
         return nullptr;
     }
@@ -92,8 +92,9 @@ void reset_largest_allocation()
     largest = 0;
 }
 
-FailingAllocation::FailingAllocation(std::uint64_t number)
+FailingAllocation::FailingAllocation(std::uint64_t number, Failure failure)
 {
+    fails_for_good = failure == Failure::for_good;
     until_failure = number;
     has_failed = false;
 }

@@ -16,12 +16,18 @@ std::uint64_t allocations();
 std::size_t largest_allocation();
 void reset_largest_allocation();
 
-/// While it lives, the allocation of that number from its construction on (0: the next one) fails, and no other:
-/// operator new throws std::bad_alloc, or gives null where it is asked not to throw. One at a time.
+enum class Failure
+{
+    once,     ///< that allocation and no other: memory was short for a moment
+    for_good  ///< that one and all later ones
+};
+
+/// While it lives, the allocation of that number from its construction on (0: the next one) fails: operator new throws
+/// std::bad_alloc, or gives null where it is asked not to throw. One at a time.
 class FailingAllocation
 {
 public:
-    explicit FailingAllocation(std::uint64_t number);
+    explicit FailingAllocation(std::uint64_t number, Failure failure = Failure::once);
     ~FailingAllocation();
     FailingAllocation(const FailingAllocation&) = delete;
     FailingAllocation& operator=(const FailingAllocation&) = delete;
