@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/coordinate_grain.h"
 #include "common/cut.h"
 #include "common/io/mesh_file.h"
 #include "tools/commands.h"
@@ -61,6 +62,7 @@ struct CutReport
     bool closes_with_fan = false;
     Status status = Status::missed;
     Repairs repairs;
+    bool has_coarse_coordinates = false;
     CutStatistics statistics;
     double section_area = 0.0;
     double prepare_ms = 0.0, cut_ms = 0.0;
@@ -118,6 +120,7 @@ CutReport perform(const CutCommandOptions& options)
     const Stopwatch preparing;
     PrepareResult prepared = backend->prepare(std::move(loaded.mesh));
     report.prepare_ms = preparing.ms();
+    report.has_coarse_coordinates = prepared.coarse_coordinates;
     if (prepared.status != Status::cut) throw std::runtime_error(options.file + ": " + prepared.reason);
 
     CutOptions cut_options;
@@ -174,6 +177,7 @@ Json report_json(const CutReport& report)
               {"status", std::string(name_of(report.status))},
               {"plane", {{"normal", vector_json(report.plane.normal)}, {"offset", report.plane.offset}}},
               {"repairs", report.repairs.describe()},
+              {"warnings", report.has_coarse_coordinates ? Json{"coarse_coordinates"} : Json::array()},
               {"counts",
                {{"triangles", statistics.triangles},
                 {"crossing", statistics.crossing_triangles},
@@ -207,6 +211,7 @@ std::string report_text(const CutReport& report)
     const CutStatistics& statistics = report.statistics;
     std::string text;
     if (!report.repairs.none()) text += "repaired: " + report.repairs.describe() + "\n";
+    if (report.has_coarse_coordinates) text += std::string("warning: ") + kCoarseCoordinatesText + "\n";
     if (report.status == Status::missed)
         return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
 

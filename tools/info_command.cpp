@@ -20,6 +20,8 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
 {
     const MeshFacts& facts = loaded.facts;
     const Repairs& repairs = loaded.repairs;
+    Json warnings = Json::array();
+    if (facts.has_coarse_coordinates()) warnings.push_back("coarse_coordinates");
     Json materials = Json::array(), streams = Json::array();
     for (const Material& material : loaded.mesh.materials) materials.push_back(material.name);
     for (const VertexStream& stream : loaded.mesh.streams)
@@ -39,6 +41,8 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
             {"misoriented_edges", facts.misoriented_edges},
             {"degenerate_triangles", facts.degenerate_triangles},
             {"duplicate_triangles", facts.duplicate_triangles},
+            {"shortest_edge", facts.shortest_edge},
+            {"warnings", std::move(warnings)},
             {"area", facts.area},
             {"volume", facts.volume},
             {"bounds",
@@ -79,7 +83,9 @@ std::string info_text(const io::LoadedMesh& loaded, const std::string& file)
     text += line("volume", rounded(facts.volume));
     text +=
         line("bounds", vector_text(glm::dvec3(facts.bounds.lo)) + " to " + vector_text(glm::dvec3(facts.bounds.hi)));
+    text += line("shortest edge", rounded(facts.shortest_edge));
     text += line("repairs", loaded.repairs.none() ? "none" : loaded.repairs.describe());
+    if (facts.has_coarse_coordinates()) text += line("warning", kCoarseCoordinatesText);
     return text;
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "common/coordinate_grain.h"
+
 namespace kerf {
 
 std::string_view name_of(Status status)
@@ -90,7 +92,9 @@ double PhaseTimes::total() const
 CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options)
 {
     CutResult result;
-    if (!plane.valid()) {
+    if (!object) {
+        result.status = Status::invalid_mesh;
+    } else if (!plane.valid()) {
         result.status = Status::invalid_plane;
     } else {
         try {
@@ -114,7 +118,8 @@ PrepareResult Backend::prepare(IndexedMesh mesh) const
     try {
         std::string reason = check(mesh);
         if (!reason.empty()) return {Status::invalid_mesh, nullptr, std::move(reason)};
-        return {Status::cut, make(std::move(mesh)), {}};
+        const bool is_coarse = has_coarse_coordinates(shortest_edge(mesh.vertices, mesh.triangles), mesh.bounds());
+        return {Status::cut, make(std::move(mesh)), {}, is_coarse};
     } catch (const std::bad_alloc&) {
         return {Status::out_of_memory, nullptr, "there is not enough memory to prepare the mesh"};
     } catch (const std::length_error&) {

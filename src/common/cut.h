@@ -194,6 +194,7 @@ struct CutResult
 /// of memory is a status. Same object, same plane, same bytes, on any number of runs.
 ///
 /// @param plane  in the mesh's own coordinates, which no cut ever changes
+/// @note  Nothing to cut, as after a failed prepare(), is an `invalid_mesh`.
 /// @note  The baseline costs O(n); the half-edge back end what its section costs.
 CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options = {});
 
@@ -203,6 +204,7 @@ struct PrepareResult
     Status status = Status::invalid_mesh;  ///< cut, invalid_mesh or out_of_memory
     std::unique_ptr<Cuttable> object;      ///< set when the status is `cut`
     std::string reason;                    ///< one sentence when it is not
+    bool coarse_coordinates = false;       ///< a warning, see has_coarse_coordinates(): results are closed but rounded
 };
 
 /// A way to cut. Stateless: one backend may prepare any number of objects from any number of threads.

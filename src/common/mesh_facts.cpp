@@ -67,6 +67,7 @@ void measure_geometry(MeshFacts& facts, std::span<const Vertex> vertices, std::s
         facts.area += 0.5 * glm::length(glm::cross(glm::dvec3(q) - glm::dvec3(p), glm::dvec3(r) - glm::dvec3(p)));
     }
     facts.volume = moments.volume6 / 6.0;
+    facts.shortest_edge = shortest_edge(vertices, triangles);
 }
 
 MeshFacts measure(std::span<const Vertex> vertices, std::span<const std::uint32_t> points, std::uint32_t point_count,

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 
+#include <limits>
+
 #include "common/assemble.h"
+#include "common/coordinate_grain.h"
 
 namespace kerf {
 
@@ -21,7 +24,8 @@ struct MeshFacts
         0;  ///< points around which the triangles, joined by shared edges, form more than one fan
     std::uint64_t misoriented_edges = 0;  ///< edges whose two triangles run along them in the same direction
     std::uint64_t shells = 0;             ///< components connected by edges, non-manifold ones too
-    double area = 0.0;                    ///< of the surface, mesh units squared
+    double shortest_edge = std::numeric_limits<double>::infinity();  ///< mesh units; infinite without edges
+    double area = 0.0;                                               ///< of the surface, mesh units squared
     double volume = 0.0;  ///< signed, by tetrahedra over the box centre; an open mesh has none, the value is that over
                           ///< the origin
     Box bounds;
@@ -29,6 +33,7 @@ struct MeshFacts
     bool closed() const { return boundary_edges == 0; }
     bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_points == 0; }
     bool oriented() const { return misoriented_edges == 0; }
+    bool has_coarse_coordinates() const { return kerf::has_coarse_coordinates(shortest_edge, bounds); }
 };
 
 /// Measures triangles as they come. Indices must be in range. O(n log n).

@@ -44,13 +44,12 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     for (const Shell& shell : shells_) statistics.triangles += u.tree.nodes[shell.root].count;
     PhaseClock clock(statistics.phases);
 
-    if (misses(plane)) {
+    if (misses(plane, statistics.nodes_visited)) {
         clock.done(Phase::find);
         return result;
     }
     s.begin(u);
     find_shells(plane);
-    statistics.nodes_visited = s.nodes_visited;
     clock.done(Phase::find);
 
     // New vertices are written behind the others as the walk makes them: two for each crossing triangle at most, and
@@ -123,6 +122,7 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     hand_over(fragments_[1], result.positive);
     clock.done(Phase::rebuild);
 
+    statistics.nodes_visited += s.nodes_visited;
     statistics.crossing_triangles = s.crossings.size();
     for (const Crossing& c : s.crossings)
         if (u.groups[c.group].kind == TriangleKind::surface) ++statistics.crossing_surface;
@@ -133,12 +133,12 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     return result;
 }
 
-bool Cutter::misses(const Plane& plane) const
+bool Cutter::misses(const Plane& plane, std::uint64_t& nodes_visited) const
 {
     const Universe& u = *universe_;
     const auto reaches = [&](int sign) {
         return std::any_of(shells_.begin(), shells_.end(), [&](const Shell& shell) {
-            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign);
+            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, nodes_visited);
         });
     };
     return !reaches(1) || !reaches(-1);

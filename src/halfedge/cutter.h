@@ -23,7 +23,7 @@ public:
     CutResult cut(const Plane& plane, const CutOptions& options);
 
 private:
-    bool misses(const Plane& plane) const;
+    bool misses(const Plane& plane, std::uint64_t& nodes_visited) const;
     void find_shells(const Plane& plane);
     /// Whether a side gets any triangle, once the crossing triangles are split: asked before targets are made.
     bool keeps_triangles(Side side) const;

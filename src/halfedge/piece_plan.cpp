@@ -146,7 +146,7 @@ class PartsOfSide
 {
 public:
     PartsOfSide(const Universe& universe, const Plane& plane, Side side, const std::vector<Shell>& whole,
-                const CutScratch& scratch)
+                CutScratch& scratch)
         : u_(universe), plane_(plane), side_(side), whole_(whole), s_(scratch)
     {
     }
@@ -284,7 +284,8 @@ private:
                 if (op.kind == TreeOp::Kind::whole) {
                     const Index part = of_target_[op.argument];
                     if (part != kNone && !is_far[part])
-                        is_far[part] = reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign);
+                        is_far[part] =
+                            reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign, s_.nodes_visited);
                 }
                 if (op.kind != TreeOp::Kind::leaf) continue;
                 const Node& node = u_.tree.nodes[op.node];
@@ -312,7 +313,7 @@ private:
     const Plane& plane_;
     const Side side_;
     const std::vector<Shell>& whole_;
-    const CutScratch& s_;
+    CutScratch& s_;
     std::vector<SurfacePart> parts_;
     std::vector<Index> of_target_;
     Index cut_count_ = 0;

@@ -239,7 +239,7 @@ void TriangleTree::append_runs(Index root, std::vector<Run>& runs) const
 }
 
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
-                    double limit, int sign)
+                    double limit, int sign, std::uint64_t& visited)
 {
     const auto reach = [&](Index n) {
         const auto [lo, hi] = plane.distance_range(tree.nodes[n].box);
@@ -249,6 +249,7 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Inde
     while (!stack.empty()) {
         const Index n = stack.back();
         stack.pop_back();
+        ++visited;
         const auto [near, far] = reach(n);
         if (!(far > limit)) continue;
         if (near > limit) return true;

@@ -105,9 +105,9 @@ struct TriangleTree
 };
 
 /// True when some vertex under `root` has a signed distance > `limit` (sign = +1) or < -limit (sign = -1). O(log n) on
-/// ordinary shapes: the side that reaches farther is searched first.
+/// ordinary shapes: the side that reaches farther is searched first. Adds the nodes that it looks at to `visited`.
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
-                    double limit, int sign);
+                    double limit, int sign, std::uint64_t& visited);
 
 /// For each support direction the extreme vertex under `roots`, as support_points() defines it.
 std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,

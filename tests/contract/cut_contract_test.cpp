@@ -227,6 +227,13 @@ TEST_P(CutContract, TouchingAFaceFromOutsideMisses)
     EXPECT_EQ(result.status, Status::missed);
 }
 
+TEST_P(CutContract, NothingIsAnInvalidMesh)
+{
+    const CutResult result = cut(nullptr, Plane{});
+    EXPECT_EQ(result.status, Status::invalid_mesh);
+    EXPECT_EQ(result.object, nullptr);
+}
+
 TEST_P(CutContract, AnInvalidPlaneLeavesTheObjectAlone)
 {
     Plane plane;

@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "common/shapes.h"
-#include "support/allocations.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
+#include "support/allocations.h"
 #include "support/fixtures.h"
+#include "support/touched_memory.h"
 
 namespace kerf::halfedge {
 namespace {
@@ -69,6 +70,60 @@ TEST(Growth, ACutAllocatesInProportionToItsSection)
         EXPECT_LE(double(test::allocated_bytes() - before), kAllocated * k) << n;
         EXPECT_LE(double(test::largest_allocation()), 1000 * k) << n;
     }
+}
+
+/// A plane across `axis` that about `wanted` triangles cross.
+Plane plane_with_section(const IndexedMesh& mesh, const glm::dvec3& axis, std::uint64_t wanted)
+{
+    double low = 0.0, high = 2.0;
+    for (int step = 0; step < 40; ++step) {
+        const Plane plane = *Plane::through((low + high) / 2 * axis, axis);
+        std::uint64_t crossing = 0;
+        for (const Triangle& t : mesh.triangles) {
+            int below = 0;
+            for (const std::uint32_t v : t) below += plane.signed_distance(mesh.vertices[v].position) < 0;
+            crossing += below == 1 || below == 2;
+        }
+        if (crossing > wanted + wanted / 10)
+            low = (low + high) / 2;
+        else if (crossing < wanted)
+            high = (low + high) / 2;
+        else
+            return plane;
+    }
+    ADD_FAILURE() << "no such plane";
+    return {};
+}
+
+/// What no counter of ours could hide: the pages that a small section of a large mesh touches, in whatever memory.
+TEST(Growth, ASmallSectionOfALargeMeshTouchesLittleMemory)
+{
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer's own memory would be counted";
+#endif
+    // Triangles that are neighbours across the section lie in different pages; so do their vertices, half-edges and
+    // nodes. Two bytes for each triangle of the mesh would be too much.
+    constexpr double kTouched = 8 * 4096;  // bytes for each crossing triangle
+    constexpr std::uint64_t kCrossing = 300;
+    test::use_small_pages();
+    const auto bytes_touched = [](const IndexedMesh& mesh, const Plane& plane, CutStatistics& statistics) {
+        auto object = std::move(make_backend()->prepare(mesh).object);
+        if (!test::forget_touched_memory()) return 0.0;
+        const CutResult result = cut(std::move(object), plane);
+        EXPECT_EQ(result.status, Status::cut);
+        statistics = result.statistics;
+        return double(test::touched_memory().value_or(0));
+    };
+    CutStatistics statistics;
+    // The program itself, and what a cut needs in any case.
+    const Plane plane = *Plane::through({0.01, 0.02, 0.03}, {1, 2, 3});
+    const double least = bytes_touched(test::closed_shape("cube"), plane, statistics);
+    if (least == 0.0) GTEST_SKIP() << "the system does not say which pages are touched";
+
+    const IndexedMesh mesh = test::assembled(shapes::uv_sphere(1.0f, 1600, 800));
+    const Plane small = plane_with_section(mesh, glm::normalize(glm::dvec3(1, 2, 3)), kCrossing);
+    const double touched = bytes_touched(mesh, small, statistics) - least;
+    EXPECT_LE(touched, kTouched * double(statistics.crossing_triangles)) << touched << " bytes";
 }
 
 /// Fragments, their caps and the room that is used up are no dearer than the whole: not one cut of a chain stands out.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace kerf::test {
+
+/// From now on this process gets small pages only, so that touched_memory() is exact to a page.
+void use_small_pages();
+
+/// Forgets which pages were read or written so far. False where the system can't do that.
+bool forget_touched_memory();
+
+/// Bytes in pages that this process, program text and stack included, has read or written since
+/// forget_touched_memory(): whatever they were asked from. Empty where the system does not say.
+std::optional<std::size_t> touched_memory();
+
+}  // namespace kerf::test
