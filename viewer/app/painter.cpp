@@ -82,9 +82,12 @@ void Painter::warm_up(const sim::ModelShelf& models)
     for (std::size_t i = 0; i < models.size(); ++i) {
         std::vector<Material> materials = models.model(i).mesh.materials;
         add_cap_material(materials);
-        for (std::uint32_t m = 0; m < materials.size(); ++m)
+        for (std::uint32_t m = 0; m < materials.size(); ++m) {
+            if (!materials[m].texture.empty())
+                renderer_.warm_up(looks_.look(looks_.index_of(materials, m, TriangleKind::surface)).pattern);
             for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap})
                 renderer_.warm_up(render::look_of(materials, m, kind).pattern);
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "viewer/app/drawn_world.h"
 #include "viewer/app/view_settings.h"
@@ -30,7 +32,8 @@ public:
     /// @throws render::RenderError
     Painter(int width, int height);
 
-    /// Makes the shader programs that these models and their insides need, so that no throw waits for one.
+    /// Makes the shader programs that these models and their insides need and reads their images, so that no throw
+    /// waits for one.
     /// @throws render::RenderError
     void warm_up(const sim::ModelShelf& models);
 
@@ -53,6 +56,9 @@ public:
     void paint(std::span<const StagePicture> stages, const ViewSettings& settings);
     render::LookTable& looks() { return looks_; }
     render::SceneRenderer::Area whole() const { return {0, 0, target_.width(), target_.height()}; }
+
+    /// Of images that can't be used, one sentence each. Cleared by reading.
+    std::vector<std::string> take_messages() { return looks_.take_messages(); }
 
     const render::FrameTarget& target() const { return target_; }
     const DrawnWorld& world() const { return *world_; }

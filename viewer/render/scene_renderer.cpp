@@ -10,6 +10,9 @@ namespace {
 /// Around the middle of the stage: everything that throws a shadow onto what a 16:9 window sees of the wall.
 constexpr float kShadowRadius = 12.5f;
 
+/// The shadow map has unit 0.
+constexpr GLint kImageUnit = 1;
+
 ShaderProgram surface_program(const ShaderFiles& fragment_files)
 {
     return ShaderProgram({"frame.glsl", "surface.vert"}, fragment_files);
@@ -26,6 +29,7 @@ SceneRenderer::SurfaceProgram::SurfaceProgram(ShaderProgram linked)
 {
     program.use();
     glUniform1i(program.uniform("shadow_map"), 0);
+    if (const GLint image = program.uniform("image"); image >= 0) glUniform1i(image, kImageUnit);
 }
 
 SceneRenderer::SceneRenderer(const LookTable& looks)
@@ -122,6 +126,7 @@ const SceneRenderer::SurfaceProgram& SceneRenderer::textured(Pattern pattern)
 void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting lighting)
 {
     const SurfaceProgram* in_use = nullptr;
+    std::uint32_t bound_image = 0;
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         bool is_placed = false;
@@ -135,6 +140,12 @@ void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting
             }
             in_use = &surface;
             is_placed = true;
+            if (const std::uint32_t image = looks_.look(batch.look).image; image != 0 && image != bound_image) {
+                glActiveTexture(GL_TEXTURE0 + kImageUnit);
+                glBindTexture(GL_TEXTURE_2D, looks_.images().texture(image));
+                glActiveTexture(GL_TEXTURE0);
+                bound_image = image;
+            }
             glUniform1i(surface.look_index, static_cast<GLint>(batch.look));
             glUniform1i(surface.is_cap, batch.kind == TriangleKind::cap ? 1 : 0);
             draw_runs(batch.runs);

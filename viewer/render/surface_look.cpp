@@ -81,6 +81,16 @@ SurfaceLook plain(const glm::vec3& colour)
     return plain_look;
 }
 
+SurfaceLook look_of_image(const glm::vec4& colour, std::uint32_t image)
+{
+    // Files that name an image often leave the colour black: nobody means to tint with that.
+    const glm::vec3 tint(colour);
+    SurfaceLook look = plain(tint == glm::vec3(0.0f) ? glm::vec3(1.0f) : tint);
+    look.pattern = Pattern::image;
+    look.image = image;
+    return look;
+}
+
 SurfaceLook inside_of(std::span<const Material> materials)
 {
     for (const Material& material : materials)
@@ -125,7 +135,8 @@ SurfaceLook look_of(std::span<const Material> materials, std::uint32_t material,
 
 std::span<const std::string_view> shaders_of(Pattern pattern)
 {
-    static constexpr std::array<std::string_view, 1> kMaterials{"materials.glsl"};
+    static constexpr std::array<std::string_view, 1> kMaterials{"materials.glsl"}, kImage{"image.glsl"};
+    if (pattern == Pattern::image) return kImage;
     const std::span<const std::string_view> own = fruit_shaders_of(pattern);
     return own.empty() ? kMaterials : own;
 }
@@ -141,7 +152,10 @@ LookTable::LookTable() : looks_{SurfaceLook{}}, buffer_(GlBuffer::create())
 
 std::uint32_t LookTable::index_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind)
 {
-    const SurfaceLook wanted = look_of(materials, material, kind);
+    SurfaceLook wanted = look_of(materials, material, kind);
+    if (material < materials.size() && kind == TriangleKind::surface && !materials[material].texture.empty())
+        if (const std::uint32_t image = images_.index_of(materials[material].texture); image != 0)
+            wanted = look_of_image(materials[material].colour, image);
     const auto found = std::find(looks_.begin(), looks_.end(), wanted);
     if (found != looks_.end()) return static_cast<std::uint32_t>(found - looks_.begin());
     if (looks_.size() == kMostLooks) return 0;

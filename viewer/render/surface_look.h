@@ -10,6 +10,7 @@
 
 #include "common/indexed_mesh.h"
 #include "viewer/render/gl_objects.h"
+#include "viewer/render/image_table.h"
 
 namespace kerf::render {
 
@@ -23,6 +24,7 @@ enum class Pattern : std::uint8_t
     brushed = 4,  ///< metal brushed around y
     fur = 5,      ///< streaks and tufts
     foam = 6,     ///< crumbs and bubbles
+    image = 7,    ///< a picture at the surface's uv
     // Fruit: each has shaders of its own, which know the mesh of data/fruit that they are for.
     watermelon_skin,
     watermelon_flesh,
@@ -64,6 +66,7 @@ struct SurfaceLook
     float reflectance = 0.04f;  ///< seen straight on; above 0.5 it is a metal
     float fuzz = 0.0f;          ///< shine of hair and cloth
     float bumps = 0.0f;         ///< depth of the pattern's relief, in sizes of the object
+    std::uint32_t image = 0;    ///< of an ImageTable, for Pattern::image, which `colour` tints
 
     friend bool operator==(const SurfaceLook&, const SurfaceLook&) = default;
 };
@@ -82,16 +85,22 @@ public:
 
     LookTable();
 
-    /// The index of look_of(...) in the table, which gets it if it is new. A full table gives 0, a neutral grey.
+    /// The index of look_of(...) in the table, which gets it if it is new. A full table gives 0, a neutral grey. A
+    /// surface whose material names an image looks like the image, if that can be read.
     std::uint32_t index_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind);
 
     const SurfaceLook& look(std::uint32_t index) const { return looks_[index]; }
+
+    const ImageTable& images() const { return images_; }
+    /// Of images that can't be used, one sentence each. Cleared by reading.
+    std::vector<std::string> take_messages() { return images_.take_messages(); }
 
     /// Makes the table what the programs' uniform block "Looks" reads.
     void bind() const;
 
 private:
     std::vector<SurfaceLook> looks_;
+    ImageTable images_;
     GlBuffer buffer_;
 };
 

@@ -1,11 +1,25 @@
 #include "viewer/sim/model_shelf.h"
 
+#include <algorithm>
 #include <array>
+#include <system_error>
 
 #include "common/io/mesh_file.h"
 #include "viewer/sim/back_ends.h"
 
 namespace kerf::sim {
+
+namespace {
+
+/// Files name images beside themselves; those of other systems with the slash that they use.
+std::filesystem::path file_of_texture(const std::filesystem::path& folder, std::string name)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder / name, ignored)) std::replace(name.begin(), name.end(), '\\', '/');
+    return folder / name;
+}
+
+}  // namespace
 
 std::span<const std::string_view> report_model_names()
 {
@@ -37,6 +51,8 @@ std::size_t ModelShelf::add_file(const std::filesystem::path& path)
     model.name = path.stem().string();
     model.mesh = io::read_mesh(path).mesh;
     model.folder = path.parent_path();
+    for (Material& material : model.mesh.materials)
+        if (!material.texture.empty()) material.texture = file_of_texture(model.folder, material.texture).string();
     return add(std::move(model));
 }
 

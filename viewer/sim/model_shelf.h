@@ -20,7 +20,7 @@ struct Model
     std::string name;
     IndexedMesh mesh;
     Box box;
-    std::filesystem::path folder;  ///< where its textures are looked for; empty: nowhere
+    std::filesystem::path folder;  ///< of the file that it came from; Material::texture begins with it
 };
 
 /// The names of the report's fifteen models, in the order of its tables.

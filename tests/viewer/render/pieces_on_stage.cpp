@@ -11,9 +11,11 @@
 
 namespace kerf::test {
 
-std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn)
+std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn,
+                                   const std::string& image)
 {
     IndexedMesh mesh = io::read_mesh(std::string(KERF_DATA_DIR "/models/") + model + ".obj").mesh;
+    for (Material& material : mesh.materials) material.texture = image;
     const Box box = mesh.bounds();
     const glm::vec3 centre = 0.5f * (box.lo + box.hi);
     const float radius = 0.5f * glm::length(box.hi - box.lo);

@@ -20,7 +20,9 @@ struct StagedPiece
 
 /// The pieces of a model of data/models after `cuts` cuts, each through the middle of the largest piece, pulled apart,
 /// and turned as a whole by `turn` radians about an axis that is none of the object's. Same arguments, same pieces.
-std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn);
+/// @param image  what its materials name as texture
+std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn,
+                                   const std::string& image = {});
 
 /// Looks at the origin from z = 10; a piece of pieces_of() fills most of the height.
 render::Viewpoint near_viewpoint(int width, int height);
