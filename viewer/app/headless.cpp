@@ -56,14 +56,12 @@ public:
             if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
             simulation_.advance(sim::kTicksPerFrame);
             times_.simulate_ms.push_back(simulate.lap());
-            if (std::string message = simulation_.take_message(); !message.empty()) {
-                std::cerr << "kerf-viewer: " << message << "\n";
-                messages_.push_back(std::move(message));
-            }
+            if (std::string message = simulation_.take_message(); !message.empty()) say(std::move(message));
 
             effects_.follow(simulation_);
             CpuStopwatch submit;
             painter_.sync(simulation_);
+            for (std::string& message : painter_.take_messages()) say(std::move(message));
             if (wants_picture(frame)) {
                 painter_.paint(simulation_, options_.view, 1.0, &effects_);
                 times_.submit_cpu_ms.push_back(1e3 * submit.lap());
@@ -84,6 +82,12 @@ private:
         return settings;
     }
 
+    void say(std::string message)
+    {
+        std::cerr << "kerf-viewer: " << message << "\n";
+        messages_.push_back(std::move(message));
+    }
+
     bool is_last(std::int64_t frame) const { return frame + 1 == frames_; }
 
     bool wants_picture(std::int64_t frame) const
@@ -98,11 +102,15 @@ private:
             if (game::game_of(simulation_.scene()) != nullptr) interface_->use_game_letters(options_.height);
             PanelState state{simulation_, painter_, statistics_, options_.view, {}};
             state.simulation_ms = times_.simulate_ms.back();
-            interface_->begin(options_.width, options_.height, 1.0 / 60.0);
-            show_panel(state);
-            if (const game::GameScene* const game = game::game_of(simulation_.scene()))
-                show_game(*interface_, options_.width, options_.height, *game, effects_);
-            interface_->draw();
+            const game::GameScene* const game = game::game_of(simulation_.scene());
+            // Windows find their sizes in the first frame, and are seen in the second.
+            for (int pass = has_shown_panel_ ? 1 : 0; pass < 2; ++pass) {
+                interface_->begin(options_.width, options_.height, 1.0 / 60.0);
+                show_panel(state);
+                if (game != nullptr) show_game(*interface_, options_.width, options_.height, *game, effects_);
+                pass == 0 ? interface_->skip() : interface_->draw();
+            }
+            has_shown_panel_ = true;
         }
         glFinish();
         if (recording_) recording_->add(painter_.target().read());
@@ -118,6 +126,7 @@ private:
     game::Autopilot autopilot_;
     std::optional<render::Recording> recording_;
     std::optional<UserInterface> interface_;
+    bool has_shown_panel_ = false;
     FrameStatistics statistics_;
     FrameTimes times_;
     std::vector<std::string>& messages_;

@@ -38,7 +38,7 @@ inline constexpr std::array kKeyBindings{
     KeyBinding{KeyAction::next_backend, "B", "other back end, from the next throw on"},
     KeyBinding{KeyAction::next_lookup, "L", "next vertex look-up of the baseline"},
     KeyBinding{KeyAction::next_proxy, "K", "next kind of collision proxy"},
-    KeyBinding{KeyAction::gesture, "G", "cut while moving, or on release as in the report"},
+    KeyBinding{KeyAction::gesture, "G", "cut while moving, or on release"},
     KeyBinding{KeyAction::repeat_throw, "R", "repeat the last throw"},
     KeyBinding{KeyAction::next_throw, "T", "throw the next model now"},
     KeyBinding{KeyAction::pause, "Space", "pause"},

@@ -1,9 +1,11 @@
 #include "viewer/app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "viewer/app/exit_status.h"
 #include "viewer/game/scenes.h"
@@ -22,6 +24,30 @@ bool parse_size(const std::string& text, int& width, int& height)
     constexpr int kMost = 16384;
     return std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 &&
            width <= kMost && height <= kMost;
+}
+
+/// "1.5,-0.5", within a hundred metres of the middle.
+bool parse_place(const std::string& text, glm::vec2& place)
+{
+    char rest = 0;
+    constexpr float kMost = 100.0f;
+    return std::sscanf(text.c_str(), "%f,%f%c", &place.x, &place.y, &rest) == 2 && std::abs(place.x) <= kMost &&
+           std::abs(place.y) <= kMost;
+}
+
+/// CLI::Range lets through what is no number.
+CLI::Validator number_between(double least, double most)
+{
+    const auto check = [least, most](std::string& text) -> std::string {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
+        std::ostringstream reason;
+        reason << "'" << text << "' is no number from " << least << " to " << most;
+        return reason.str();
+    };
+    std::ostringstream range;
+    range << least << " to " << most;
+    return CLI::Validator(check, range.str());
 }
 
 std::string joined(const std::vector<std::string>& words)
@@ -52,8 +78,7 @@ ParsedOptions parse_options(int argc, char** argv)
 {
     Options options;
     options.data_folder = KERF_DATA_DIR;
-    std::string size, lighting;
-    std::vector<float> zoom_at;
+    std::string size, lighting, backends, zoom_at;
     bool no_panel = false, panel = false, no_vsync = false;
 
     CLI::App program("Throws models and lets you cut them with the mouse, with either back end.", "kerf-viewer");
@@ -70,10 +95,9 @@ ParsedOptions parse_options(int argc, char** argv)
         ->check(CLI::Range(game::kFewestGiantTriangles, game::kMostGiantTriangles))
         ->type_name("N");
     program
-        .add_option("--backend", options.backends,
+        .add_option("--backend", backends,
                     "what cuts: " + joined(sim::backend_names()) + "; several with --headless, one run each")
-        ->delimiter(',')
-        ->type_name("NAME");
+        ->type_name("NAME[,NAME]");
     program.add_option("--proxy", options.proxy, "what stands for pieces in the physics engine")
         ->check(CLI::IsMember(proxy_names()));
     program.add_option("--seed", options.seed, "of everything that looks random")->type_name("N");
@@ -90,18 +114,15 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--record", options.record, "write all frames as PNG into a folder")->type_name("DIR");
     program.add_option("--lighting", lighting, "how surfaces are shaded")
         ->check(CLI::IsMember({"lambert", "textured"}));
-    program.add_option("--zoom", options.view.zoom, "enlarge the picture")->check(CLI::Range(1.0, 100.0));
-    program.add_option("--zoom-at", zoom_at, "place of the stage to enlarge, metres from its middle")
-        ->delimiter(',')
-        ->expected(2)
-        ->type_name("X,Y");
+    program.add_option("--zoom", options.view.zoom, "enlarge the picture")->check(number_between(1.0, 100.0));
+    program.add_option("--zoom-at", zoom_at, "place of the stage to enlarge, metres from its middle")->type_name("X,Y");
     program.add_flag("--wireframe", options.view.wireframe, "show the triangles");
     program.add_flag("--proxies", options.view.proxies, "show the collision proxies");
     program.add_flag("--panel", panel, "show the panel in pictures of --headless");
     program.add_flag("--no-panel", no_panel, "start without the panel");
     program.add_flag("--keys", options.view.help, "show the list of keys");
     program.add_option("--ui-scale", options.view.ui_scale, "size of texts (default: the screen's)")
-        ->check(CLI::Range(0.5, 8.0));
+        ->check(number_between(0.5, 8.0));
     program.add_flag("--fullscreen", options.fullscreen, "start on the whole screen");
     program.add_flag("--no-vsync", no_vsync, "do not wait for the screen");
     // Scripts put their own options before the user's: the last one counts.
@@ -113,10 +134,13 @@ ParsedOptions parse_options(int argc, char** argv)
         program.parse(argc, argv);
         if (!size.empty() && !parse_size(size, options.width, options.height))
             throw CLI::ValidationError("--size", "'" + size + "' is no size like 1280x720");
-        for (std::string& name : options.backends) {
+        if (!zoom_at.empty() && !parse_place(zoom_at, options.view.zoom_at))
+            throw CLI::ValidationError("--zoom-at", "'" + zoom_at + "' is no place like 1.5,-0.5");
+        for (const std::string& name : CLI::detail::split(backends, ',')) {
+            if (backends.empty()) break;
             const std::string found = sim::find_backend(name);
             if (found.empty()) throw CLI::ValidationError("--backend", "there is no back end '" + name + "'");
-            name = found;
+            options.backends.push_back(found);
         }
         if (options.backends.size() > 1 && !options.headless)
             throw CLI::ValidationError("--backend", "several need --headless");
@@ -134,7 +158,6 @@ ParsedOptions parse_options(int argc, char** argv)
         return {std::nullopt, kWrongUse};
     }
     if (lighting == "lambert") options.view.lighting = render::Lighting::lambert;
-    if (zoom_at.size() == 2) options.view.zoom_at = {zoom_at[0], zoom_at[1]};
     options.vsync = !no_vsync;
     options.view.panel = options.headless ? panel : !no_panel;
     return {options, kDone};

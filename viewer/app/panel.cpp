@@ -66,19 +66,19 @@ void show_choices(PanelState& state)
 {
     const float wide = 11.5f * ImGui::GetFontSize();
     ImGui::SetNextItemWidth(wide);
-    if (ImGui::BeginCombo("back end", state.simulation.backend().c_str())) {
+    const std::string backend = state.simulation.backend_to_come();
+    if (ImGui::BeginCombo("back end", backend.c_str())) {
         for (const std::string& name : sim::backend_names())
-            if (ImGui::Selectable(name.c_str(), name == state.simulation.backend()))
-                state.commands.push_back("backend " + name);
+            if (ImGui::Selectable(name.c_str(), name == backend)) state.commands.push_back("backend " + name);
         ImGui::EndCombo();
     }
     ImGui::SetNextItemWidth(wide);
-    const std::string shown(name_of(state.simulation.proxy()));
+    const ProxyKind proxy = state.simulation.proxy_to_come();
+    const std::string shown(name_of(proxy));
     if (ImGui::BeginCombo("proxy", shown.c_str())) {
         for (const ProxyKind kind : sim::kProxyKinds) {
             const std::string name(name_of(kind));
-            if (ImGui::Selectable(name.c_str(), kind == state.simulation.proxy()))
-                state.commands.push_back("proxy " + name);
+            if (ImGui::Selectable(name.c_str(), kind == proxy)) state.commands.push_back("proxy " + name);
         }
         ImGui::EndCombo();
     }
@@ -115,9 +115,10 @@ void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mod
     ImGui::Text("%s", models.model(cut.model).name.c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%s, %s", cut.backend.c_str(), std::string(name_of(cut.status)).c_str());
-    ImGui::Text("%llu triangles, %llu crossing, %llu loops", static_cast<unsigned long long>(cut.statistics.triangles),
-                static_cast<unsigned long long>(cut.statistics.crossing_surface),
-                static_cast<unsigned long long>(cut.statistics.section_loops));
+    const CutStatistics& s = cut.statistics;
+    ImGui::Text("%llu triangles, %llu crossing, %llu %s", static_cast<unsigned long long>(s.triangles),
+                static_cast<unsigned long long>(s.crossing_surface), static_cast<unsigned long long>(s.section_loops),
+                s.section_loops == 1 ? "loop" : "loops");
     show_phases(cut);
     ImGui::Text("cut %.3f ms   proxies %.3f ms", cut.cut_ms, cut.proxy_ms);
     ImGui::Text("uploaded %s   swipe to upload %.3f ms", bytes_text(upload.bytes).c_str(),
@@ -160,10 +161,12 @@ void show_main(PanelState& state)
 {
     const float margin = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(27.0f * ImGui::GetFontSize(), 0.0f));
+    // As high as what it shows; in a low window it scrolls.
+    const float width = 27.0f * ImGui::GetFontSize(), room = ImGui::GetIO().DisplaySize.y - 2.0f * margin;
+    ImGui::SetNextWindowSize(ImVec2(width, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, std::max(room, margin)));
     ImGui::Begin("Kerf", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoScrollbar);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
     ImGui::TextColored(kAccent, "Kerf");
     ImGui::SameLine();
     ImGui::TextDisabled("drag to cut    H: keys    Tab: hide");
@@ -197,7 +200,10 @@ void show_keys()
     ImGui::Begin("Keys", nullptr, kOverlay);
     ImGui::TextColored(kAccent, "Keys");
     ImGui::Separator();
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    // Side by side where the window is too low for all of them.
+    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
+    const bool is_low = (static_cast<float>(kKeyBindings.size()) + 4.0f) * line > size.y;
+    if (ImGui::BeginTable("keys", is_low ? 4 : 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const KeyBinding& binding : kKeyBindings) {
             ImGui::TableNextColumn();
             ImGui::TextColored(kAccent, "%s", binding.key);

@@ -57,9 +57,10 @@ Player::Player(const Options& options, const Session& session)
 {
     window_.set_vsync(options.vsync);
     painter_.warm_up(*session.models);
+    for (std::string& message : painter_.take_messages()) messages_.push_back(std::move(message));
     if (!options.record.empty()) recording_.emplace(options.record);
     simulation_.push(session.script.events);
-    if (!session.messages.empty()) say(session.messages.front());
+    if (!messages_.empty()) say(messages_.front());
 }
 
 bool Player::frame()
@@ -181,9 +182,7 @@ void Player::act(KeyAction action)
                                                                                           : render::Lighting::textured;
             break;
         case KeyAction::gesture:
-            simulation_.command("gesture " + std::string(name_of(simulation_.blade().gesture() == sim::Gesture::blade
-                                                                     ? sim::Gesture::segment
-                                                                     : sim::Gesture::blade)));
+            switch_gesture();
             break;
         case KeyAction::pause:
             clock_.set_paused(!clock_.paused());
@@ -206,12 +205,9 @@ void Player::act(KeyAction action)
         case KeyAction::help:
             options_.view.help = !options_.view.help;
             break;
-        case KeyAction::screenshot: {
-            std::array<char, 32> name{};
-            std::snprintf(name.data(), name.size(), "kerf_%03d.png", pictures_++);
-            save_picture(name.data());
+        case KeyAction::screenshot:
+            save_picture(new_picture_name());
             break;
-        }
         case KeyAction::fullscreen:
             window_.set_fullscreen(!window_.fullscreen());
             break;
@@ -227,7 +223,7 @@ void Player::act(KeyAction action)
 
 void Player::switch_backend()
 {
-    const std::string& current = simulation_.backend();
+    const std::string current = simulation_.backend_to_come();
     if (is_baseline(current)) last_baseline_ = current;
     const auto& names = sim::backend_names();
     const auto other = std::find_if(names.begin(), names.end(), [](const auto& name) { return !is_baseline(name); });
@@ -241,16 +237,35 @@ void Player::switch_lookup()
     std::vector<std::string> lookups;
     for (const std::string& name : sim::backend_names())
         if (is_baseline(name)) lookups.push_back(name);
-    const std::string wanted = next_of(lookups, simulation_.backend());
+    const std::string wanted = next_of(lookups, simulation_.backend_to_come());
     simulation_.command("backend " + wanted);
     say("the next throw is cut by " + wanted);
 }
 
 void Player::switch_proxy()
 {
-    const std::string wanted(name_of(next_of(sim::kProxyKinds, simulation_.proxy())));
+    const std::string wanted(name_of(next_of(sim::kProxyKinds, simulation_.proxy_to_come())));
     simulation_.command("proxy " + wanted);
     say("the next throw collides as " + wanted);
+}
+
+void Player::switch_gesture()
+{
+    const bool to_segment = simulation_.gesture_to_come() == sim::Gesture::blade;
+    const sim::Gesture wanted = to_segment ? sim::Gesture::segment : sim::Gesture::blade;
+    simulation_.command("gesture " + std::string(name_of(wanted)));
+    say(to_segment ? "cuts on release, along the straight line" : "cuts while moving");
+}
+
+/// In the current folder; never the name of a picture that is there already.
+std::filesystem::path Player::new_picture_name()
+{
+    std::array<char, 32> name{};
+    std::error_code ignored;
+    do {
+        std::snprintf(name.data(), name.size(), "kerf_%03d.png", pictures_++);
+    } while (std::filesystem::exists(name.data(), ignored));
+    return name.data();
 }
 
 void Player::say(std::string message)

@@ -36,6 +36,10 @@ public:
     const Painter& painter() const { return painter_; }
     render::GlErrorLog& errors() { return errors_; }
     bool paused() const { return clock_.paused(); }
+    bool slow_motion() const { return clock_.slow_motion(); }
+    const ViewSettings& view() const { return options_.view; }
+    /// What is said to the user now.
+    const std::string& message() const { return message_; }
 
     /// Everything that was said about models and commands that can't be used.
     const std::vector<std::string>& messages() const { return messages_; }
@@ -55,6 +59,8 @@ private:
     void switch_backend();
     void switch_lookup();
     void switch_proxy();
+    void switch_gesture();
+    std::filesystem::path new_picture_name();
     void save_picture(const std::filesystem::path& path);
     bool fixed_step() const { return options_.frames > 0; }
 

@@ -1,5 +1,7 @@
 #include "viewer/app/session.h"
 
+#include <stdexcept>
+
 #include "common/io/mesh_file.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_mode.h"
@@ -48,7 +50,11 @@ Session open_session(const Options& options)
     settings.scene = first_said(options.scene, session.script.scene, settings.scene);
     settings.backend =
         first_said(options.backends.empty() ? std::string() : options.backends.front(), session.script.backend, {});
-    if (const auto kind = sim::find_proxy(first_said(options.proxy, session.script.proxy, {}))) settings.proxy = *kind;
+    if (const std::string proxy = first_said(options.proxy, session.script.proxy, {}); !proxy.empty()) {
+        const std::optional<ProxyKind> kind = sim::find_proxy(proxy);
+        if (!kind) throw std::invalid_argument("there is no collision proxy '" + proxy + "'");
+        settings.proxy = *kind;
+    }
     settings.seed = options.seed.value_or(session.script.seed.value_or(settings.seed));
     settings.record = !options.save_script.empty();
 

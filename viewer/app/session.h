@@ -33,7 +33,8 @@ struct Session
 
 /// Reads the script and the models that its scene throws. What the command line says goes before what the script says.
 /// A model that cannot be read is a message as long as there is another one.
-/// @throws io::FileError  no model can be read, or the script cannot
+/// @throws io::FileError          no model can be read, or the script cannot
+/// @throws std::invalid_argument  the script names a collision proxy that there is not
 Session open_session(const Options& options);
 
 }  // namespace kerf::app

@@ -119,6 +119,11 @@ void UserInterface::draw()
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+void UserInterface::skip()
+{
+    ImGui::EndFrame();
+}
+
 bool UserInterface::wants_mouse() const
 {
     return ImGui::GetIO().WantCaptureMouse;

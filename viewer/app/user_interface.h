@@ -27,6 +27,8 @@ public:
     void begin(int width, int height, double seconds);
     /// Draws what was shown since begin() into the current framebuffer.
     void draw();
+    /// Ends a frame without drawing it.
+    void skip();
 
     /// The pointer is on a panel: it does not cut.
     bool wants_mouse() const;

@@ -45,6 +45,13 @@ void write_whole(const std::filesystem::path& path, const std::string& bytes)
     file.commit();
 }
 
+std::string frame_name(int number)
+{
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "frame_%05d.png", number);
+    return name.data();
+}
+
 }  // namespace
 
 void write_png(const std::filesystem::path& path, const Picture& picture)
@@ -69,14 +76,14 @@ Recording::Recording(std::filesystem::path folder) : folder_(std::move(folder))
 {
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
+    for (int i = 0; !error && std::filesystem::remove(folder_ / frame_name(i), error); ++i) {
+    }
     if (error) throw io::FileError(folder_.string() + ": " + error.message());
 }
 
 void Recording::add(const Picture& picture)
 {
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "frame_%05d.png", count_);
-    write_png(folder_ / name.data(), picture);
+    write_png(folder_ / frame_name(count_), picture);
     ++count_;
 }
 

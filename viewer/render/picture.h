@@ -35,7 +35,8 @@ void write_jpeg(const std::filesystem::path& path, const Picture& picture, int q
 class Recording
 {
 public:
-    /// Makes the folder where there is none. @throws io::FileError
+    /// Makes the folder where there is none, and removes the frames of an earlier recording: a shorter one would end in
+    /// them. @throws io::FileError
     explicit Recording(std::filesystem::path folder);
 
     /// @throws io::FileError

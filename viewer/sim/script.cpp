@@ -90,7 +90,8 @@ public:
 private:
     [[noreturn]] void fail(const std::string& reason) const
     {
-        throw io::FileError(name_ + ":" + std::to_string(line_) + ": " + reason);
+        const std::string place = line_ > 0 ? ":" + std::to_string(line_) : std::string();
+        throw io::FileError(name_ + place + ": " + reason);
     }
 
     void first_line(std::string_view text)

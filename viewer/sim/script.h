@@ -57,7 +57,7 @@ struct Script
 };
 
 /// @param name  how messages call the source
-/// @throws io::FileError  "NAME:LINE: ..." for the first line that is wrong
+/// @throws io::FileError  "NAME:LINE: ..." for the first line that is wrong, "NAME: ..." when there is none
 Script read_script(std::istream& in, const std::string& name);
 Script read_script(const std::filesystem::path& path);
 

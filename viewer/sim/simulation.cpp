@@ -60,6 +60,39 @@ void Simulation::command(const std::string& text)
     push(InputEvent{time() + 1, InputKind::command, {}, text});
 }
 
+/// Of the last command of this verb that the next tick carries out; empty: there is none.
+std::string_view Simulation::waiting_argument(std::string_view verb) const
+{
+    std::string_view argument;
+    for (const InputEvent& event : input_) {
+        if (tick_of(event.time) > now() + 1) break;
+        if (event.kind != InputKind::command) continue;
+        const std::string_view text(event.text);
+        if (text.starts_with(verb) && text.size() > verb.size() && text[verb.size()] == ' ')
+            argument = text.substr(verb.size() + 1);
+    }
+    return argument;
+}
+
+std::string Simulation::backend_to_come() const
+{
+    const std::string wanted = find_backend(waiting_argument("backend"));
+    return wanted.empty() ? backend_ : wanted;
+}
+
+ProxyKind Simulation::proxy_to_come() const
+{
+    return find_proxy(waiting_argument("proxy")).value_or(proxy_);
+}
+
+Gesture Simulation::gesture_to_come() const
+{
+    const std::string_view wanted = waiting_argument("gesture");
+    for (const Gesture gesture : {Gesture::blade, Gesture::segment})
+        if (wanted == name_of(gesture)) return gesture;
+    return blade_.gesture();
+}
+
 std::string Simulation::take_message()
 {
     return std::exchange(message_, {});

@@ -70,6 +70,12 @@ public:
     const std::string& backend() const { return backend_; }
     ProxyKind proxy() const { return proxy_; }
 
+    /// What the next tick starts with: the last of the commands that wait for it, or what is so already. A paused
+    /// simulation has taken in none of them.
+    std::string backend_to_come() const;
+    ProxyKind proxy_to_come() const;
+    Gesture gesture_to_come() const;
+
     /// All cuts since the start, oldest first.
     const std::vector<CutRecord>& cuts() const { return cuts_; }
     /// Whether any two bodies have touched since the start.
@@ -101,6 +107,7 @@ private:
     void take_input();
     void carry_out(const InputEvent& event);
     void apply_command(const std::string& text);
+    std::string_view waiting_argument(std::string_view verb) const;
     void swing(const BladeSegment& segment);
     void cut(Body& body, const WorldPlane& plane, std::uint32_t swipe);
 

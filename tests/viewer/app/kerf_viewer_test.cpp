@@ -245,6 +245,47 @@ TEST_F(KerfViewerTest, GivesTheSameStateInAWindow)
     EXPECT_EQ(read_png("window.png").width, 320);
 }
 
+TEST_F(KerfViewerTest, PlaysNinetyFramesInAWindowOnBothBackEnds)
+{
+    write_swipes();
+    const VirtualDisplay display;
+    for (const std::string backend : {"halfedge", "baseline/hash"}) {
+        const Json json = report("--script swipes.kerf --frames 90 --size 640x360 --backend " + backend);
+        EXPECT_EQ(json["gl_errors"], 0);
+        EXPECT_EQ(json["width"], 640);
+        EXPECT_EQ(json["height"], 360);
+        const Json& run = json["runs"][0];
+        EXPECT_EQ(run["backend"], backend);
+        EXPECT_EQ(run["ticks"], 180);
+        EXPECT_EQ(run["frame_ms"]["count"], 90);
+        ASSERT_GE(run["cuts"].size(), 2u);
+        for (const Json& cut : run["cuts"]) EXPECT_GT(cut["bytes_uploaded"], 0);
+    }
+}
+
+TEST_F(KerfViewerTest, TakesTheFilesAfterOptionsThatTakeLists)
+{
+    write_swipes();
+    const std::string run = "--headless --frames 1 --draw 0 --size 16x9 ",
+                      cube = " '" KERF_DATA_DIR "/models/cube.obj'";
+    for (const std::string option : {"--backend baseline", "--zoom-at 1.5,-0.5", "--backend halfedge,baseline"})
+        EXPECT_EQ(report(run + option + cube)["runs"][0]["bodies"], 1) << option;
+    const Json last = report(run + "--backend halfedge,baseline --backend baseline")["runs"];
+    ASSERT_EQ(last.size(), 1u) << "the last option counts";
+    EXPECT_EQ(last[0]["backend"], "baseline/hash");
+}
+
+TEST_F(KerfViewerTest, ReportsWhatCommandsComplainAbout)
+{
+    write("odd.kerf", "kerf-script 1\n1000 command backend axe\n20000 command throw elephant\n");
+    const Outcome outcome = kerf("--headless --frames 5 --draw 0 --size 16x9 --script odd.kerf");
+    EXPECT_EQ(outcome.status, 0);
+    const Json messages = Json::parse(outcome.out)["messages"];
+    ASSERT_EQ(messages.size(), 2u);
+    EXPECT_NE(messages[0].get<std::string>().find("axe"), std::string::npos);
+    EXPECT_NE(messages[1].get<std::string>().find("elephant"), std::string::npos);
+}
+
 TEST_F(KerfViewerTest, SaysThatThereIsNoDisplay)
 {
     const Outcome outcome = kerf("", "unset DISPLAY WAYLAND_DISPLAY;");
@@ -264,6 +305,27 @@ TEST_F(KerfViewerTest, WritesPicturesOfTheirSize)
     EXPECT_EQ(read_png("all/frame_00000.png").width, 200);
     EXPECT_EQ(text_of("all/frame_00002.png"), text_of("last.png"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "all/frame_00003.png"));
+}
+
+TEST_F(KerfViewerTest, ARecordingHoldsNoFramesOfAnEarlierOne)
+{
+    report("--headless --frames 4 --size 16x9 --record all");
+    write("all/mine.txt", "mine");
+    report("--headless --frames 2 --size 16x9 --record all");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "all/frame_00001.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "all/frame_00002.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "all/frame_00003.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "all/mine.txt"));
+}
+
+TEST_F(KerfViewerTest, EachOptionOfThePictureIsSeen)
+{
+    const std::string run = "--headless --frames 50 --draw 0 --size 320x180 --seed 2 --screenshot ";
+    report(run + "plain.png");
+    for (const std::string option : {"panel", "proxies", "wireframe", "keys"}) {
+        report(run + option + ".png --" + option);
+        EXPECT_NE(text_of(option + ".png"), text_of("plain.png")) << option;
+    }
 }
 
 TEST_F(KerfViewerTest, DrawsAPictureOfOnePixel)
@@ -292,6 +354,22 @@ TEST_F(KerfViewerTest, ThrowsWhatItCanReadAndSaysWhatItCannot)
     EXPECT_EQ(json["runs"][0]["bodies"], 1);
 }
 
+TEST_F(KerfViewerTest, AnImageThatIsMissingIsSaidAndTheModelIsDrawn)
+{
+    write("plain.mtl", "newmtl mine\nKd 0.1 0.2 0.9\nmap_Kd pictures/none.png\n");
+    write("plain.obj",
+          "mtllib plain.mtl\nusemtl mine\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+          "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 1/1 4/2 3/3\nf 2/1 3/2 4/3\n");
+    const Outcome outcome = kerf("--headless --frames 2 --size 32x18 plain.obj");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("pictures/none.png"), std::string::npos) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["messages"].size(), 1u);
+    EXPECT_EQ(json["gl_errors"], 0);
+    EXPECT_EQ(json["runs"][0]["bodies"], 1);
+}
+
 TEST_F(KerfViewerTest, NeedsOneModelAtLeast)
 {
     expect_unusable(kerf("--headless --frames 2 nowhere.obj"), "nowhere.obj");
@@ -302,6 +380,10 @@ TEST_F(KerfViewerTest, RefusesBadScripts)
     write("bad.kerf", "kerf-script 1\n12 jump 0 0\n");
     expect_unusable(kerf("--headless --script bad.kerf"), "bad.kerf:2");
     expect_unusable(kerf("--headless --script none.kerf"), "none.kerf");
+    write("empty.kerf", "");
+    expect_unusable(kerf("--headless --script empty.kerf"), "empty.kerf: this is no script");
+    write("egg.kerf", "kerf-script 1\nproxy egg\n");
+    expect_unusable(kerf("--headless --frames 1 --script egg.kerf"), "egg");
 }
 
 TEST_F(KerfViewerTest, RefusesScenesThatItCannotPlay)
@@ -319,10 +401,12 @@ TEST_F(KerfViewerTest, LeavesNoHalfAPictureBehind)
 
 TEST_F(KerfViewerTest, ExplainsWrongUse)
 {
-    for (const char* arguments : {"--size 12", "--size 0x5", "--backend magic", "--headless", "--frames -3", "--what",
-                                  "--backend halfedge,baseline --frames 3",
-                                  "--headless --frames 3 --backend halfedge,baseline --screenshot a.png",
-                                  "--scene chess", "--giant 5", "--headless --frames 3 --scene zen a.obj"}) {
+    for (const char* arguments :
+         {"--size 12", "--size 0x5", "--backend magic", "--headless", "--frames -3", "--what",
+          "--backend halfedge,baseline --frames 3",
+          "--headless --frames 3 --backend halfedge,baseline --screenshot a.png", "--scene chess", "--zoom nan",
+          "--zoom 0.5", "--ui-scale nan", "--ui-scale 9", "--zoom-at nan,0", "--zoom-at 0,inf", "--zoom-at 1",
+          "--zoom-at 1,2,3", "--giant 5", "--headless --frames 3 --scene zen a.obj"}) {
         const Outcome outcome = kerf(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.error_lines(), 2) << arguments << ": " << outcome.err;

@@ -4,6 +4,12 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
 #include "viewer/app/virtual_display.h"
 #include "viewer/sim/camera.h"
 
@@ -56,6 +62,13 @@ public:
         glfwSetCursorPosCallback(window_, moved);
         moved(window_, pixel.x, pixel.y);
     }
+    void key(int code)
+    {
+        const GLFWkeyfun pressed = glfwSetKeyCallback(window_, nullptr);
+        glfwSetKeyCallback(window_, pressed);
+        pressed(window_, code, 0, GLFW_PRESS, 0);
+        pressed(window_, code, 0, GLFW_RELEASE, 0);
+    }
     void button(int action)
     {
         const GLFWmousebuttonfun pressed = glfwSetMouseButtonCallback(window_, nullptr);
@@ -66,6 +79,18 @@ public:
 private:
     GLFWwindow* window_;
 };
+
+/// The key that the list of keys calls so.
+int code_of(const std::string& name)
+{
+    if (name.size() == 1) return GLFW_KEY_A + (name[0] - 'A');
+    static const std::map<std::string, int> kNamed{{"Space", GLFW_KEY_SPACE},
+                                                   {"Tab", GLFW_KEY_TAB},
+                                                   {"F11", GLFW_KEY_F11},
+                                                   {"F12", GLFW_KEY_F12},
+                                                   {"Esc", GLFW_KEY_ESCAPE}};
+    return kNamed.at(name);
+}
 
 /// In fixed steps, so that the hand is as fast on a slow machine; the panel is not in its way.
 class DraggingTest : public PlayerTest
@@ -137,6 +162,151 @@ TEST_F(PlayerTest, EveryKeyDoesSomethingAndNothingBreaks)
     }
     player.act(app::KeyAction::quit);
     EXPECT_FALSE(player.frame());
+}
+
+TEST_F(PlayerTest, EveryKeyOfTheListMeansWhatTheListSays)
+{
+    frames(1);
+    Hand hand(player);
+    for (const app::KeyBinding& binding : app::kKeyBindings) {
+        player.window().take_keys();
+        hand.key(code_of(binding.key));
+        EXPECT_EQ(player.window().take_keys(), std::vector{binding.action}) << binding.key;
+    }
+    hand.key(GLFW_KEY_F7);
+    EXPECT_TRUE(player.window().take_keys().empty());
+}
+
+TEST_F(DraggingTest, KeysChangeWhatTheySay)
+{
+    frames(40);
+    Hand hand(player);
+    const auto press = [&](const char* key) {
+        hand.key(code_of(key));
+        frames(1);
+    };
+    for (const bool on : {true, false}) {
+        press("Space");
+        EXPECT_EQ(player.paused(), on);
+    }
+    for (const bool on : {true, false}) {
+        press("M");
+        EXPECT_EQ(player.slow_motion(), on);
+    }
+    for (const bool on : {true, false}) {
+        press("P");
+        EXPECT_EQ(player.view().proxies, on);
+        press("W");
+        EXPECT_EQ(player.view().wireframe, on);
+        press("Tab");
+        EXPECT_EQ(player.view().panel, on);
+        press("H");
+        EXPECT_EQ(player.view().help, on);
+        press("I");
+        EXPECT_EQ(player.view().lighting, on ? render::Lighting::lambert : render::Lighting::textured);
+        const bool vsync = player.window().vsync();
+        press("V");
+        EXPECT_NE(player.window().vsync(), vsync);
+    }
+    const sim::Simulation& simulation = player.simulation();
+    ASSERT_EQ(simulation.bodies().size(), 1u);
+    press("R");
+    ASSERT_EQ(simulation.bodies().size(), 2u);
+    const auto model = [&](std::size_t i) { return simulation.bodies()[i]->identity().origin.model; };
+    EXPECT_EQ(model(1), model(0)) << "R repeats";
+    press("T");
+    ASSERT_EQ(simulation.bodies().size(), 3u);
+    EXPECT_NE(model(2), model(0)) << "T throws the next";
+    press("Esc");
+    EXPECT_FALSE(player.frame());
+}
+
+TEST_F(PlayerTest, FillsTheScreenAndComesBack)
+{
+    frames(1);
+    Hand hand(player);
+    hand.key(GLFW_KEY_F11);
+    frames(3);
+    EXPECT_TRUE(player.window().fullscreen());
+    EXPECT_EQ(player.window().size(), glm::ivec2(1280, 1024)) << "the whole screen";
+    hand.key(GLFW_KEY_F11);
+    frames(3);
+    EXPECT_FALSE(player.window().fullscreen());
+    EXPECT_EQ(player.window().size(), glm::ivec2(320, 180));
+}
+
+TEST_F(PlayerTest, SingleStepsWhilePaused)
+{
+    frames(1);
+    Hand hand(player);
+    hand.key(GLFW_KEY_SPACE);
+    frames(1);
+    const sim::Tick before = player.simulation().now();
+    frames(3);
+    EXPECT_EQ(player.simulation().now(), before);
+    hand.key(GLFW_KEY_N);
+    frames(3);
+    EXPECT_EQ(player.simulation().now(), before + sim::kTicksPerFrame);
+}
+
+TEST_F(PlayerTest, ChoosesAndSaysSoWhilePaused)
+{
+    frames(1);
+    player.act(app::KeyAction::pause);
+    frames(1);
+    const sim::Simulation& simulation = player.simulation();
+    const std::string first = simulation.backend();
+    Hand hand(player);
+    const auto press = [&](const char* key) {
+        hand.key(code_of(key));
+        frames(1);
+        EXPECT_NE(player.message(), "") << key;
+    };
+    press("B");
+    const std::string other = simulation.backend_to_come();
+    EXPECT_NE(other, first);
+    EXPECT_NE(player.message().find(other), std::string::npos);
+    press("L");
+    EXPECT_NE(simulation.backend_to_come(), other);
+    press("B");
+    EXPECT_EQ(simulation.backend_to_come(), first);
+    const ProxyKind proxy = simulation.proxy();
+    press("K");
+    const ProxyKind second = simulation.proxy_to_come();
+    EXPECT_NE(second, proxy);
+    press("K");
+    EXPECT_NE(simulation.proxy_to_come(), second);
+    EXPECT_NE(simulation.proxy_to_come(), proxy);
+    press("G");
+    EXPECT_EQ(simulation.gesture_to_come(), sim::Gesture::segment);
+    press("G");
+    EXPECT_EQ(simulation.gesture_to_come(), sim::Gesture::blade);
+    press("G");
+    EXPECT_EQ(simulation.blade().gesture(), sim::Gesture::blade) << "nothing happens while paused";
+    player.act(app::KeyAction::single_step);
+    frames(2);
+    EXPECT_EQ(simulation.blade().gesture(), sim::Gesture::segment);
+    EXPECT_EQ(simulation.backend(), first);
+    EXPECT_NE(simulation.proxy(), proxy);
+}
+
+TEST_F(PlayerTest, NeverOverwritesAPicture)
+{
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "kerf_pictures_test",
+                                here = std::filesystem::current_path();
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::filesystem::current_path(folder);
+    std::ofstream("kerf_000.png") << "mine";
+    std::ofstream("kerf_002.png") << "mine";
+    frames(1);
+    for (int i = 0; i < 2; ++i) player.act(app::KeyAction::screenshot);
+    std::filesystem::current_path(here);
+    for (const char* name : {"kerf_000.png", "kerf_002.png"})
+        EXPECT_EQ(std::filesystem::file_size(folder / name), 4u) << name;
+    for (const char* name : {"kerf_001.png", "kerf_003.png"})
+        EXPECT_GT(std::filesystem::file_size(folder / name), 100u) << name;
+    std::filesystem::remove_all(folder);
 }
 
 TEST_F(PlayerTest, TheBackEndKeySwitchesForTheNextThrow)

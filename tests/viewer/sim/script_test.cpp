@@ -75,7 +75,7 @@ TEST(Script, EveryMistakeIsNamedWithFileAndLine)
         const char* text;
         const char* expected;
     } cases[] = {
-        {"", "test.script:0: this is no script"},
+        {"", "test.script: this is no script"},
         {"hello\n", "test.script:1: this is no script"},
         {"kerf-script\n", "test.script:1: this is no script"},
         {"kerf-script 1 2\n", "test.script:1: this is no script"},
