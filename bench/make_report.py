@@ -32,7 +32,7 @@ def parse_arguments() -> argparse.Namespace:
     extents.add_argument("--full", action="store_true", help="meshes up to 16 million triangles: needs 16 GiB and some 25 minutes")
     parser.add_argument("--peers", action="store_true", help="time VTK beside CGAL, too; ./run installs it (216 MB)")
     parser.add_argument("--again", action="store_true", help="measure everything again, whatever is there")
-    parser.add_argument("--publish", action="store_true", help="write docs/results.md and its pictures too")
+    parser.add_argument("--publish", action="store_true", help="write docs/results.md, its pictures and the README's part on results, too")
     parser.add_argument("--programs", type=Path, default=Path("build/release"), help=argparse.SUPPRESS)
     return parser.parse_args()
 
@@ -73,7 +73,7 @@ def main() -> int:
         report = Report(found, machine.describe(arguments.programs), extent.name, os.cpu_count() or 1)
         page = report.write(FOLDER)
         if arguments.publish:
-            print(f"report: wrote {report.publish(Path('docs'))}", file=sys.stderr)
+            print(f"report: wrote {report.publish(Path('docs'), Path('README.md'))}", file=sys.stderr)
     except StageFailed as error:
         print(f"\nreport: {error}", file=sys.stderr)
         return 1

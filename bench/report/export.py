@@ -11,6 +11,7 @@ from report.measurements import Measurements
 from report.page import page_html
 from report.palette import THEMES
 from report.plots import draw
+from report.readme import results_block, with_results
 from report.sections import Facts, Section, ShownFigure, all_tables
 
 TITLE = "What it costs to cut a mesh"
@@ -62,14 +63,18 @@ class Report:
         return {"extent": self.extent, "machine": self.machine,
                 "tables": {name: table.rows for name, table in self.tables.items()}}
 
-    def publish(self, docs: Path) -> Path:
-        """docs/results.md with its figures in both themes under docs/images."""
+    def publish(self, docs: Path, readme: Path) -> Path:
+        """docs/results.md with its figures in both themes under docs/images, and the README's part on results."""
         for section in self.sections:
             for part in section.parts:
                 if isinstance(part, ShownFigure) and part.published and id(part) in self.drawings:
                     drawing = self.drawings[id(part)]
                     for theme in THEMES:
                         files.write_text(docs / "images" / f"results_{drawing.name}_{theme}.svg", drawing.for_file(theme) + "\n")
+        if "scaling_scale_asteroid" in self.tables:
+            limits = next((section for section in self.sections if section.slug == "limits"), None)
+            block = results_block(self.tables["scaling_scale_asteroid"], limits, self.machine["processor"])
+            files.write_text(readme, with_results(readme.read_text(encoding="utf-8"), block))
         path = docs / "results.md"
         files.write_text(path, results_markdown(TITLE, self.lead(), self.warnings(), self.sections, self.drawings))
         return path

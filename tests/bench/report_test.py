@@ -27,6 +27,7 @@ from report.names import Kind  # noqa: E402
 from report.page import inline  # noqa: E402
 from report.plan import FULL, NORMAL, QUICK, Stage, plan  # noqa: E402
 from report.progress import Progress, time_text  # noqa: E402
+from report.readme import BEGIN, END, with_results  # noqa: E402
 from report.sections import Facts, all_tables  # noqa: E402
 from report.stages import Programs, StageFailed, Stages  # noqa: E402
 from report.tables import Column, Table, count_short, crossovers_table, digits, milliseconds, percent  # noqa: E402
@@ -304,11 +305,19 @@ class Page(unittest.TestCase):
 
     def test_published_markdown_names_its_pictures(self):
         with tempfile.TemporaryDirectory() as folder:
-            text = self.report.publish(Path(folder)).read_text()
+            readme = Path(folder) / "README.md"
+            readme.write_text(f"before\n{BEGIN}\nold\n{END}\nafter\n")
+            text = self.report.publish(Path(folder), readme).read_text()
             pictures = re.findall(r'(?:src|srcset)="([^"]+)"', text)
             self.assertTrue(pictures)
             for picture in pictures:
                 self.assertTrue((Path(folder) / picture).exists(), picture)
+            self.assertRegex(readme.read_text(), r"(?s)^before\n.*\| `halfedge` \| 3\.162 \| .*\nafter\n$")
+            self.assertNotIn("old", readme.read_text())
+
+    def test_a_readme_without_marks_is_left_alone(self):
+        with self.assertRaises(ValueError):
+            with_results("no marks", "block")
 
 
 class Sentences(unittest.TestCase):

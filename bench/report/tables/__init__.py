@@ -1,6 +1,6 @@
 """The tables of the page, made of measurements. Each is written as CSV as well: the page shows no other numbers."""
 
-from report.tables.core import (Column, Formatter, Table, Value, count, count_short, digits, median, milliseconds, percent,
+from report.tables.core import (ABSENT, Column, Formatter, Table, Value, count, count_short, digits, median, milliseconds, percent,
                                 scientific, short)
 from report.tables.growth import (EXTENTS, ORDERS, counter_exponents_table, counters_table, crossing_table, crossovers_table,
                                   phases_table, prepare_table, scaling_table)
