@@ -106,7 +106,7 @@ def complaints_of(events: list[dict[str, Any]]) -> list[str]:
     return found
 
 
-def look(browser: Browser, address: str, width: int, theme: str, picture: Path | None, top: int) -> list[str]:
+def look(browser: Browser, address: str, width: int, theme: str, picture: Path | None, top: int, tallest: int) -> list[str]:
     """What is wrong with the page at this width."""
     browser.events.clear()
     browser.call("Emulation.setDeviceMetricsOverride", width=width, height=844 if WIDTHS[width] else 800, mobile=WIDTHS[width],
@@ -124,7 +124,7 @@ def look(browser: Browser, address: str, width: int, theme: str, picture: Path |
         wrong.append("there is no figure")
     wrong += [f"{name or 'a figure'} is not drawn" for name in facts["undrawn"]]
     if picture:
-        clip = {"x": 0, "y": top, "width": width, "height": min(facts["height"] - top, TALLEST), "scale": 1}
+        clip = {"x": 0, "y": top, "width": width, "height": min(facts["height"] - top, tallest), "scale": 1}
         data = browser.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)["data"]
         picture.write_bytes(base64.b64decode(data))
     print(f"{width} px, {theme}: {facts['figures']} figures, {facts['height']} px high, "
@@ -136,6 +136,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path, nargs="?", default=Path("build/report/index.html"))
     parser.add_argument("--from", dest="top", type=int, default=0, metavar="PIXELS", help="where on the page pictures begin")
+    parser.add_argument("--height", type=int, default=TALLEST, metavar="PIXELS", help="of pictures, at most")
     parser.add_argument("--pictures", type=Path, metavar="DIR", help="keep what was seen as PNG")
     arguments = parser.parse_args()
     program = shutil.which("chromium")
@@ -155,7 +156,7 @@ def main() -> int:
             for width in WIDTHS:
                 for theme in ("light", "dark"):
                     picture = arguments.pictures / f"report_{width}_{theme}.png" if arguments.pictures else None
-                    wrong += look(browser, arguments.page.resolve().as_uri(), width, theme, picture, arguments.top)
+                    wrong += look(browser, arguments.page.resolve().as_uri(), width, theme, picture, arguments.top, arguments.height)
         finally:
             browser.close()
     return 1 if wrong else 0

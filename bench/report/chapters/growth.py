@@ -51,7 +51,8 @@ def headline(found: Measurements, facts: Facts) -> str:
             f"{facts.say('halfedge ms', ours, milliseconds)} ms with the half-edge back end and "
             f"{facts.say('remap ms', theirs, milliseconds)} ms with the best linear one: "
             f"{facts.say('remap to halfedge', theirs / ours, digits(1))} times as much.")
-    if half.get("exponent_half_width") is not None and linear.get("exponent_half_width") is not None:
+    # From three sizes the interval is too wide to say anything.
+    if half.get("exponent_points", 0) > 3 and linear.get("exponent_points", 0) > 3:
         text += (f" Its time grows as triangles to the power of {facts.say('halfedge e', half['exponent'], digits(2))} ± "
                  f"{facts.say('halfedge e half width', half['exponent_half_width'], digits(2))}; the linear one's as "
                  f"{facts.say('remap e', linear['exponent'], digits(2))} ± "
