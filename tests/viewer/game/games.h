@@ -19,7 +19,7 @@ class Game
 public:
     explicit Game(game::GameMode mode, std::uint64_t seed = 1, const std::string& backend = {});
 
-    sim::Simulation& simulation() { return *simulation_; }
+    sim::Simulation& simulation() const { return *simulation_; }
     const game::GameScene& scene() const { return *game::game_of(simulation_->scene()); }
     const game::GameState& state() const { return scene().state(); }
     bool is_over() const { return state().phase == game::GamePhase::over; }

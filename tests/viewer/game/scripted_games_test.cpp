@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include "viewer/game/games.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/script.h"
+
+// Whole games from recorded input, from the first tick to the last: a few seconds of swipes, then nobody plays on. The
+// seeds are chosen so that the back ends agree on the score; where pieces touch, their positions part in the last digit.
+
+namespace kerf::game {
+namespace {
+
+struct Outcome
+{
+    GameMode mode;
+    double seconds;  // after which the game is over
+    std::int64_t score, fruit_cut, criticals, combos;
+    std::size_t specials;
+    GameEnd end;
+};
+
+void PrintTo(const Outcome& outcome, std::ostream* out)
+{
+    *out << name_of(outcome.mode);
+}
+
+class ScriptedGame : public testing::TestWithParam<Outcome>
+{
+protected:
+    // Plays the recording with a back end until the game is over, at the latest after so many seconds.
+    static test::Game play(const Outcome& expected, const std::string& backend)
+    {
+        const sim::Script script =
+            sim::read_script(KERF_SCRIPTS_DIR "/" + std::string(name_of(expected.mode)) + ".kerf");
+        test::Game game(expected.mode, script.seed.value(), backend);
+        game.simulation().push(script.events);
+        game.play_until([&] { return game.is_over(); }, sim::Tick(expected.seconds * double(sim::kTicksPerSecond)));
+        return game;
+    }
+};
+
+}  // namespace
+
+TEST_P(ScriptedGame, EndsWithItsScore)
+{
+    const Outcome& expected = GetParam();
+    for (const std::string& backend : sim::backend_names()) {
+        SCOPED_TRACE(backend);
+        const test::Game game = play(expected, backend);
+        const GameState& state = game.state();
+        EXPECT_EQ(state.phase, GamePhase::over);
+        EXPECT_EQ(state.end, expected.end);
+        EXPECT_EQ(state.score, expected.score);
+        EXPECT_EQ(state.fruit_cut, expected.fruit_cut);
+        EXPECT_EQ(state.criticals, expected.criticals);
+        EXPECT_EQ(state.combos, expected.combos);
+        EXPECT_EQ(game.events(GameEventKind::special_started).size(), expected.specials);
+        EXPECT_EQ(game.events(GameEventKind::game_over).size(), 1u);
+        std::int64_t sum = 0;
+        for (const GameEvent& event : game.scene().events())
+            if (event.kind != GameEventKind::game_over) sum += event.points;
+        EXPECT_EQ(sum, expected.score) << "the events add up";
+    }
+}
+
+TEST_P(ScriptedGame, EndsInTheSameStateTwice)
+{
+    for (const std::string& backend : {sim::backend_names().front(), sim::backend_names().back()})
+        EXPECT_EQ(play(GetParam(), backend).simulation().state_hash(),
+                  play(GetParam(), backend).simulation().state_hash());
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, ScriptedGame,
+                         testing::Values(Outcome{GameMode::classic, 60.0, 56, 13, 8, 0, 0, GameEnd::missed},
+                                         Outcome{GameMode::arcade, 75.0, 71, 31, 6, 0, 2, GameEnd::time},
+                                         Outcome{GameMode::zen, 90.5, 26, 13, 1, 1, 0, GameEnd::time}),
+                         [](const auto& each) { return std::string(name_of(each.param.mode)); });
+
+}  // namespace kerf::game
