@@ -58,7 +58,7 @@ Session open_session(const Options& options)
     settings.seed = options.seed.value_or(session.script.seed.value_or(settings.seed));
     settings.record = !options.save_script.empty();
 
-    if (options.giant > 0) {
+    if (options.giant > 0 && settings.scene == "giant") {
         const std::string size = "size " + std::to_string(options.giant);
         session.script.events.insert(session.script.events.begin(), {1, sim::InputKind::command, {}, size});
     }
