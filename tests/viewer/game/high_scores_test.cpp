@@ -53,7 +53,8 @@ TEST_F(HighScoresTest, KeepTheBestTenInOrder)
     EXPECT_FALSE(scores.add(GameMode::zen, score(5)));
     EXPECT_FALSE(scores.add(GameMode::zen, score(10))) << "the earlier game keeps its place";
     std::vector<std::int64_t> points;
-    for (const HighScore& each : HighScores(folder_).of(GameMode::zen)) points.push_back(each.score);
+    const HighScores stored(folder_);
+    for (const HighScore& each : stored.of(GameMode::zen)) points.push_back(each.score);
     EXPECT_EQ(points, (std::vector<std::int64_t>{90, 80, 70, 60, 55, 50, 40, 30, 20, 10}));
 }
 
