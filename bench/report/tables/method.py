@@ -1,17 +1,20 @@
 """What was run, and every number of it."""
 
 from report.measurements import Measurements
+from report.names import Kind
 from report.tables.core import Column, Table, digits
 
 
 def stages_table(found: Measurements) -> Table:
     """What was run, when, how long, and how busy the machine was."""
     table = Table("stages", [Column("stage", "stage"), Column("date", "when"), Column("commit", "commit"),
+                             Column("repetitions", "repetitions"),
                              Column("seconds", "seconds", digits(1)), Column("load_before", "load before", digits(1)),
                              Column("load_after", "load after", digits(1))])
     for stage in found.stages:
+        is_bench = Kind(stage["kind"]) == Kind.BENCH
         table.rows.append({"stage": stage["stage"], "date": stage["date"], "commit": stage["commit"],
-                           "seconds": stage["seconds"], "load_before": stage["load"][0], "load_after": stage["load"][1]})
+                           "repetitions": int(stage["command"][2]) if is_bench else None, "seconds": stage["seconds"], "load_before": stage["load"][0], "load_after": stage["load"][1]})
     return table
 
 
