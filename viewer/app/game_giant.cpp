@@ -81,7 +81,7 @@ void GameShow::write_giant(ui::Canvas& canvas)
     const game::GiantState state = scene->state();
     if (!giant_sliding_) giant_share_ = giant_share(state.triangles);
     const float u = canvas.unit();
-    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, 404.0f * u}};
+    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, 366.0f * u}};
     canvas.card(card, 0.70f);
     const float left = card.low.x + 22.0f * u, right = card.high.x - 22.0f * u;
     float y = card.low.y + 16.0f * u;

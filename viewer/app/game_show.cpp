@@ -249,7 +249,9 @@ void GameShow::push(const std::vector<sim::InputEvent>& events)
 
 void GameShow::advance(double seconds)
 {
-    frames_.add(1e3 * seconds);
+    // In fixed steps the first tick waits for what a thread would make meanwhile: no frame of a player's.
+    constexpr sim::Tick kMaking = 6;
+    if (!setup_.fixed_step || (simulation_ && simulation_->now() > kMaking)) frames_.add(1e3 * seconds);
     double scale = effects_.time_scale();
     if (simulation_) scale *= simulation_->scene().time_scale();
     clock_.set_time_scale(scale);

@@ -11,10 +11,10 @@ namespace kerf::app {
 inline IndexedMesh stone_asteroid(std::uint64_t triangles, std::uint64_t seed)
 {
     TriangleSoup soup = shapes::asteroid(triangles, seed);
-    Material stone;
-    stone.name = "stone";
-    stone.colour = {0.52f, 0.50f, 0.46f, 1.0f};
-    soup.materials = {stone};
+    Material rock;
+    rock.name = "rock";
+    rock.colour = {0.30f, 0.26f, 0.225f, 1.0f};
+    soup.materials = {rock};
     return assemble(std::move(soup)).mesh;
 }
 

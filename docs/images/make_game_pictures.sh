@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Makes the pictures and the recording of the game anew: docs/images/game_*.jpg and game.gif. They follow from seeds and
+# scripts; only times that are shown differ. Needs ImageMagick, FFmpeg and gifsicle (apt-get install imagemagick ffmpeg gifsicle).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+viewer=${1:-../../build/release/viewer/app/kerf-viewer}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# picture NAME ARGUMENTS...: the last frame, half as large and without the noise that costs bytes.
+picture() {
+    local name=$1
+    shift
+    "$viewer" --headless --draw 0 --size 1920x1080 "$@" --screenshot "$work/$name.png" > "$work/$name.json"
+    convert "$work/$name.png" -filter Lanczos -resize 960x540 -quality 84 "game_$name.jpg"
+}
+
+picture menu --scene menu --frames 92
+picture classic --script game_classic.kerf --frames 477
+picture over --script game_classic.kerf --frames 620
+picture arcade --scene arcade --autopilot --seed 1 --frames 454
+picture zen --scene zen --autopilot --seed 3 --frames 422
+picture giant --scene giant --screen play --giant 400000 --script game_giant.kerf --frames 150
+picture duel --scene duel --script game_duel.kerf --frames 134
+picture settings --scene menu --screen settings --frames 60
+
+# Ten seconds, ten frames each.
+"$viewer" --headless --scene arcade --autopilot --seed 1 --frames 800 --draw 0 --size 400x225 --record "$work/all" \
+    > "$work/gif.json"
+filter="fps=10,split[a][b];[a]palettegen=max_colors=96:stats_mode=diff[p];"
+filter+="[b][p]paletteuse=dither=none:diff_mode=rectangle"
+ffmpeg -loglevel error -framerate 60 -start_number 200 -i "$work/all/frame_%05d.png" -vf "$filter" "$work/game.gif"
+gifsicle -O3 --lossy=80 "$work/game.gif" -o game.gif

@@ -1,0 +1,122 @@
+#include "viewer/app/game_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "viewer/app/virtual_display.h"
+
+namespace kerf::test {
+
+namespace {
+
+/// No sound device is looked for, and none complains on the terminal.
+struct Quiet
+{
+    Quiet() { ::setenv("ALSOFT_DRIVERS", "null", 1); }
+    ~Quiet() { ::unsetenv("ALSOFT_DRIVERS"); }
+};
+
+class GameWindowTest : public ::testing::Test
+{
+protected:
+    void TearDown() override
+    {
+        game.errors().check();
+        for (const std::string& message : game.errors().messages()) ADD_FAILURE() << "GL: " << message;
+    }
+
+    static app::Options small_window()
+    {
+        app::Options options;
+        options.data_folder = KERF_DATA_DIR;
+        options.width = 320;
+        options.height = 180;
+        options.vsync = false;
+        options.seed = 1;
+        return options;
+    }
+
+    /// As GLFW reports it.
+    void press(int key)
+    {
+        GLFWwindow* const window = game.window().handle();
+        const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
+        glfwSetKeyCallback(window, pressed);
+        pressed(window, key, 0, GLFW_PRESS, 0);
+        pressed(window, key, 0, GLFW_RELEASE, 0);
+        ASSERT_TRUE(game.frame());
+    }
+
+    void wait_for_scene(const std::string& scene)
+    {
+        for (int i = 0; i < 600 && game.show().scene() != scene; ++i) ASSERT_TRUE(game.frame());
+        ASSERT_EQ(game.show().scene(), scene);
+    }
+
+    Quiet quiet;
+    VirtualDisplay display;
+    app::GameWindow game{small_window(), {}};
+};
+
+}  // namespace
+
+TEST_F(GameWindowTest, OpensWithTheMenuAndIsPlayedByKeys)
+{
+    ASSERT_TRUE(game.frame());
+    EXPECT_EQ(game.show().scene(), "menu");
+    press(GLFW_KEY_RIGHT);
+    press(GLFW_KEY_ENTER);
+    wait_for_scene("arcade");
+    press(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(game.show().screens().screen(), ui::Screen::paused);
+    press(GLFW_KEY_ENTER);
+    EXPECT_EQ(game.show().screens().screen(), ui::Screen::play);
+    press(GLFW_KEY_P);
+    press(GLFW_KEY_UP);
+    press(GLFW_KEY_ENTER);
+    EXPECT_EQ(game.show().scene(), "menu");
+}
+
+TEST_F(GameWindowTest, FollowsItsSettings)
+{
+    ASSERT_TRUE(game.frame());
+    press(GLFW_KEY_M);
+    EXPECT_TRUE(game.show().settings().mute);
+    game.show().show_screen(ui::Screen::settings);
+    for (int i = 0; i < 4; ++i) press(GLFW_KEY_DOWN);
+    press(GLFW_KEY_LEFT);
+    for (int i = 0; i < 50 && game.window().size().x != 960; ++i) ASSERT_TRUE(game.frame());
+    EXPECT_EQ(game.window().size(), glm::ivec2(960, 540));
+    press(GLFW_KEY_DOWN);
+    press(GLFW_KEY_RIGHT);
+    EXPECT_FALSE(game.window().vsync());
+}
+
+TEST_F(GameWindowTest, SurvivesAnySizeAndBeingMinimised)
+{
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(1, 300), glm::ivec2(700, 2), glm::ivec2(320, 180)}) {
+        game.window().resize(size.x, size.y);
+        for (int i = 0; i < 3; ++i) ASSERT_TRUE(game.frame());
+    }
+    game.window().minimise();
+    ASSERT_TRUE(game.frame());
+    game.window().restore();
+    ASSERT_TRUE(game.frame());
+}
+
+TEST_F(GameWindowTest, EndsWhenThePlayerQuits)
+{
+    ASSERT_TRUE(game.frame());
+    press(GLFW_KEY_UP);  // round to the last line: Quit
+    GLFWwindow* const window = game.window().handle();
+    const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
+    glfwSetKeyCallback(window, pressed);
+    pressed(window, GLFW_KEY_ENTER, 0, GLFW_PRESS, 0);
+    game.frame();
+    EXPECT_FALSE(game.frame());
+}
+
+}  // namespace kerf::test
