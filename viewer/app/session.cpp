@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/coordinate_grain.h"
 #include "common/io/mesh_file.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_mode.h"
@@ -24,7 +25,9 @@ void add_thrown_models(Session& session, const Options& options)
     if (options.files.empty()) session.models->add_report_models(options.data_folder / "models");
     for (const std::filesystem::path& file : options.files) {
         try {
-            session.models->add_file(file);
+            const std::size_t model = session.models->add_file(file);
+            if (session.models->model(model).coarse_coordinates)
+                session.messages.push_back(file.string() + ": " + kCoarseCoordinatesText);
         } catch (const io::FileError& error) {
             session.messages.emplace_back(error.what());
         }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <system_error>
+#include <utility>
 
 #include "common/io/mesh_file.h"
 #include "viewer/sim/back_ends.h"
@@ -49,7 +51,14 @@ std::size_t ModelShelf::add_file(const std::filesystem::path& path)
 {
     Model model;
     model.name = path.stem().string();
-    model.mesh = io::read_mesh(path).mesh;
+    io::LoadedMesh loaded = io::read_mesh(path);
+    model.mesh = std::move(loaded.mesh);
+    model.coarse_coordinates = loaded.facts.has_coarse_coordinates();
+    const Box box = model.mesh.bounds();
+    const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    if (!(radius <= kLargestMesh && radius >= 1.0 / kLargestMesh))
+        throw io::FileError(path.string() +
+                            ": the mesh is too large or too small to be thrown, beyond 1e18 mesh units");
     model.folder = path.parent_path();
     for (Material& material : model.mesh.materials)
         if (!material.texture.empty()) material.texture = file_of_texture(model.folder, material.texture).string();

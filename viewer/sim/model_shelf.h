@@ -20,8 +20,13 @@ struct Model
     std::string name;
     IndexedMesh mesh;
     Box box;
-    std::filesystem::path folder;  ///< of the file that it came from; Material::texture begins with it
+    bool coarse_coordinates = false;  ///< MeshFacts::has_coarse_coordinates(): a warning
+    std::filesystem::path folder;     ///< of the file that it came from; Material::texture begins with it
 };
+
+/// Half the diagonal of a mesh that can be thrown, mesh units, is at most this and at least the inverse of it: squares
+/// of lengths must be floats for the graphics card.
+inline constexpr double kLargestMesh = 1e18;
 
 /// The names of the report's fifteen models, in the order of its tables.
 std::span<const std::string_view> report_model_names();
@@ -34,7 +39,7 @@ public:
     /// Returns the model's index.
     std::size_t add(Model model);
     std::size_t add(std::string name, IndexedMesh mesh);
-    /// @throws io::FileError
+    /// @throws io::FileError  also for a mesh that is too large or too small to be drawn (kLargestMesh)
     std::size_t add_file(const std::filesystem::path& path);
     /// The report's fifteen models from data/models.
     /// @throws io::FileError

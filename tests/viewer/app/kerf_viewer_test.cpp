@@ -370,6 +370,25 @@ TEST_F(KerfViewerTest, AnImageThatIsMissingIsSaidAndTheModelIsDrawn)
     EXPECT_EQ(json["runs"][0]["bodies"], 1);
 }
 
+TEST_F(KerfViewerTest, SaysThatCoordinatesAreCoarseOrTooLarge)
+{
+    const auto tetrahedron = [](const std::string& offset, const std::string& size) {
+        return "v " + offset + " 0 0\nv " + size + " 0 0\nv " + offset + " " + size + " 0\nv " + offset + " 0 " + size +
+               "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    };
+    write("far.obj", tetrahedron("10000000", "10000004"));
+    write("huge.obj", tetrahedron("0", "1e25"));
+    write("dust.obj", tetrahedron("0", "1e-25"));
+    const Outcome outcome = kerf("--headless --frames 2 --draw 0 --size 16x9 far.obj huge.obj dust.obj");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Json messages = Json::parse(outcome.out)["messages"];
+    ASSERT_EQ(messages.size(), 3u) << outcome.out;
+    EXPECT_NE(messages[0].get<std::string>().find("far.obj: coarse coordinates"), std::string::npos);
+    EXPECT_NE(messages[1].get<std::string>().find("huge.obj: the mesh is too large"), std::string::npos);
+    EXPECT_NE(messages[2].get<std::string>().find("dust.obj: the mesh is too large or too small"), std::string::npos);
+    expect_unusable(kerf("--headless --frames 2 huge.obj"), "huge.obj");
+}
+
 TEST_F(KerfViewerTest, NeedsOneModelAtLeast)
 {
     expect_unusable(kerf("--headless --frames 2 nowhere.obj"), "nowhere.obj");
