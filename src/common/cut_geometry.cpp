@@ -33,7 +33,11 @@ Side coplanar_side(const Plane& plane, const glm::vec3& a, const glm::vec3& b, c
     const glm::dvec3 e = glm::dvec3(*p[1]) - glm::dvec3(*p[0]), f = glm::dvec3(*p[2]) - glm::dvec3(*p[0]);
     const glm::dvec3 n{e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
     const double along = (plane.normal.x * n.x + plane.normal.y * n.y) + plane.normal.z * n.z;
-    return along > 0.0 ? Side::negative : Side::positive;
+    if (along != 0.0) return along > 0.0 ? Side::negative : Side::positive;
+    // A needle has no behind. It goes to the side of larger x (or y, or z), from whichever side the plane is seen.
+    const double leading =
+        plane.normal.x != 0.0 ? plane.normal.x : (plane.normal.y != 0.0 ? plane.normal.y : plane.normal.z);
+    return leading > 0.0 ? Side::positive : Side::negative;
 }
 
 CutPoint cut_edge(const glm::vec3& a, double da, const glm::vec3& b, double db)

@@ -168,6 +168,7 @@ TEST(CoplanarSide, IsBehindTheTriangleWhicheverCornerComesFirst)
     EXPECT_EQ(coplanar_side(plane, c, a, b), Side::negative);
     EXPECT_EQ(coplanar_side(plane, a, c, b), Side::positive);
     EXPECT_EQ(coplanar_side(plane, a, b, {2, 0, 0}), Side::positive);
+    EXPECT_EQ(coplanar_side(plane.flipped(), a, b, {2, 0, 0}), Side::negative) << "a needle stays where it is";
 }
 
 }  // namespace
