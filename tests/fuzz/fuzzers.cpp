@@ -10,6 +10,9 @@ std::span<const Fuzzer> fuzzers()
     static constexpr auto kAll = std::to_array<Fuzzer>({
         {"cap", fuzz_cap, 1024},
         {"cut", fuzz_cut, 512},
+#ifdef KERF_HAS_TOOLS
+        {"kerf_options", fuzz_kerf_options, 512},
+#endif
         {"read_gltf", fuzz_read_gltf, 4096},
         {"read_mtl", fuzz_read_mtl, 1024},
         {"read_obj", fuzz_read_obj, 2048},
@@ -17,6 +20,10 @@ std::span<const Fuzzer> fuzzers()
         {"read_ply", fuzz_read_ply, 2048},
         {"read_stl", fuzz_read_stl, 2048},
         {"repair", fuzz_repair, 512},
+#ifdef KERF_HAS_VIEWER
+        {"script", fuzz_script, 1024},
+        {"viewer_options", fuzz_viewer_options, 512},
+#endif
     });
     return kAll;
 }

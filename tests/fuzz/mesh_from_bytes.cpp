@@ -184,9 +184,11 @@ bool is_manifold(const IndexedMesh& mesh)
         std::uint32_t start = first->first.second;
         for (std::size_t i = 0; i < count && before.count(start) != 0; ++i) start = before[start];
         std::size_t met = 0;
-        for (auto it = fan_after.find({point, start}); met < count && it != fan_after.end();
-             it = fan_after.find({point, it->second}))
-            ++met;
+        for (std::uint32_t next = start; met < count; ++met) {
+            const auto triangle = fan_after.find({point, next});
+            if (triangle == fan_after.end() || (met > 0 && next == start)) break;
+            next = triangle->second;
+        }
         if (met != count) return false;
     }
     return true;
