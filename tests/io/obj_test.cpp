@@ -82,6 +82,30 @@ TEST_F(ObjTest, ReadsWithoutItsMaterialFile)
     EXPECT_EQ(soup.materials[0].name, "m");
 }
 
+TEST_F(ObjTest, ReadsMaterialsFromItsFolderAndBelowOnly)
+{
+    std::filesystem::create_directories(file("parts/below"));
+    for (const char* name : {"a.mtl", "parts/below/a.mtl"}) write(name, "newmtl m\nKd 1 0 0\n");
+    const auto colour_with = [&](const std::string& library) {
+        const std::string triangle = "\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        return soup_of("parts/a.obj", "mtllib " + library + triangle).materials.at(0).colour;
+    };
+    EXPECT_EQ(colour_with("below/a.mtl"), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(colour_with("../a.mtl"), glm::vec4(1));
+    EXPECT_EQ(colour_with("below/../../a.mtl"), glm::vec4(1));
+    EXPECT_EQ(colour_with(file("a.mtl").string()), glm::vec4(1));
+}
+
+TEST_F(ObjTest, ReadsAMaterialFileOnceHoweverOftenItIsNamed)
+{
+    // 5 MB read 20 000 times would take minutes.
+    write("a.mtl", "newmtl m\nKd 1 0 0\n" + std::string(5'000'000, '#'));
+    std::string text;
+    for (int i = 0; i < 10'000; ++i) text += i % 2 == 0 ? "mtllib a.mtl\n" : "mtllib ./a.mtl .//a.mtl\n";
+    text += "usemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(soup_of("a.obj", text).materials.at(0).colour, glm::vec4(1, 0, 0, 1));
+}
+
 TEST_F(ObjTest, ReadsVertexColoursAsAStream)
 {
     const TriangleSoup soup = soup_of("a.obj", "v 0 0 0 1 0.5 0.25\nv 1 0 0 0 0 0\nv 0 1 0\nf 3 1 2\n");

@@ -78,8 +78,8 @@ std::string read_bytes(const fs::path& path)
 
 TriangleSoup read_soup(const fs::path& path)
 {
-    const Reader reader = reader_for(path);
     try {
+        const Reader reader = reader_for(path);
         const std::string bytes = read_bytes(path);
         if (bytes.empty()) fail(path, "it is empty");
         return reader(path, bytes);
