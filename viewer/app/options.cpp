@@ -1,11 +1,13 @@
 #include "viewer/app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <string_view>
 
 #include "viewer/app/exit_status.h"
 #include "viewer/game/scenes.h"
@@ -20,10 +22,15 @@ namespace {
 /// "1280x720".
 bool parse_size(const std::string& text, int& width, int& height)
 {
-    char rest = 0;
     constexpr int kMost = 16384;
-    return std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 && width >= 1 && height >= 1 &&
-           width <= kMost && height <= kMost;
+    const auto parse = [](std::string_view word, int& number) {
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        return error == std::errc() && end == word.data() + word.size() && number >= 1 && number <= kMost;
+    };
+    const std::string_view words = text;
+    const std::size_t cross = words.find('x');
+    return cross != std::string_view::npos && parse(words.substr(0, cross), width) &&
+           parse(words.substr(cross + 1), height);
 }
 
 /// "1.5,-0.5", within a hundred metres of the middle.

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "common/io/output_file.h"
+#include "common/io/text_scanner.h"
 
 namespace kerf::sim {
 namespace {
@@ -58,12 +59,6 @@ bool parse(std::string_view word, Number& number)
     return error == std::errc() && end == word.data() + word.size();
 }
 
-std::string quoted(std::string_view word)
-{
-    std::string text(1, '\'');
-    return text.append(word).append(1, '\'');
-}
-
 class Reader
 {
 public:
@@ -110,8 +105,8 @@ private:
         const std::string_view word = take_word(rest);
         rest = trimmed(rest);
         if (word.front() >= '0' && word.front() <= '9') return event(word, rest);
-        if (!script_.events.empty()) fail(quoted(word) + " must come before the first event");
-        if (rest.empty()) fail(quoted(word) + " needs a value");
+        if (!script_.events.empty()) fail(io::in_quotes(word) + " must come before the first event");
+        if (rest.empty()) fail(io::in_quotes(word) + " needs a value");
         if (word == "scene") {
             script_.scene = rest;
         } else if (word == "backend") {
@@ -120,10 +115,10 @@ private:
             script_.proxy = rest;
         } else if (word == "seed") {
             std::uint64_t seed = 0;
-            if (!parse(rest, seed)) fail(quoted(rest) + " is no seed: a whole number from 0 to 2^64 - 1");
+            if (!parse(rest, seed)) fail(io::in_quotes(rest) + " is no seed: a whole number from 0 to 2^64 - 1");
             script_.seed = seed;
         } else {
-            fail(quoted(word) + " is not known: scene, backend, proxy, seed, or a time");
+            fail(io::in_quotes(word) + " is not known: scene, backend, proxy, seed, or a time");
         }
     }
 
@@ -131,7 +126,7 @@ private:
     {
         InputEvent event;
         if (!parse(word, event.time) || event.time > kLatest)
-            fail(quoted(word) + " is no time: whole microseconds, at most a day");
+            fail(io::in_quotes(word) + " is no time: whole microseconds, at most a day");
         if (!script_.events.empty() && event.time < script_.events.back().time) fail("time goes backwards");
         const std::string_view kind = take_word(rest);
         rest = trimmed(rest);
@@ -141,14 +136,14 @@ private:
             event.kind = candidate;
             known = true;
         }
-        if (!known) fail(quoted(kind) + " is not known: press, move, release or command");
+        if (!known) fail(io::in_quotes(kind) + " is not known: press, move, release or command");
         if (event.kind == InputKind::command) {
             if (rest.empty()) fail("'command' needs a text");
             event.text = rest;
         } else {
             event.position.x = coordinate(take_word(rest));
             event.position.y = coordinate(take_word(rest));
-            if (!trimmed(rest).empty()) fail(quoted(kind) + " takes two numbers and nothing else");
+            if (!trimmed(rest).empty()) fail(io::in_quotes(kind) + " takes two numbers and nothing else");
         }
         script_.events.push_back(std::move(event));
     }
@@ -157,7 +152,7 @@ private:
     {
         double value = 0.0;
         if (!parse(word, value) || !(std::abs(value) <= kFarthest))
-            fail(quoted(word) + " is no place on the stage: two numbers in metres are needed");
+            fail(io::in_quotes(word) + " is no place on the stage: two numbers in metres are needed");
         return value;
     }
 
