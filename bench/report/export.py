@@ -5,7 +5,7 @@ from typing import Any
 
 from report import files
 from report.chapters import all_sections
-from report.figures import Drawing
+from report.drawing import Drawing
 from report.markdown import results_markdown
 from report.measurements import Measurements
 from report.page import page_html

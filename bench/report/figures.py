@@ -1,8 +1,7 @@
-"""Figures by matplotlib as SVG text that follows the page's theme, or stands alone in one theme."""
+"""Figures by matplotlib."""
 
 import io
 import re
-from dataclasses import dataclass
 
 import matplotlib
 
@@ -12,37 +11,12 @@ from matplotlib import pyplot  # noqa: E402  (the backend is chosen first)
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
+from report.drawing import Drawing  # noqa: E402
 from report.palette import COLOURS  # noqa: E402
 
 WIDTH, HEIGHT = 5.2, 3.7  # inches: about the width of a phone's screen, so that texts stay legible there
 GROUP_ID = re.compile(r'<g id="[A-Za-z]+[._0-9A-Za-z]*">')
 POINTS = re.compile(r'<svg [^>]*?width="([\d.]+)pt" height="([\d.]+)pt"|<svg [^>]*?height="([\d.]+)pt"[^>]*?width="([\d.]+)pt"')
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """SVG text in token colours."""
-
-    name: str
-    svg: str
-
-    def for_page(self) -> str:
-        """In the page's own colours: CSS variables, which change with the theme."""
-        text = self.svg
-        for colour in COLOURS.values():
-            text = text.replace(colour.token, f"var(--{colour.name})")
-        return text
-
-    def for_file(self, theme: str) -> str:
-        """In the colours of one theme, on its background."""
-        text = self.svg
-        for colour in COLOURS.values():
-            text = text.replace(colour.token, colour.of(theme))
-        box = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', text)
-        if not box:
-            raise ValueError(f"figure {self.name} has no size")
-        paper = f'<rect width="{box.group(1)}" height="{box.group(2)}" fill="{COLOURS["paper"].of(theme)}"/>'
-        return re.sub(r"(<svg [^>]*>)", lambda tag: tag.group(1) + paper, text, count=1)
 
 
 def token(name: str) -> str:

@@ -1,6 +1,6 @@
 """docs/results.md: the sections' sentences, and the tables and figures marked as published."""
 
-from report.figures import Drawing
+from report.drawing import Drawing
 from report.sections import Section, ShownFigure, ShownTable
 from report.tables import Table
 

@@ -3,7 +3,7 @@
 import html
 import re
 
-from report.figures import Drawing
+from report.drawing import Drawing
 from report.palette import COLOURS, THEMES
 from report.sections import Section, ShownFigure, ShownTable
 from report.tables import Table

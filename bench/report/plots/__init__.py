@@ -5,7 +5,7 @@ A figure is a function of all tables (by name) and gives a Drawing, or None when
 
 from typing import Any, Callable
 
-from report.figures import Drawing
+from report.drawing import Drawing
 from report.plots import caps, growth, models, pieces
 from report.tables import Table
 
