@@ -1,29 +1,23 @@
-// CGAL's own clip as a referee of the cut: another method, exact predicates, other people's code.
+// Volumes and areas of the pieces against CGAL's clip.
 
 #include <gtest/gtest.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh.h>
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <optional>
 
 #include "common/cut.h"
 #include "common/io/mesh_file.h"
-#include "support/backends.h"
+#include "contract/cgal_clip.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
 
 namespace kerf {
 namespace {
 
+using test::CgalMesh;
 using test::NamedMesh;
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 /// Volumes and areas agree within this share of the whole mesh's: what rounding cut points to float costs.
 constexpr double kTolerance = 1e-6;
@@ -36,39 +30,10 @@ struct Verdict
     double section_area;
 };
 
-CgalMesh to_cgal(const IndexedMesh& mesh)
-{
-    CgalMesh result;
-    std::vector<std::optional<CgalMesh::Vertex_index>> points(mesh.point_count);
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const glm::dvec3 p(mesh.vertices[v].position);
-        auto& point = points[mesh.points[v]];
-        if (!point) point = result.add_vertex({p.x, p.y, p.z});
-    }
-    for (const Triangle& t : mesh.triangles)
-        result.add_face(*points[mesh.points[t[0]]], *points[mesh.points[t[1]]], *points[mesh.points[t[2]]]);
-    return result;
-}
-
-/// What lies on the negative side of a plane, closed; empty when CGAL gives up.
-std::optional<CgalMesh> clipped(CgalMesh mesh, const Plane& plane)
-{
-    namespace PMP = CGAL::Polygon_mesh_processing;
-    try {
-        const bool is_done =
-            PMP::clip(mesh, Kernel::Plane_3(plane.normal.x, plane.normal.y, plane.normal.z, -plane.offset),
-                      CGAL::parameters::clip_volume(true));
-        if (!is_done || !CGAL::is_closed(mesh)) return std::nullopt;
-        return mesh;
-    } catch (const std::exception&) {
-        return std::nullopt;
-    }
-}
-
 std::optional<Verdict> judge(const CgalMesh& whole, const Plane& plane)
 {
     namespace PMP = CGAL::Polygon_mesh_processing;
-    const auto negative = clipped(whole, plane), positive = clipped(whole, plane.flipped());
+    const auto negative = test::cgal_clipped(whole, plane), positive = test::cgal_clipped(whole, plane.flipped());
     if (!negative || !positive) return std::nullopt;
     Verdict verdict{PMP::volume(*positive), PMP::volume(*negative), PMP::area(*positive), PMP::area(*negative), 0};
     verdict.section_area = (verdict.area_positive + verdict.area_negative - PMP::area(whole)) / 2;
@@ -109,15 +74,6 @@ double undecided_area(const IndexedMesh& mesh, const Plane& plane)
     return sum;
 }
 
-/// Back ends that are not slow on purpose.
-std::vector<test::NamedBackend> fast_backends()
-{
-    std::vector<test::NamedBackend> result;
-    for (const test::NamedBackend& backend : test::backends())
-        if (backend.name != "baseline_scan" && backend.name != "baseline_two_bucket_hash") result.push_back(backend);
-    return result;
-}
-
 /// How many cuts were compared, and how many CGAL could not judge.
 struct Count
 {
@@ -127,11 +83,11 @@ struct Count
 /// Cuts a mesh by `planes_each` planes of each kind with every fast back end and compares with CGAL.
 void compare(const NamedMesh& shape, std::uint32_t planes_each, std::uint64_t seed, Count& count)
 {
-    const CgalMesh whole = to_cgal(shape.mesh);
+    const CgalMesh whole = test::to_cgal(shape.mesh);
     ASSERT_TRUE(CGAL::is_closed(whole));
     const double volume = referee::volume(shape.mesh), area = referee::area(shape.mesh);
     std::vector<std::unique_ptr<Cuttable>> objects;
-    for (const test::NamedBackend& backend : fast_backends())
+    for (const test::NamedBackend& backend : test::fast_backends())
         objects.push_back(backend.make()->prepare(shape.mesh).object);
 
     for (const test::NamedPlane& plane : test::planes_for(shape.mesh, planes_each, seed)) {
@@ -142,7 +98,7 @@ void compare(const NamedMesh& shape, std::uint32_t planes_each, std::uint64_t se
         if (!verdict) continue;
         const double slack = undecided_area(shape.mesh, plane.plane);
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            SCOPED_TRACE(fast_backends()[i].name + ", " + shape.name + ", plane " + plane.name);
+            SCOPED_TRACE(test::fast_backends()[i].name + ", " + shape.name + ", plane " + plane.name);
             // Caps are compared by the section's area: the report's fan covers a concave section wrongly, and rightly
             // so. The volume does not mind: a fan and the right cap have one rim and lie in one plane, and between two
             // such chains there is no volume.
