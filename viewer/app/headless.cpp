@@ -14,6 +14,7 @@
 #include "viewer/app/user_interface.h"
 #include "viewer/game/autopilot.h"
 #include "viewer/render/offscreen_context.h"
+#include "viewer/sim/stocker.h"
 
 namespace kerf::app {
 
@@ -39,6 +40,7 @@ public:
         : options_(options),
           frames_(frames_of(options, session.script)),
           simulation_(session.models, with_backend(session.settings, backend), session.make_scene()),
+          stocker_(session.models),
           painter_(options.width, options.height),
           autopilot_(session.settings.seed),
           messages_(messages)
@@ -53,6 +55,8 @@ public:
     {
         for (std::int64_t frame = 0; frame < frames_; ++frame) {
             Stopwatch whole, simulate;
+            stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
+            stocker_.finish();
             if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
             simulation_.advance(sim::kTicksPerFrame);
             times_.simulate_ms.push_back(simulate.lap());
@@ -121,6 +125,7 @@ private:
     Options options_;
     std::int64_t frames_;
     sim::Simulation simulation_;
+    sim::Stocker stocker_;
     effects::Effects effects_;
     Painter painter_;
     game::Autopilot autopilot_;

@@ -135,6 +135,19 @@ bool GameScene::command(sim::Simulation& simulation, std::string_view verb, std:
     return true;
 }
 
+std::vector<std::size_t> GameScene::next_models() const
+{
+    std::vector<std::size_t> next;
+    const auto add = [&](FruitKind kind) {
+        const std::size_t model = models_[static_cast<std::size_t>(kind)];
+        if (std::find(next.begin(), next.end(), model) == next.end()) next.push_back(model);
+    };
+    for (std::size_t i = next_throw_; i < wave_.size(); ++i) add(wave_[i].kind);
+    for (const Fruit& fruit : fruit_catalogue())
+        if (is_thrown_in(mode_, fruit.kind)) add(fruit.kind);
+    return next;
+}
+
 void GameScene::hash(sim::StateHash& hash) const
 {
     rules_.hash(hash);

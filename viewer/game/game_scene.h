@@ -32,6 +32,8 @@ public:
     void on_gone(sim::Simulation& simulation, const sim::Body& body) override;
     /// `over` ends the game: the player gives up.
     bool command(sim::Simulation& simulation, std::string_view verb, std::string_view argument) override;
+    /// What is left of the wave, then everything else that the mode throws.
+    std::vector<std::size_t> next_models() const override;
     void hash(sim::StateHash& hash) const override;
 
     const GameState& state() const { return rules_.state(); }

@@ -101,6 +101,7 @@ struct GiantMaker::Task
     std::int64_t triangles = 0;
     std::uint64_t seed = 0;
     std::string backend;
+    ProxyKind proxy = ProxyKind::bounded_hull;
     std::optional<std::size_t> old_model;  ///< of an earlier size: to be emptied
     std::optional<std::size_t> model;      ///< known from the start when only a copy is wanted
     std::string error;
@@ -155,7 +156,7 @@ struct GiantMaker::Task
         move_to(GiantStage::preparing);
         if (is_settled) return;
         error = models->prepare(*model, backend);
-        if (error.empty() && !is_settled) models->stock(*model, backend);
+        if (error.empty() && !is_settled) models->stock(*model, backend, proxy);
     }
 };
 
@@ -172,13 +173,14 @@ std::optional<std::size_t> GiantMaker::give_up()
     return was_done ? task_->model : std::nullopt;
 }
 
-void GiantMaker::request(std::int64_t triangles, std::uint64_t seed, const std::string& backend)
+void GiantMaker::request(std::int64_t triangles, std::uint64_t seed, const std::string& backend, ProxyKind proxy)
 {
     auto task = std::make_shared<Task>();
     task->models = models_;
     task->triangles = triangles;
     task->seed = seed;
     task->backend = backend;
+    task->proxy = proxy;
     if (const std::optional<std::size_t> made = give_up()) {
         const bool is_same = task_->triangles == triangles && task_->seed == seed;
         (is_same ? task->model : task->old_model) = made;

@@ -27,12 +27,22 @@ Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& sol
            const Motion& motion, ProxyKind proxy)
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
-    const double scale = identity_.origin.scale;
     Stopwatch watch;
     const CollisionProxy shape = object_->collision_proxy(proxy);
     proxy_ms_ = watch.lap();
-    proxy_ = std::make_unique<ProxyShape>(shape, solid_.centre, solid_.axes, scale);
+    embody(shape, pose, motion);
+}
 
+Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
+           const Motion& motion, const CollisionProxy& proxy)
+    : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
+{
+    embody(proxy, pose, motion);
+}
+
+void Body::embody(const CollisionProxy& proxy, const MeshPose& pose, const Motion& motion)
+{
+    proxy_ = std::make_unique<ProxyShape>(proxy, solid_.centre, solid_.axes, identity_.origin.scale);
     const glm::dvec3 moments = glm::max(solid_.moments, glm::dvec3(kLeastMomentForSolver));
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(std::max(solid_.mass, kLightestForSolver)), nullptr,
                                                   &proxy_->shape(), to_bullet(moments));

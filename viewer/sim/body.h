@@ -34,6 +34,7 @@ struct Origin
 {
     std::uint64_t throw_number = 0;  ///< counts up from 1: shared buffers never outlive it
     std::size_t model = 0;           ///< index into the ModelShelf
+    std::uint64_t copy = 0;          ///< which of the shelf's copies (Throwable::copy)
     std::string backend;             ///< that prepared it, and cuts it
     double scale = 1.0;              ///< metres a mesh unit
     glm::dvec3 centre{0.0};          ///< centre of the thrown mesh's box, mesh coordinates
@@ -63,6 +64,9 @@ public:
     /// Builds the collision proxy (timed: proxy_ms()).
     Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
          const Motion& motion, ProxyKind proxy);
+    /// The same with a proxy that was built before: of this object or one that it is a copy of.
+    Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
+         const Motion& motion, const CollisionProxy& proxy);
     ~Body();
     Body(const Body&) = delete;
     Body& operator=(const Body&) = delete;
@@ -112,6 +116,8 @@ public:
     void remember_pose();
 
 private:
+    /// Makes the rigid body that stands for `proxy`.
+    void embody(const CollisionProxy& proxy, const MeshPose& pose, const Motion& motion);
     MeshPose mesh_pose(const glm::dvec3& centre, const glm::dmat3& rotation) const;
 
     Identity identity_;

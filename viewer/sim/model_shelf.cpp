@@ -74,7 +74,7 @@ void ModelShelf::empty_model(std::size_t index)
 {
     // What is freed goes after the lock: it takes time.
     IndexedMesh mesh;
-    std::vector<std::unique_ptr<Prepared>> prepared;
+    std::vector<std::shared_ptr<Prepared>> prepared;
     const std::lock_guard lock(mutex_);
     std::swap(mesh, models_[index]->mesh);
     const auto first = prepared_.lower_bound({index, std::string()}), last = prepared_.lower_bound({index + 1, {}});
@@ -94,12 +94,19 @@ const Model& ModelShelf::model(std::size_t index) const
     return *models_[index];
 }
 
-ModelShelf::Prepared& ModelShelf::entry(std::size_t index, const std::string& backend)
+std::shared_ptr<ModelShelf::Prepared> ModelShelf::entry(std::size_t index, const std::string& backend)
 {
     const std::lock_guard lock(mutex_);
-    std::unique_ptr<Prepared>& place = prepared_[{index, backend}];
-    if (!place) place = std::make_unique<Prepared>();
-    return *place;
+    std::shared_ptr<Prepared>& place = prepared_[{index, backend}];
+    if (!place) place = std::make_shared<Prepared>();
+    return place;
+}
+
+std::shared_ptr<ModelShelf::Prepared> ModelShelf::find_entry(std::size_t index, const std::string& backend) const
+{
+    const std::lock_guard lock(mutex_);
+    const auto found = prepared_.find({index, backend});
+    return found == prepared_.end() ? nullptr : found->second;
 }
 
 void ModelShelf::prepare_once(Prepared& entry, std::size_t index, const std::string& backend)
@@ -117,34 +124,85 @@ void ModelShelf::prepare_once(Prepared& entry, std::size_t index, const std::str
 
 std::string ModelShelf::prepare(std::size_t index, const std::string& backend)
 {
-    Prepared& wanted = entry(index, backend);
-    const std::lock_guard lock(wanted.mutex);
-    prepare_once(wanted, index, backend);
-    return wanted.error;
+    const std::shared_ptr<Prepared> wanted = entry(index, backend);
+    const std::lock_guard lock(wanted->mutex);
+    prepare_once(*wanted, index, backend);
+    return wanted->error;
 }
 
 bool ModelShelf::is_prepared(std::size_t index, const std::string& backend) const
 {
-    const std::lock_guard lock(mutex_);
-    const auto found = prepared_.find({index, backend});
-    return found != prepared_.end() && found->second->ready;
+    const std::shared_ptr<Prepared> found = find_entry(index, backend);
+    return found && found->ready;
 }
 
-void ModelShelf::stock(std::size_t index, const std::string& backend)
+void ModelShelf::measure_once(Prepared& entry, ProxyKind proxy)
 {
-    Prepared& wanted = entry(index, backend);
-    const std::lock_guard lock(wanted.mutex);
-    prepare_once(wanted, index, backend);
-    if (wanted.object && !wanted.spare) wanted.spare = wanted.object->clone();
+    if (!entry.object) return;
+    if (!entry.mass) entry.mass = entry.object->mass_properties();
+    std::shared_ptr<const CollisionProxy>& known = entry.proxies[proxy];
+    if (!known) known = std::make_shared<const CollisionProxy>(entry.object->collision_proxy(proxy));
+}
+
+void ModelShelf::stock(std::size_t index, const std::string& backend, ProxyKind proxy)
+{
+    const std::shared_ptr<Prepared> wanted = entry(index, backend);
+    const std::lock_guard lock(wanted->mutex);
+    prepare_once(*wanted, index, backend);
+    measure_once(*wanted, proxy);
+    if (!wanted->object || wanted->spare) return;
+    wanted->spare = wanted->object->clone();
+    wanted->spare_copy = ++copies_;
+}
+
+bool ModelShelf::is_stocked(std::size_t index, const std::string& backend, ProxyKind proxy) const
+{
+    const std::shared_ptr<Prepared> found = find_entry(index, backend);
+    if (!found) return false;
+    const std::unique_lock lock(found->mutex, std::try_to_lock);
+    if (!lock || !found->ready) return false;
+    return !found->object || (found->spare && found->proxies.contains(proxy));
+}
+
+std::optional<StockedCopy> ModelShelf::stocked(std::size_t index, const std::string& backend) const
+{
+    const std::shared_ptr<Prepared> found = find_entry(index, backend);
+    if (!found) return std::nullopt;
+    const std::unique_lock lock(found->mutex, std::try_to_lock);
+    if (!lock || !found->spare) return std::nullopt;
+    return StockedCopy{found->spare.get(), found->spare_copy};
+}
+
+Throwable ModelShelf::take(std::size_t index, const std::string& backend, ProxyKind proxy)
+{
+    const std::shared_ptr<Prepared> wanted = entry(index, backend);
+    const std::lock_guard lock(wanted->mutex);
+    if (!wanted->ready) ++late_preparations_;
+    prepare_once(*wanted, index, backend);
+    measure_once(*wanted, proxy);
+    Throwable taken;
+    if (!wanted->object) return taken;
+    if (wanted->spare) {
+        taken.object = std::move(wanted->spare);
+        taken.copy = wanted->spare_copy;
+    } else {
+        ++late_copies_;
+        taken.object = wanted->object->clone();
+        taken.copy = ++copies_;
+    }
+    taken.mass = *wanted->mass;
+    taken.bounds = wanted->object->bounds();
+    taken.proxy = wanted->proxies.at(proxy);
+    return taken;
 }
 
 std::unique_ptr<Cuttable> ModelShelf::make(std::size_t index, const std::string& backend)
 {
-    Prepared& wanted = entry(index, backend);
-    const std::lock_guard lock(wanted.mutex);
-    prepare_once(wanted, index, backend);
-    if (wanted.spare) return std::move(wanted.spare);
-    return wanted.object ? wanted.object->clone() : nullptr;
+    const std::shared_ptr<Prepared> wanted = entry(index, backend);
+    const std::lock_guard lock(wanted->mutex);
+    prepare_once(*wanted, index, backend);
+    if (wanted->spare) return std::move(wanted->spare);
+    return wanted->object ? wanted->object->clone() : nullptr;
 }
 
 }  // namespace kerf::sim

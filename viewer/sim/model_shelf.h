@@ -5,12 +5,14 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/cut.h"
 #include "common/indexed_mesh.h"
+#include "common/mass_properties.h"
 
 namespace kerf::sim {
 
@@ -22,6 +24,31 @@ struct Model
     Box box;
     bool coarse_coordinates = false;  ///< MeshFacts::has_coarse_coordinates(): a warning
     std::filesystem::path folder;     ///< of the file that it came from; Material::texture begins with it
+};
+
+/// A copy to throw, and what is the same for all copies of a model: found once, because it costs the baseline a look at
+/// every vertex.
+struct Throwable
+{
+    std::unique_ptr<Cuttable> object;  ///< null: the model can't be prepared
+    std::uint64_t copy = 0;            ///< which copy this is; counts up from 1 on its shelf
+    MassProperties mass;
+    Box bounds;
+    std::shared_ptr<const CollisionProxy> proxy;
+};
+
+/// A copy that is ready and lies on the shelf until somebody takes it.
+struct StockedCopy
+{
+    Cuttable* object = nullptr;
+    std::uint64_t copy = 0;
+};
+
+/// What take() had to do itself because nobody had done it before: a frame waited for it.
+struct LateWork
+{
+    std::uint64_t preparations = 0;
+    std::uint64_t copies = 0;
 };
 
 /// Half the diagonal of a mesh that can be thrown, mesh units, is at most this and at least the inverse of it: squares
@@ -45,8 +72,8 @@ public:
     /// @throws io::FileError
     void add_report_models(const std::filesystem::path& folder);
 
-    /// Frees a model's mesh and what was prepared of it; its name and box stay, and so do copies that were thrown.
-    /// Nobody may be preparing it.
+    /// Frees a model's mesh and what was prepared of it, the stocked copy included; its name and box stay, and so do
+    /// copies that were thrown. Nobody may be preparing it.
     void empty_model(std::size_t index);
 
     std::size_t size() const;
@@ -58,12 +85,22 @@ public:
     std::string prepare(std::size_t index, const std::string& backend);
     /// Does not wait.
     bool is_prepared(std::size_t index, const std::string& backend) const;
-    /// Prepares and keeps a copy ready, so that the next make() costs nothing: for worker threads, because copying a
-    /// mesh of a million triangles takes longer than a frame.
-    void stock(std::size_t index, const std::string& backend);
+    /// Prepares and keeps a copy ready, measured and with its proxy, so that the next take() costs nothing: for worker
+    /// threads, because copying a mesh of a million triangles takes longer than a frame.
+    void stock(std::size_t index, const std::string& backend, ProxyKind proxy = ProxyKind::bounded_hull);
+    /// Whether stock() has nothing left to do. Does not wait: false while another thread is at it.
+    bool is_stocked(std::size_t index, const std::string& backend, ProxyKind proxy = ProxyKind::bounded_hull) const;
+    /// The copy that the next take() hands out; empty when there is none or another thread is at work on it. Does not
+    /// wait. It stays until take() or empty_model(): for a thread that rules out both.
+    std::optional<StockedCopy> stocked(std::size_t index, const std::string& backend) const;
 
-    /// A fresh copy to throw; prepares it first when nobody did. Null when preparing failed (prepare() says why).
+    /// The stocked copy, or else a fresh one; prepares the model first when nobody did (prepare() says why that
+    /// failed). Waits for a thread that is stocking the same.
+    Throwable take(std::size_t index, const std::string& backend, ProxyKind proxy = ProxyKind::bounded_hull);
+    /// The same without measures and proxy.
     std::unique_ptr<Cuttable> make(std::size_t index, const std::string& backend);
+
+    LateWork late_work() const { return {late_preparations_, late_copies_}; }
 
 private:
     struct Prepared
@@ -71,15 +108,22 @@ private:
         std::mutex mutex;  ///< a Cuttable is cloned by one thread at a time
         std::atomic<bool> ready = false;
         std::unique_ptr<Cuttable> object, spare;
+        std::uint64_t spare_copy = 0;
+        std::optional<MassProperties> mass;
+        std::map<ProxyKind, std::shared_ptr<const CollisionProxy>> proxies;
         std::string error;
     };
-    Prepared& entry(std::size_t index, const std::string& backend);
-    /// With the entry's mutex held.
+    std::shared_ptr<Prepared> entry(std::size_t index, const std::string& backend);
+    std::shared_ptr<Prepared> find_entry(std::size_t index, const std::string& backend) const;
+    // With the entry's mutex held.
     void prepare_once(Prepared& entry, std::size_t index, const std::string& backend);
+    static void measure_once(Prepared& entry, ProxyKind proxy);
 
     mutable std::mutex mutex_;  ///< of the containers, never held for long
     std::vector<std::unique_ptr<Model>> models_;
-    std::map<std::pair<std::size_t, std::string>, std::unique_ptr<Prepared>> prepared_;
+    /// Shared with whoever is at work on an entry while it is taken off the shelf.
+    std::map<std::pair<std::size_t, std::string>, std::shared_ptr<Prepared>> prepared_;
+    std::atomic<std::uint64_t> copies_ = 0, late_preparations_ = 0, late_copies_ = 0;
 };
 
 }  // namespace kerf::sim

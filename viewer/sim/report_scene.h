@@ -13,6 +13,7 @@ public:
     std::string_view name() const override { return "report"; }
     void tick(Simulation& simulation) override;
     bool command(Simulation& simulation, std::string_view verb, std::string_view argument) override;
+    std::vector<std::size_t> next_models() const override { return {next_model_}; }
     void hash(StateHash& hash) const override;
 
 private:

@@ -223,8 +223,8 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
         report("there are " + std::to_string(kMostBodies) + " pieces in the air: no room for another throw");
         return nullptr;
     }
-    std::unique_ptr<Cuttable> object = models_->make(model, backend_);
-    if (!object) {
+    Throwable taken = models_->take(model, backend_, proxy_);
+    if (!taken.object) {
         report(models_->prepare(model, backend_));
         return nullptr;
     }
@@ -234,6 +234,7 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
     identity.birth = now();
     identity.origin.throw_number = ++throws_;
     identity.origin.model = model;
+    identity.origin.copy = taken.copy;
     identity.origin.backend = backend_;
     identity.origin.scale = scale;
     identity.origin.centre = box.centre();
@@ -243,8 +244,9 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
     pose.scale = scale;
     pose.rotation = rotation;
     pose.translation = centre - scale * (rotation * box.centre());
-    const Solid solid = solid_of(object->mass_properties(), object->bounds(), scale);
-    return &world_.add(std::make_unique<Body>(std::move(identity), std::move(object), solid, pose, motion, proxy_));
+    const Solid solid = solid_of(taken.mass, taken.bounds, scale);
+    return &world_.add(
+        std::make_unique<Body>(std::move(identity), std::move(taken.object), solid, pose, motion, *taken.proxy));
 }
 
 bool Simulation::move_object(ObjectId id, const Motion& motion)

@@ -76,6 +76,74 @@ TEST(ModelShelf, WhatIsStockedIsHandedOutOnceAndEqualsACopy)
     EXPECT_EQ(surface_hash(*stocked), surface_hash(*copy));
 }
 
+TEST(ModelShelf, HandsOutACopyWithItsMeasures)
+{
+    const auto shelf = test::shelf_of({"torus"});
+    for (const std::string& backend : backend_names()) {
+        for (const ProxyKind kind : {ProxyKind::bounded_hull, ProxyKind::box}) {
+            const Throwable taken = shelf->take(0, backend, kind);
+            ASSERT_TRUE(taken.object);
+            const MassProperties mass = taken.object->mass_properties();
+            EXPECT_EQ(taken.mass.volume, mass.volume);
+            EXPECT_EQ(taken.mass.centre, mass.centre);
+            EXPECT_EQ(taken.mass.inertia, mass.inertia);
+            EXPECT_EQ(taken.bounds.lo, taken.object->bounds().lo);
+            EXPECT_EQ(taken.bounds.hi, taken.object->bounds().hi);
+            const CollisionProxy proxy = taken.object->collision_proxy(kind);
+            EXPECT_EQ(taken.proxy->kind, kind);
+            EXPECT_EQ(taken.proxy->points, proxy.points);
+            EXPECT_EQ(taken.proxy->faces, proxy.faces);
+        }
+    }
+}
+
+TEST(ModelShelf, CountsWhatHadToBeDoneWhenItWasTaken)
+{
+    const auto shelf = test::shelf_of({"icosphere", "box"});
+    const std::string& backend = backend_names().front();
+    const auto expect_late = [&](std::uint64_t preparations, std::uint64_t copies) {
+        EXPECT_EQ(shelf->late_work().preparations, preparations);
+        EXPECT_EQ(shelf->late_work().copies, copies);
+    };
+    shelf->stock(0, backend);
+    EXPECT_TRUE(shelf->is_stocked(0, backend));
+    EXPECT_FALSE(shelf->is_stocked(0, backend, ProxyKind::box)) << "its measures are another matter";
+    EXPECT_FALSE(shelf->is_stocked(1, backend));
+    ASSERT_TRUE(shelf->stocked(0, backend));
+    const std::uint64_t number = shelf->stocked(0, backend)->copy;
+    const Throwable stocked = shelf->take(0, backend);
+    EXPECT_EQ(stocked.copy, number);
+    EXPECT_FALSE(shelf->stocked(0, backend));
+    expect_late(0, 0);
+    EXPECT_NE(shelf->take(0, backend).copy, number);
+    expect_late(0, 1);
+    shelf->take(1, backend);
+    expect_late(1, 2);
+}
+
+TEST(ModelShelf, WhatCannotBePreparedNeedsNoStock)
+{
+    IndexedMesh broken = test::shape("box");
+    broken.triangles[0][0] = 4'000'000'000u;
+    ModelShelf shelf;
+    shelf.add("broken", std::move(broken));
+    shelf.stock(0, backend_names().front());
+    EXPECT_TRUE(shelf.is_stocked(0, backend_names().front()));
+    EXPECT_FALSE(shelf.stocked(0, backend_names().front()));
+    EXPECT_FALSE(shelf.take(0, backend_names().front()).object);
+}
+
+TEST(ModelShelf, AModelMayBeEmptiedWhileItIsBeingStocked)
+{
+    const auto shelf = test::shelf_of({"asteroid"}, 200'000);
+    const std::string& backend = backend_names().front();
+    shelf->prepare(0, backend);
+    std::thread worker([&] { shelf->stock(0, backend); });
+    shelf->empty_model(0);
+    worker.join();
+    EXPECT_EQ(shelf->model(0).mesh.triangles.size(), 0u);
+}
+
 TEST(ModelShelf, PreparingABigMeshHoldsUpNobodyWhoWantsAnother)
 {
     auto shelf = test::shelf_of({"icosphere"});
