@@ -13,9 +13,54 @@ void DrawnWorld::sync(const sim::Simulation& simulation)
     Uploads uploads = upload_new_bodies(simulation, first_cut);
     share_out(simulation, first_cut, uploads);
 
+    const std::uint64_t before = bytes_of_throws_;
+    budget_ = kBytesInAFrame;
+    wanted_.clear();
+    bring_whole_bodies(simulation);
+    bring_next(simulation);
+    std::erase_if(arrivals_, [&](const auto& entry) { return !wanted_.contains(entry.first); });
+    most_bytes_of_throws_ = std::max(most_bytes_of_throws_, bytes_of_throws_ - before);
+
     // Fragments of what was cut go last: their pieces have taken over the buffers by now.
     std::erase_if(fragments_, [&](const auto& entry) { return simulation.world().find(entry.first) == nullptr; });
     store_.release_unused();
+}
+
+/// Brings an object nearer as far as this frame's budget goes. True once all of it is there.
+bool DrawnWorld::bring(Cuttable& object, std::uint64_t copy)
+{
+    wanted_.insert(copy);
+    render::Arrival& arrival = arrivals_[copy];
+    if (!arrival.is_whole && budget_ > 0) {
+        const std::uint64_t bytes = store_.bring(object, arrival, budget_, render::Room::to_grow);
+        budget_ -= bytes;
+        bytes_of_throws_ += bytes;
+    }
+    return arrival.is_whole;
+}
+
+void DrawnWorld::bring_whole_bodies(const sim::Simulation& simulation)
+{
+    for (const auto& body : simulation.bodies()) {
+        const sim::Identity& identity = body->identity();
+        if (identity.parent != 0 || fragments_.contains(body->id())) continue;
+        if (bring(body->object(), identity.origin.copy)) fragments_[body->id()] = store_.add(body->object());
+    }
+}
+
+void DrawnWorld::bring_next(const sim::Simulation& simulation)
+{
+    for (const std::size_t model : simulation.scene().next_models())
+        if (const auto next = simulation.models().stocked(model, simulation.backend()))
+            bring(*next->object, next->copy);
+}
+
+std::optional<double> DrawnWorld::arriving() const
+{
+    const render::Arrival* largest = nullptr;
+    for (const auto& [copy, arrival] : arrivals_)
+        if (largest == nullptr || arrival.bytes > largest->bytes) largest = &arrival;
+    return largest == nullptr ? std::nullopt : std::optional(largest->share());
 }
 
 DrawnWorld::Uploads DrawnWorld::upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut)
@@ -26,12 +71,10 @@ DrawnWorld::Uploads DrawnWorld::upload_new_bodies(const sim::Simulation& simulat
 
     Uploads uploads;
     for (const auto& body : simulation.bodies()) {
-        if (fragments_.contains(body->id())) continue;
-        const bool is_whole = body->identity().parent == 0;
+        if (body->identity().parent == 0 || fragments_.contains(body->id())) continue;
         CpuStopwatch watch;
         const std::uint64_t before = store_.bytes_uploaded();
-        render::DrawnFragment& fragment = fragments_[body->id()] =
-            store_.add(body->object(), is_whole ? render::Room::to_grow : render::Room::exact);
+        render::DrawnFragment& fragment = fragments_[body->id()] = store_.add(body->object());
         const double cpu_ms = 1e3 * watch.lap();
         Upload& upload = uploads[fragment.buffers.get()];
         upload.cost.cpu_ms += cpu_ms;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -25,12 +26,18 @@ struct CutUpload
 
 /// The simulation's bodies on the graphics card. After each batch of ticks sync() uploads what is new and frees what is
 /// gone.
+///
+/// What a cut makes is there at once. What is thrown whole comes bit by bit, kBytesInAFrame each time, and is not drawn
+/// before all of it is there; what the scene will throw next (Scene::next_models()) comes ahead of its throw.
 class DrawnWorld
 {
 public:
+    /// Of whole objects, in one sync(): a millisecond of copying. A giant of four million triangles takes 28 of them.
+    static constexpr std::uint64_t kBytesInAFrame = 4u << 20;
+
     explicit DrawnWorld(render::LookTable& looks) : store_(looks) {}
 
-    /// O(bodies + new bytes). A piece that was cut again before anybody saw it is never uploaded.
+    /// Once a frame. O(bodies + new bytes). A piece that was cut again before anybody saw it is never uploaded.
     /// @throws render::RenderError  the graphics card has no memory left
     void sync(const sim::Simulation& simulation);
 
@@ -41,6 +48,10 @@ public:
     const std::vector<CutUpload>& cut_uploads() const { return cut_uploads_; }
     /// What was uploaded for no cut: objects as they were thrown. With cut_uploads() this is all that was uploaded.
     std::uint64_t bytes_of_throws() const { return bytes_of_throws_; }
+    /// The most that one sync() uploaded of whole objects.
+    std::uint64_t most_bytes_of_throws() const { return most_bytes_of_throws_; }
+    /// How far the largest object is that is on its way or waits to be thrown, 0 to 1; empty when none does.
+    std::optional<double> arriving() const;
     const render::FragmentStore& store() const { return store_; }
 
 private:
@@ -52,13 +63,20 @@ private:
     };
     using Uploads = std::map<const render::SharedBuffers*, Upload>;
 
+    bool bring(Cuttable& object, std::uint64_t copy);
+    void bring_whole_bodies(const sim::Simulation& simulation);
+    void bring_next(const sim::Simulation& simulation);
     Uploads upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut);
     void share_out(const sim::Simulation& simulation, std::size_t first_cut, Uploads& uploads);
 
     render::FragmentStore store_;
     std::map<sim::ObjectId, render::DrawnFragment> fragments_;
+    /// Of whole objects, by the shelf's number of the copy: those on their way, and those that wait to be thrown.
+    std::map<std::uint64_t, render::Arrival> arrivals_;
+    std::set<std::uint64_t> wanted_;  ///< arrivals that this sync() has met
+    std::uint64_t budget_ = 0;        ///< what is left of it in this sync()
     std::vector<CutUpload> cut_uploads_;
-    std::uint64_t bytes_of_throws_ = 0;
+    std::uint64_t bytes_of_throws_ = 0, most_bytes_of_throws_ = 0;
     std::vector<render::DrawnObject> objects_;
 };
 

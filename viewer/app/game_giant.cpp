@@ -32,6 +32,10 @@ double giant_share(std::int64_t triangles)
     return std::clamp((std::log(double(std::max<std::int64_t>(triangles, 1))) - low) / (high - low), 0.0, 1.0);
 }
 
+/// Of the time that a giant takes in all, what is over when its mesh is ready; the rest is its way onto the graphics
+/// card.
+constexpr double kMakingShare = 0.95;
+
 /// 1234567 -> "1 234 567".
 std::string grouped(std::int64_t number)
 {
@@ -111,11 +115,25 @@ void GameShow::write_giant(ui::Canvas& canvas)
          ui::kAccent);
     line("Left, Right: size   B: other back end   N: next one", 15.0f, ui::kDim);
 
-    if (state.is_held || state.stage == game::GiantStage::ready) return;
+    const std::optional<double> progress = giant_progress();
+    if (!progress) return;
+    const bool is_made = state.stage == game::GiantStage::ready;
     const glm::vec2 middle = 0.5f * canvas.size();
-    canvas.text(middle, {0.5f, 0.5f}, std::string(name_of(state.stage)), 30.0f, ui::kPaper);
+    canvas.text(middle, {0.5f, 0.5f}, is_made ? "uploading" : std::string(name_of(state.stage)), 30.0f, ui::kPaper);
     canvas.bar({{middle.x - 160.0f * u, middle.y + 34.0f * u}, {middle.x + 160.0f * u, middle.y + 46.0f * u}},
-               static_cast<float>(state.progress), ui::kAccent);
+               static_cast<float>(*progress), ui::kAccent);
+}
+
+std::optional<double> GameShow::giant_progress() const
+{
+    const game::GiantScene* const scene = simulation_ ? game::giant_of(simulation_->scene()) : nullptr;
+    if (scene == nullptr) return std::nullopt;
+    const game::GiantState state = scene->state();
+    const std::optional<double> arriving = painter_.world().arriving();
+    if (state.is_held && arriving.value_or(1.0) >= 1.0) return std::nullopt;
+    if (!state.is_held && !state.is_expected && state.stage == game::GiantStage::ready) return std::nullopt;
+    if (state.stage != game::GiantStage::ready) return kMakingShare * state.progress;
+    return kMakingShare + (1.0 - kMakingShare) * arriving.value_or(0.0);
 }
 
 }  // namespace kerf::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -46,6 +47,7 @@ GameShow::GameShow(const ShowSetup& setup, Painter& painter, sound::Speaker& spe
     if (std::string message = scores_.take_message(); !message.empty()) message_ = std::move(message);
     game::add_fruit_models(*models_, setup.data_folder / "fruit");
     models_->add("asteroid", stone_asteroid(kSmallAsteroid, 3));
+    fruit_models_ = models_->size();
     speaker_.set_volume(settings().volume);
     speaker_.set_muted(settings().mute);
     start(setup.scene);
@@ -256,9 +258,23 @@ void GameShow::advance(double seconds)
     if (simulation_) scale *= simulation_->scene().time_scale();
     clock_.set_time_scale(scale);
     clock_.set_paused(is_held());
+    look_ahead();
     const sim::Tick ticks = !setup_.fixed_step ? clock_.advance(seconds) : is_held() ? 0 : sim::kTicksPerFrame;
     if (ticks > 0) simulate(ticks);
     fraction_ = setup_.fixed_step ? 1.0 : clock_.fraction();
+}
+
+/// Another thread makes ready what will be thrown: on the menu, whatever game is chosen.
+void GameShow::look_ahead()
+{
+    if (!simulation_) return;
+    std::vector<std::size_t> next = simulation_->scene().next_models();
+    if (scene_ == "menu") {
+        next.resize(fruit_models_);
+        std::iota(next.begin(), next.end(), std::size_t(0));
+    }
+    stocker_.want(next, simulation_->backend(), simulation_->proxy());
+    if (setup_.fixed_step) stocker_.finish();
 }
 
 void GameShow::simulate(sim::Tick ticks)
@@ -334,17 +350,24 @@ void GameShow::move_demo_blade()
     demo_.move(simulation_->time(), place);
 }
 
+void GameShow::sync()
+{
+    if (duel_)
+        duel_->sync(painter_);
+    else
+        painter_.sync(*simulation_);
+}
+
 void GameShow::paint(const ViewSettings& view)
 {
+    sync();
     if (duel_) {
-        duel_->sync(painter_);
         const auto stages = duel_->stages(painter_.target().width(), painter_.target().height());
         ViewSettings nearer = view;
         nearer.zoom *= DuelShow::kZoom;
         painter_.paint(stages, nearer);
         return;
     }
-    painter_.sync(*simulation_);
     const bool shows_demo = scene_ == "menu" && !simulation_->blade().pressed() && wanted_.empty();
     painter_.paint(*simulation_, view, fraction_, &effects_, shows_demo ? &demo_ : nullptr);
 }

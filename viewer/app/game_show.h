@@ -16,6 +16,7 @@
 #include "viewer/game/high_scores.h"
 #include "viewer/sim/frame_clock.h"
 #include "viewer/sim/pointer_sampler.h"
+#include "viewer/sim/stocker.h"
 #include "viewer/sound/speaker.h"
 #include "viewer/ui/screen_view.h"
 
@@ -61,6 +62,8 @@ public:
     /// Time goes on by a frame. @param seconds  since the last one; without meaning in fixed steps
     void advance(double seconds);
 
+    /// Uploads what is new, without painting: for frames that nobody sees. @throws render::RenderError
+    void sync();
     /// Paints the stage. @throws render::RenderError
     void paint(const ViewSettings& view);
     /// Writes over it, between UserInterface::begin() and draw().
@@ -74,6 +77,9 @@ public:
     const sim::Simulation* simulation() const { return simulation_.get(); }
     DuelShow* duel() { return duel_.get(); }
     const effects::Effects& effects() const { return effects_; }
+    /// How far the giant is that is being made or uploaded, 0 to 1, never falling; empty when there is none.
+    std::optional<double> giant_progress() const;
+    const sim::ModelShelf& models() const { return *models_; }
 
 private:
     void start(const std::string& scene);
@@ -81,6 +87,7 @@ private:
     void choose_mode(const std::string& scene);
     void store_settings();
     bool is_held() const;
+    void look_ahead();
     void simulate(sim::Tick ticks);
     void watch_menu();
     void watch_game();
@@ -94,6 +101,8 @@ private:
     Painter& painter_;
     sound::Speaker& speaker_;
     std::shared_ptr<sim::ModelShelf> models_ = std::make_shared<sim::ModelShelf>();
+    sim::Stocker stocker_{models_};
+    std::size_t fruit_models_ = 0;  ///< the first ones on the shelf: what the menu and the games show
     game::HighScores scores_;
     ui::Screens screens_;
     std::string scene_;

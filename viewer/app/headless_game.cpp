@@ -81,7 +81,10 @@ int run_headless_game(const Options& options)
         show.advance(1e-3 * frame_time.lap());
         const bool is_wanted = recording || (is_last && !options.screenshot.empty()) ||
                                (options.draw_every > 0 && frame % options.draw_every == 0);
-        if (!is_wanted) continue;
+        if (!is_wanted) {
+            show.sync();
+            continue;
+        }
         show.paint(options.view);
         interface.use_game_letters(options.height);
         interface.begin(options.width, options.height, 1.0 / 60.0);

@@ -97,6 +97,9 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnW
                 {"frame_ms", json_of(summary_of(times.frame_ms))},
                 {"bytes_uploaded", world.store().bytes_uploaded()},
                 {"bytes_of_throws", world.bytes_of_throws()},
+                {"most_bytes_of_throws_in_a_frame", world.most_bytes_of_throws()},
+                {"late_preparations", simulation.models().late_work().preparations},
+                {"late_copies", simulation.models().late_work().copies},
                 {"bytes_on_card", world.store().bytes_held()},
                 {"cuts", std::move(cuts)}};
     if (const game::GameScene* const game = game::game_of(simulation.scene())) report["game"] = game::report_of(*game);

@@ -40,7 +40,7 @@ void GiantScene::tick(sim::Simulation& simulation)
     // Not in the first tick: a size that is asked for at the start comes with it.
     if (simulation.now() > 1 && (is_wanted_ || backend_ != simulation.backend())) request(simulation);
     if (is_expected_ && arrival_ == GiantArrival::at_once) show(simulation);
-    if (is_expected_ && arrival_ == GiantArrival::when_ready && !is_announced_ && maker_.is_done()) {
+    if (is_expected_ && arrival_ == GiantArrival::when_ready && !is_announced_ && may_show(simulation)) {
         is_announced_ = true;
         simulation.command("show");
     }
@@ -50,10 +50,20 @@ void GiantScene::tick(sim::Simulation& simulation)
 void GiantScene::request(sim::Simulation& simulation)
 {
     backend_ = simulation.backend();
-    maker_.request(triangles_, simulation.settings().seed, backend_);
+    maker_.request(triangles_, simulation.settings().seed, backend_, simulation.proxy());
     is_wanted_ = false;
     is_expected_ = true;
     is_announced_ = false;
+}
+
+/// It failed, or it is there and on the graphics card.
+bool GiantScene::may_show(const sim::Simulation& simulation) const
+{
+    if (maker_.stage() != GiantStage::ready) return maker_.is_done();
+    const std::optional<sim::StockedCopy> copy = simulation.models().stocked(maker_.model(), backend_);
+    if (!copy) return false;
+    const DrawView view = copy->object->draw_view();
+    return view.new_vertex_bytes.empty() && view.new_index_bytes.empty();
 }
 
 void GiantScene::show(sim::Simulation& simulation)
@@ -130,6 +140,12 @@ bool GiantScene::command(sim::Simulation& simulation, std::string_view verb, std
     return true;
 }
 
+std::vector<std::size_t> GiantScene::next_models() const
+{
+    if (!is_expected_ || maker_.stage() != GiantStage::ready) return {};
+    return {maker_.model()};
+}
+
 void GiantScene::hash(sim::StateHash& hash) const
 {
     hash.add(triangles_);
@@ -143,7 +159,7 @@ void GiantScene::hash(sim::StateHash& hash) const
 
 GiantState GiantScene::state() const
 {
-    return {triangles_, maker_.stage(), maker_.progress(), held_ != 0, giants_};
+    return {triangles_, maker_.stage(), maker_.progress(), is_expected_, held_ != 0, giants_};
 }
 
 const GiantScene* giant_of(const sim::Scene& scene)

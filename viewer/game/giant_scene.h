@@ -14,8 +14,8 @@ namespace kerf::game {
 enum class GiantArrival : std::uint8_t
 {
     at_once,  ///< in the next tick, which waits for it: without a window, so that no tick depends on a thread's speed
-    when_ready,  ///< when the thread is done: nothing waits. The scene gives itself the command `show`, which is
-                 ///< recorded
+    when_ready,  ///< when the thread is done and all of it is on the graphics card: nothing waits. The scene gives
+                 ///< itself the command `show`, which is recorded
     on_command,  ///< by the command `show`, which waits: when a recording is played
 };
 
@@ -25,6 +25,7 @@ struct GiantState
     std::int64_t triangles = 0;  ///< asked for
     GiantStage stage = GiantStage::idle;
     double progress = 0.0;     ///< 0 to 1
+    bool is_expected = false;  ///< it was asked for and has not appeared yet
     bool is_held = false;      ///< a giant is there to be cut
     std::uint64_t giants = 0;  ///< so far, this one included
 };
@@ -46,12 +47,15 @@ public:
     void on_cut(sim::Simulation& simulation, const sim::CutRecord& cut) override;
     void on_gone(sim::Simulation& simulation, const sim::Body& body) override;
     bool command(sim::Simulation& simulation, std::string_view verb, std::string_view argument) override;
+    /// A giant that is ready and not yet shown: it is brought onto the graphics card meanwhile.
+    std::vector<std::size_t> next_models() const override;
     void hash(sim::StateHash& hash) const override;
 
     GiantState state() const;
 
 private:
     void request(sim::Simulation& simulation);
+    bool may_show(const sim::Simulation& simulation) const;
     void show(sim::Simulation& simulation);
     void hold(sim::Simulation& simulation);
 

@@ -25,6 +25,12 @@ void describe_vertices(const SharedBuffers& buffers)
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+/// What a buffer starts with that holds so many bytes.
+std::uint64_t capacity_for(std::uint64_t bytes, Room room)
+{
+    return bytes + (room == Room::to_grow ? std::min(bytes, kMostRoom) : 0);
+}
+
 /// Nothing of these buffers is on the graphics card: they are new, whatever their address was before.
 bool is_fresh(const DrawView& view)
 {
@@ -75,14 +81,20 @@ std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, 
     const auto found = sets_.find(view.buffers);
     is_new = found == sets_.end() || is_fresh(view);
     if (!is_new) return found->second;
-    if (found != sets_.end()) orphans_.push_back(std::move(found->second));
-    const std::uint64_t factor = room == Room::to_grow ? 2 : 1;
-    auto made = std::make_shared<SharedBuffers>(SharedBuffers{GrowingBuffer(factor * view.vertices.size_bytes()),
-                                                              GrowingBuffer(factor * view.indices.size_bytes()),
-                                                              GlVertexArray::create()});
-    sets_[view.buffers] = made;
+    auto made = std::make_shared<SharedBuffers>(
+        SharedBuffers{GrowingBuffer(capacity_for(view.vertices.size_bytes(), room)),
+                      GrowingBuffer(capacity_for(view.indices.size_bytes(), room)), GlVertexArray::create()});
     describe_vertices(*made);
+    own(view.buffers, made);
     return made;
+}
+
+/// These buffers are found by their address from now on.
+void FragmentStore::own(const void* address, std::shared_ptr<SharedBuffers> buffers)
+{
+    std::shared_ptr<SharedBuffers>& place = sets_[address];
+    if (place) orphans_.push_back(std::move(place));
+    place = std::move(buffers);
 }
 
 DrawnFragment FragmentStore::add(Cuttable& object, Room room)
@@ -110,6 +122,39 @@ DrawnFragment FragmentStore::add(Cuttable& object, Room room)
     DrawnFragment drawn{buffers, batches_of(view, looks_), everything_of(view), 0};
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
+}
+
+std::uint64_t FragmentStore::bring(Cuttable& object, Arrival& arrival, std::uint64_t most, Room room)
+{
+    const DrawView view = object.draw_view();
+    const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
+    if (!arrival.buffers) {
+        // The index buffer gets its size when its turn comes.
+        arrival.buffers = std::make_shared<SharedBuffers>(SharedBuffers{
+            GrowingBuffer(capacity_for(vertices.size(), room)), GrowingBuffer(0), GlVertexArray::create()});
+        arrival.bytes = vertices.size() + indices.size();
+        orphans_.push_back(arrival.buffers);
+    }
+    std::uint64_t left = most;
+    const auto go_on = [&](GrowingBuffer& buffer, std::span<const std::byte> content, std::uint64_t& done) {
+        const std::uint64_t size = std::min<std::uint64_t>(content.size() - done, left);
+        buffer.write(done, content.subspan(done, size));
+        done += size;
+        left -= size;
+    };
+    go_on(arrival.buffers->vertices, vertices, arrival.vertex_bytes);
+    if (left > 0 && arrival.index_bytes == 0)
+        arrival.buffers->indices = GrowingBuffer(capacity_for(indices.size(), room));
+    go_on(arrival.buffers->indices, indices, arrival.index_bytes);
+    bytes_uploaded_ += most - left;
+    if (arrival.vertex_bytes + arrival.index_bytes == arrival.bytes) {
+        describe_vertices(*arrival.buffers);
+        std::erase(orphans_, arrival.buffers);
+        own(view.buffers, arrival.buffers);
+        object.mark_uploaded();
+        arrival.is_whole = true;
+    }
+    return most - left;
 }
 
 void FragmentStore::release_unused()

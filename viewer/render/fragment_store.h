@@ -50,7 +50,23 @@ struct DrawnFragment
 enum class Room
 {
     exact,    ///< for what will not grow
-    to_grow,  ///< twice the content: for an object that is about to be cut
+    to_grow,  ///< twice the content, but no more than kMostRoom beyond it: for an object that is about to be cut
+};
+
+/// For more than thirty cuts of four million triangles. Room costs time, too: drivers clear it.
+inline constexpr std::uint64_t kMostRoom = 32u << 20;
+
+/// How far an object is that is brought onto the graphics card bit by bit.
+struct Arrival
+{
+    std::shared_ptr<SharedBuffers> buffers;  ///< null before the first bit
+    std::uint64_t vertex_bytes = 0;          ///< that are there
+    std::uint64_t index_bytes = 0;
+    std::uint64_t bytes = 0;  ///< of vertices and indices when all is there
+    bool is_whole = false;
+
+    /// 0 to 1.
+    double share() const { return bytes == 0 ? 0.0 : double(vertex_bytes + index_bytes) / double(bytes); }
 };
 
 /// Puts objects onto the graphics card and keeps count of every byte. Objects with equal DrawView::buffers share their
@@ -65,7 +81,14 @@ public:
     /// @throws RenderError  the graphics card has no memory left; the object does not count as uploaded then
     DrawnFragment add(Cuttable& object, Room room = Room::exact);
 
-    /// Frees the buffers that no DrawnFragment uses. For once a frame. O(objects)
+    /// Uploads at most so many bytes of an object of which nothing was uploaded yet, from where `arrival` ends, and
+    /// says how many. Each of the two buffers is allocated in a call of its own. When all is there the object is told
+    /// so, and add() has nothing left to upload as long as `arrival` is kept. The object must be the same each time and
+    /// not be cut meanwhile. O(bytes)
+    /// @throws RenderError  the graphics card has no memory left
+    std::uint64_t bring(Cuttable& object, Arrival& arrival, std::uint64_t most, Room room = Room::exact);
+
+    /// Frees the buffers that no DrawnFragment and no Arrival uses. For once a frame. O(objects)
     void release_unused();
 
     std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }  ///< ever; vertices and indices
@@ -74,10 +97,12 @@ public:
 
 private:
     std::shared_ptr<SharedBuffers> buffers_for(const DrawView& view, Room room, bool& is_new);
+    void own(const void* address, std::shared_ptr<SharedBuffers> buffers);
 
     LookTable& looks_;
     std::unordered_map<const void*, std::shared_ptr<SharedBuffers>> sets_;  ///< by DrawView::buffers
-    std::vector<std::shared_ptr<SharedBuffers>> orphans_;  ///< still drawn, but their address has a new owner
+    std::vector<std::shared_ptr<SharedBuffers>> orphans_;  ///< in use, but not found by address: it has a new owner, or
+                                                           ///< all is not there yet
     std::uint64_t bytes_uploaded_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "viewer/game/autopilot.h"
+#include "viewer/game/scenes.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/stages.h"
@@ -113,6 +114,74 @@ TEST_P(DrawnWorldTest, HoldsNoMoreBuffersThanThereAreThrowsOrPieces)
     }
     // After five seconds without a swipe all pieces have left; what flies now was thrown whole.
     EXPECT_LE(world.store().buffer_sets(), simulation.bodies().size());
+}
+
+// 400 000 triangles are more than 11 MB.
+TEST_P(DrawnWorldTest, AGiantComesBitByBitAndIsSeenWhenAllOfItIsThere)
+{
+    constexpr std::uint64_t kBudget = app::DrawnWorld::kBytesInAFrame;
+    const auto models = std::make_shared<sim::ModelShelf>();
+    sim::Simulation giant(models, settings(), game::make_scene("giant", models));
+    giant.command("size 400000");
+    std::vector<std::uint64_t> bytes;
+    double share = 0.0;
+    for (int frame = 0; frame < 10; ++frame) {
+        giant.advance(sim::kTicksPerFrame);
+        const std::uint64_t before = world.store().bytes_uploaded();
+        world.sync(giant);
+        bytes.push_back(world.store().bytes_uploaded() - before);
+        EXPECT_LE(bytes.back(), kBudget);
+        if (world.arriving()) {
+            EXPECT_GT(*world.arriving(), share) << "in every frame some of it";
+            share = *world.arriving();
+        }
+        EXPECT_EQ(world.objects(giant).size(), share == 1.0 ? 1u : 0u);
+    }
+    EXPECT_EQ(share, 1.0);
+    EXPECT_FALSE(world.arriving());
+    EXPECT_EQ(world.most_bytes_of_throws(), kBudget);
+    const DrawView view = giant.bodies().front()->object().draw_view();
+    const std::uint64_t whole = view.vertices.size_bytes() + view.indices.size_bytes();
+    EXPECT_GT(whole, 2 * kBudget);
+    EXPECT_EQ(world.bytes_of_throws(), whole);
+    EXPECT_EQ(std::uint64_t(std::count(bytes.begin(), bytes.end(), kBudget)), whole / kBudget);
+}
+
+TEST_P(DrawnWorldTest, WhatIsThrownNextIsThereBeforeItsThrow)
+{
+    simulation.advance();
+    world.sync(simulation);
+    const std::size_t next = simulation.scene().next_models().front();
+    simulation.models().stock(next, simulation.backend());
+    world.sync(simulation);
+    const std::uint64_t before = world.store().bytes_uploaded();
+    EXPECT_EQ(world.bytes_of_throws(), before);
+    simulation.command("throw");
+    simulation.advance();
+    ASSERT_EQ(simulation.bodies().size(), 2u);
+    world.sync(simulation);
+    EXPECT_EQ(world.store().bytes_uploaded(), before);
+    EXPECT_EQ(world.objects(simulation).size(), 2u);
+}
+
+TEST_P(DrawnWorldTest, ACutBeforeAllOfItIsThereUploadsItsPieces)
+{
+    const auto models = std::make_shared<sim::ModelShelf>();
+    sim::Simulation giant(models, settings(), game::make_scene("giant", models));
+    giant.command("size 200000");
+    giant.advance(400);
+    world.sync(giant);
+    ASSERT_TRUE(world.objects(giant).empty());
+    giant.push(stroke(giant.time() + 1, 90'000, {0.5, 5.0}, {0.5, -5.0}));
+    giant.advance(20);
+    ASSERT_GE(giant.bodies().size(), 2u);
+    world.sync(giant);
+    const auto objects = world.objects(giant);
+    ASSERT_EQ(objects.size(), giant.bodies().size());
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        EXPECT_EQ(objects[i].fragment->triangles, giant.bodies()[i]->object().triangle_count());
+    EXPECT_FALSE(world.arriving());
+    EXPECT_EQ(bytes_of_cuts() + world.bytes_of_throws(), world.store().bytes_uploaded());
 }
 
 TEST_P(DrawnWorldTest, SkipsPiecesThatNobodySaw)

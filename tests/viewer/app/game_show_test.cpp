@@ -1,9 +1,13 @@
 #include "viewer/app/game_show.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "viewer/app/user_interface.h"
+#include "viewer/game/game_scene.h"
+#include "viewer/game/giant_scene.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/ui/menu_scene.h"
 
@@ -223,6 +227,52 @@ TEST_F(GameShowTest, AGameThatIsLostLeadsToItsBalanceAndFromThereToTheNext)
     choose(show, "Play again");
     EXPECT_EQ(show.screens().screen(), Screen::play);
     EXPECT_LT(show.simulation()->now(), 3);
+}
+
+// In real time: no frame waits for the thread that makes the giant, and none uploads more of it than is allowed.
+TEST_F(GameShowTest, AGiantArrivesWithoutHoldingUpAFrameAndShowsHowFarItIs)
+{
+    ShowSetup real_time = setup("giant");
+    real_time.fixed_step = false;
+    real_time.giant = 300'000;
+    GameShow show(real_time, painter, speaker);
+    const auto state = [&] { return game::giant_of(show.simulation()->scene())->state(); };
+    const std::uint64_t budget = app::DrawnWorld::kBytesInAFrame;
+    std::uint64_t uploaded = 0;
+    double progress = 0.0;
+    int uploading = 0;
+    for (int frame = 0; frame < 100'000 && !state().is_held; ++frame) {
+        show.advance(1.0 / 60.0);
+        if (state().is_held) break;
+        show.sync();
+        const std::uint64_t bytes = painter.world().store().bytes_uploaded();
+        EXPECT_LE(bytes - uploaded, budget);
+        if (bytes > uploaded) ++uploading;
+        uploaded = bytes;
+        ASSERT_TRUE(show.giant_progress());
+        EXPECT_GE(*show.giant_progress(), progress);
+        progress = *show.giant_progress();
+        std::this_thread::sleep_for(std::chrono::microseconds(500));
+    }
+    ASSERT_TRUE(state().is_held);
+    EXPECT_EQ(progress, 1.0);
+    EXPECT_GE(uploading, 3);
+    EXPECT_GT(uploaded, 2 * budget);
+    // It is seen in the frame in which it appears, and costs nothing more.
+    show.sync();
+    EXPECT_EQ(painter.world().store().bytes_uploaded(), uploaded);
+    EXPECT_FALSE(show.giant_progress());
+}
+
+TEST_F(GameShowTest, FruitIsReadyBeforeItsFirstThrow)
+{
+    GameShow show(setup(), painter, speaker);
+    frames(show, 3);
+    choose(show, "Classic");
+    frames(show, 600);
+    ASSERT_EQ(show.scene(), "classic");
+    ASSERT_FALSE(game::game_of(show.simulation()->scene())->events().empty());
+    EXPECT_EQ(show.models().late_work().preparations, 0u);
 }
 
 TEST_F(GameShowTest, ADuelGivesTheSameStatesEveryTime)

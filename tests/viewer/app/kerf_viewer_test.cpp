@@ -213,6 +213,19 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOfAGiantOnBothBackEnds)
         EXPECT_EQ(json["runs"][0]["cuts"][0][what], json["runs"][1]["cuts"][0][what]);
 }
 
+/// No tick of a run prepares a mesh: another thread has done it before.
+TEST_F(KerfViewerTest, ThrowsWhatWasMadeReadyBefore)
+{
+    const std::string run = "--headless --autopilot --seed 3 --draw 0 --size 16x9 ";
+    const Json thrown = report(run + "--frames 300")["runs"][0];
+    EXPECT_GE(thrown["bytes_of_throws"], 1);
+    EXPECT_EQ(thrown["late_preparations"], 0);
+    EXPECT_EQ(thrown["late_copies"], 0);
+    const Json game = report(run + "--frames 400 --scene arcade")["runs"][0];
+    EXPECT_GE(game["cuts"].size(), 2u);
+    EXPECT_EQ(game["late_preparations"], 0);
+}
+
 TEST_F(KerfViewerTest, GivesTheSameStateTwice)
 {
     write_swipes();

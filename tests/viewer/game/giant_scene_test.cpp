@@ -45,11 +45,19 @@ void play_with_autopilot(sim::Simulation& simulation, sim::Tick ticks)
     }
 }
 
+/// What a renderer does with a giant that is ready.
+void upload_next(const sim::Simulation& simulation)
+{
+    for (const std::size_t model : simulation.scene().next_models())
+        if (const auto copy = simulation.models().stocked(model, simulation.backend())) copy->object->mark_uploaded();
+}
+
 // Ticks until the giant is there.
 sim::Tick wait_for_giant(sim::Simulation& simulation)
 {
     while (!state_of(simulation).is_held && simulation.now() < 100'000) {
         simulation.advance();
+        upload_next(simulation);
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
     return simulation.now();
@@ -175,6 +183,25 @@ TEST(GiantScene, NeverWaitsForAGiantInAWindow)
     EXPECT_LT(simulation.bodies().back()->object().triangle_count(), 11'000u);
 }
 
+TEST(GiantScene, ComesToAWindowWhenAllOfItIsOnTheGraphicsCard)
+{
+    sim::Simulation simulation = play(GiantArrival::when_ready);
+    simulation.command("size 10000");
+    while (simulation.scene().next_models().empty() && simulation.now() < 100'000) {
+        simulation.advance();
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    ASSERT_EQ(state_of(simulation).stage, GiantStage::ready);
+    simulation.advance(50);
+    EXPECT_FALSE(state_of(simulation).is_held);
+    EXPECT_TRUE(state_of(simulation).is_expected);
+    upload_next(simulation);
+    simulation.advance(2);
+    EXPECT_TRUE(state_of(simulation).is_held);
+    EXPECT_FALSE(state_of(simulation).is_expected);
+    EXPECT_TRUE(simulation.scene().next_models().empty());
+}
+
 TEST(GiantScene, ShowsHowFarItIs)
 {
     sim::Simulation simulation = play(GiantArrival::when_ready);
@@ -182,6 +209,7 @@ TEST(GiantScene, ShowsHowFarItIs)
     double last = 0.0;
     while (!state_of(simulation).is_held && simulation.now() < 100'000) {
         simulation.advance();
+        upload_next(simulation);
         if (simulation.now() < 3) continue;
         EXPECT_GE(state_of(simulation).progress, last);
         last = state_of(simulation).progress;

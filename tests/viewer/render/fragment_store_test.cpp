@@ -77,6 +77,68 @@ TEST_F(FragmentStoreTest, UploadsAWholeObjectOnce)
     EXPECT_EQ(again.buffers, drawn.buffers);
 }
 
+TEST_F(FragmentStoreTest, BringsAnObjectBitByBitAndNeverMoreThanAsked)
+{
+    constexpr std::uint64_t kMost = 50'000;
+    for (const auto& backend : {halfedge::make_backend(), baseline::make_backend()}) {
+        const auto object = asteroid(*backend);
+        const DrawView view = object->draw_view();
+        const std::uint64_t size = view.vertices.size_bytes() + view.indices.size_bytes();
+        ASSERT_GT(size, 4 * kMost);
+        const std::uint64_t before = store.bytes_uploaded();
+        render::Arrival arrival;
+        std::uint64_t steps = 0;
+        for (; !arrival.is_whole && steps < 100; ++steps) {
+            const std::uint64_t bytes = store.bring(*object, arrival, kMost);
+            EXPECT_EQ(bytes, std::min(kMost, size - steps * kMost));
+            EXPECT_NEAR(arrival.share(), double(store.bytes_uploaded() - before) / double(size), 1e-12);
+            store.release_unused();
+        }
+        EXPECT_EQ(steps, (size + kMost - 1) / kMost);
+        EXPECT_EQ(store.bytes_uploaded() - before, size);
+        // Now it is drawn like any other, and a cut uploads what is new.
+        const DrawnFragment drawn = store.add(*object);
+        EXPECT_EQ(store.bytes_uploaded() - before, size);
+        EXPECT_EQ(drawn.buffers, arrival.buffers);
+        expect_same_bytes(drawn, *object);
+    }
+}
+
+TEST_F(FragmentStoreTest, CountsAndFreesTheBuffersOfWhatIsOnItsWay)
+{
+    const auto object = asteroid(*halfedge::make_backend());
+    {
+        render::Arrival arrival;
+        store.bring(*object, arrival, 1000);
+        const std::uint64_t held = store.bytes_held();
+        EXPECT_GE(held, object->draw_view().vertices.size_bytes());
+        EXPECT_LT(held, arrival.bytes) << "the index buffer comes when the vertices are there";
+        store.bring(*object, arrival, arrival.bytes);
+        ASSERT_TRUE(arrival.is_whole);
+        store.release_unused();
+        EXPECT_EQ(store.bytes_held(), arrival.bytes) << "all is there, counted once";
+    }
+    store.release_unused();
+    EXPECT_EQ(store.bytes_held(), 0u);
+    // What was brought and freed comes anew.
+    const DrawnFragment drawn = store.add(*object);
+    expect_same_bytes(drawn, *object);
+}
+
+TEST_F(FragmentStoreTest, AnObjectThatIsCutOnItsWayComesWithItsPieces)
+{
+    auto object = asteroid(*halfedge::make_backend());
+    render::Arrival arrival;
+    store.bring(*object, arrival, 100'000);
+    ASSERT_FALSE(arrival.is_whole);
+    const CutResult result = halves(std::move(object));
+    ASSERT_EQ(result.status, Status::cut);
+    const DrawnFragment positive = store.add(*result.positive.front());
+    const DrawnFragment negative = store.add(*result.negative.front());
+    EXPECT_EQ(positive.buffers, negative.buffers);
+    expect_same_bytes(positive, *result.positive.front());
+}
+
 TEST_F(FragmentStoreTest, UploadsOfAHalfEdgeCutWhatTheStatisticsSayAndNothingElse)
 {
     auto object = asteroid(*halfedge::make_backend());
