@@ -31,7 +31,7 @@ class Run:
     backend: str
     graphics: str
     cuts: list[Cut]
-    times: dict[str, dict[str, float]]  # frame_ms, simulate_ms, submit_cpu_ms, cut_to_upload_cpu_ms: min, median, ...
+    times: dict[str, dict[str, float]]  # frame_ms, simulate_cpu_ms, submit_cpu_ms, cut_to_upload_cpu_ms: min, median, ...
 
 
 @dataclass
@@ -103,7 +103,7 @@ def load(stage_files: list[Path]) -> Measurements:
             all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
         else:
             model = model_name(stage["command"][1])
-            all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in result["runs"]]
+            all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in result["runs"][1:]]  # the first warms up
     all_of_them.bench = collect({"benchmarks": benchmarks})
     return all_of_them
 
@@ -111,5 +111,5 @@ def load(stage_files: list[Path]) -> Measurements:
 def viewer_run(model: str, graphics: str, run: dict[str, Any]) -> Run:
     cuts = [Cut(model, run["backend"], cut["triangles"], cut["crossing"], cut["cut_to_upload_cpu_ms"], cut["bytes_uploaded"])
             for cut in run["cuts"] if cut["status"] == "cut"]
-    times = {name: run[name] for name in ("frame_ms", "simulate_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
+    times = {name: run[name] for name in ("frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
     return Run(model, run["backend"], graphics, cuts, times)

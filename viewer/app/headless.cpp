@@ -54,12 +54,13 @@ public:
     Json play()
     {
         for (std::int64_t frame = 0; frame < frames_; ++frame) {
-            Stopwatch whole, simulate;
+            Stopwatch whole;
             stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
             stocker_.finish();
+            CpuStopwatch simulate;
             if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
             simulation_.advance(sim::kTicksPerFrame);
-            times_.simulate_ms.push_back(simulate.lap());
+            times_.simulate_cpu_ms.push_back(1e3 * simulate.lap());
             if (std::string message = simulation_.take_message(); !message.empty()) say(std::move(message));
 
             effects_.follow(simulation_);
@@ -105,7 +106,7 @@ private:
         if (interface_) {
             if (game::game_of(simulation_.scene()) != nullptr) interface_->use_game_letters(options_.height);
             PanelState state{simulation_, painter_, statistics_, options_.view, {}};
-            state.simulation_ms = times_.simulate_ms.back();
+            state.simulation_ms = times_.simulate_cpu_ms.back();
             const game::GameScene* const game = game::game_of(simulation_.scene());
             // Windows find their sizes in the first frame, and are seen in the second.
             for (int pass = has_shown_panel_ ? 1 : 0; pass < 2; ++pass) {

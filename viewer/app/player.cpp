@@ -120,7 +120,7 @@ void Player::simulate()
     const sim::Tick ticks = fixed_step() ? sim::kTicksPerFrame : clock_.advance(seconds);
     stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
     if (fixed_step()) stocker_.finish();
-    Stopwatch watch;
+    CpuStopwatch watch;
     if (ticks > 0) {
         if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
         const sim::Microseconds end = sim::time_of(simulation_.now() + ticks);
@@ -128,8 +128,8 @@ void Player::simulate()
         pointer_.clear();
         simulation_.advance(ticks);
     }
-    simulate_ms_ = watch.lap();
-    times_.simulate_ms.push_back(simulate_ms_);
+    simulate_cpu_ms_ = 1e3 * watch.lap();
+    times_.simulate_cpu_ms.push_back(simulate_cpu_ms_);
     if (std::string message = simulation_.take_message(); !message.empty()) {
         if (fixed_step()) messages_.push_back(message);
         say(std::move(message));
@@ -148,7 +148,7 @@ void Player::show()
 
     if (Clock::now() > message_until_) message_.clear();
     PanelState state{simulation_, painter_, statistics_, options_.view, message_};
-    state.simulation_ms = simulate_ms_;
+    state.simulation_ms = simulate_cpu_ms_;
     state.paused = clock_.paused();
     state.slow_motion = clock_.slow_motion();
     interface_.begin();

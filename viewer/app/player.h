@@ -87,7 +87,7 @@ private:
     std::int64_t frame_ = 0;
     int pictures_ = 0;
     bool paused_by_focus_ = false, had_focus_ = false;
-    double simulate_ms_ = 0.0;
+    double simulate_cpu_ms_ = 0.0;
 };
 
 /// Opens the window and plays until it is closed.

@@ -92,7 +92,7 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnW
                 {"bodies", simulation.bodies().size()},
                 {"state_hash", hexadecimal(simulation.state_hash())},
                 {"cut_to_upload_cpu_ms", json_of(summary_of(std::move(to_upload)))},
-                {"simulate_ms", json_of(summary_of(times.simulate_ms))},
+                {"simulate_cpu_ms", json_of(summary_of(times.simulate_cpu_ms))},
                 {"submit_cpu_ms", json_of(summary_of(times.submit_cpu_ms))},
                 {"frame_ms", json_of(summary_of(times.frame_ms))},
                 {"bytes_uploaded", world.store().bytes_uploaded()},
