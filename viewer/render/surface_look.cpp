@@ -100,7 +100,7 @@ SurfaceLook inside_of(std::span<const Material> materials)
     for (const Material& material : materials)
         if (const SurfaceLook* flesh = find(fruit_flesh(), material.name)) return *flesh;
     for (const auto& [name, inside] : insides())
-        if (std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; }))
+        if (std::any_of(materials.begin(), materials.end(), [&name = name](const Material& m) { return m.name == name; }))
             return inside;
     // Nobody knows what is inside: a warm clay that stands out from most colours.
     return look(Pattern::stone, {0.62f, 0.24f, 0.12f}, {0.50f, 0.16f, 0.07f}, {0.36f, 0.10f, 0.05f}, 14, 0.6f, 0.8f,
