@@ -2,11 +2,13 @@
 
 #include <AL/al.h>
 #include <AL/alc.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <future>
 #include <vector>
 
@@ -26,6 +28,22 @@ std::array<Words, kAllSounds.size()> all_words()
         for (const float sample : synthesise(sound))
             all[static_cast<std::size_t>(sound)].push_back(static_cast<std::int16_t>(std::lround(32767.0f * sample)));
     return all;
+}
+
+void say_nothing(const char*, int, const char*, int, const char*, ...) {}
+
+/// A player without a sound device does not want to read about it: ALSA and OpenAL say on stderr what they can't find.
+/// OpenAL's messages come back with ALSOFT_LOGLEVEL in the environment.
+void hush()
+{
+    ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+    // OpenAL brings ALSA along or does not; it stays loaded, with a function that says nothing.
+    using Handler = void (*)(const char*, int, const char*, int, const char*, ...);
+    using SetHandler = int (*)(Handler);
+    void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
+    if (alsa == nullptr) return;
+    if (void* const found = ::dlsym(alsa, "snd_lib_error_set_handler"))
+        reinterpret_cast<SetHandler>(found)(say_nothing);
 }
 
 }  // namespace
@@ -55,6 +73,7 @@ struct Speaker::Device
     /// Null when there is nothing to hear with.
     static std::unique_ptr<Device> open()
     {
+        hush();
         auto opened = std::make_unique<Device>();
         opened->device = alcOpenDevice(nullptr);
         if (opened->device == nullptr) return nullptr;

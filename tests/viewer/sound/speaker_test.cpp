@@ -69,4 +69,15 @@ TEST(Speaker, KeepsTheVolumeWithinBounds)
     EXPECT_EQ(speaker.volume(), 0.0);
 }
 
+// With a device or, as where tests run, without one. The last, because OpenAL looks for devices once in a program.
+TEST(Speaker, SaysNothingAboutTheDevicesThatItCannotFind)
+{
+    ::testing::internal::CaptureStderr();
+    {
+        sound::Speaker speaker;
+        use(speaker);
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace kerf::test
