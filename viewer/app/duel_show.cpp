@@ -1,13 +1,11 @@
 #include "viewer/app/duel_show.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "viewer/app/stone_asteroid.h"
-#include "viewer/duel/timetable_scene.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/ui/hud.h"
+#include "viewer/ui/texts.h"
 
 namespace kerf::app {
 
@@ -15,6 +13,9 @@ namespace {
 
 /// What a picture waits for the halves, so that an ordinary cut is seen in the frame in which it was made.
 constexpr std::chrono::milliseconds kPatience{4};
+
+/// Half the diagonal of what is thrown, metres: large enough to be seen in half a picture.
+constexpr double kBoulderRadius = 2.3, kFruitRadius = 1.5;
 
 std::array<std::string, 2> opponents()
 {
@@ -42,26 +43,20 @@ std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
 }
 
 /// Boulder and fruit in turn, prepared for both.
-std::vector<std::size_t> prepare_all(sim::ModelShelf& models, std::int64_t triangles)
+std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std::int64_t triangles)
 {
     const std::size_t boulder = add_boulder(models, triangles);
-    std::vector<std::size_t> thrown;
+    std::vector<duel::TimetableScene::Item> thrown;
     for (const std::string_view fruit : {"watermelon", "pineapple", "coconut", "orange"}) {
-        thrown.push_back(boulder);
-        if (const std::size_t index = index_of(models, fruit); index < models.size()) thrown.push_back(index);
+        thrown.push_back({boulder, kBoulderRadius});
+        if (const std::size_t index = index_of(models, fruit); index < models.size())
+            thrown.push_back({index, kFruitRadius});
     }
     for (const std::string& backend : opponents()) {
-        for (const std::size_t model : thrown) models.prepare(model, backend);
+        for (const duel::TimetableScene::Item& item : thrown) models.prepare(item.model, backend);
         models.stock(boulder, backend);
     }
     return thrown;
-}
-
-std::string milliseconds(double ms)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), ms < 10.0 ? "%.1f ms" : "%.0f ms", ms);
-    return text.data();
 }
 
 }  // namespace
@@ -91,16 +86,28 @@ bool DuelShow::ready()
 {
     if (duel_) return true;
     if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-    const std::vector<std::size_t> thrown = preparing_.get();
+    const std::vector<duel::TimetableScene::Item> thrown = preparing_.get();
     duel_ = std::make_unique<duel::Duel>(models_, settings_, opponents(),
                                          [&] { return std::make_unique<duel::TimetableScene>(thrown); });
-    stocking_ = std::thread([this, boulder = thrown.front()] {
+    stocking_ = std::thread([this, boulder = thrown.front().model] {
         while (!ends_) {
             for (const std::string& backend : opponents()) models_->stock(boulder, backend);
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
     });
     return true;
+}
+
+bool DuelShow::is_over()
+{
+    if (!duel_ || duel_->now() < duel::TimetableScene::kLength) return false;
+    return duel_->half(0).done() == duel_->now() && duel_->half(1).done() == duel_->now();
+}
+
+std::array<duel::Score, 2> DuelShow::scores()
+{
+    if (!duel_) return {};
+    return {duel_->score(0), duel_->score(1)};
 }
 
 void DuelShow::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits)
@@ -161,20 +168,20 @@ void DuelShow::write_score(ui::Canvas& canvas, std::size_t half)
     const bool leads = score.cut_ms <= other.cut_ms;
     canvas.card({{box.low.x + 60.0f * u, 18.0f * u}, {box.high.x - 60.0f * u, 158.0f * u}}, 0.62f);
     canvas.text({middle, 26.0f * u}, {0.5f, 0.0f}, score.backend, 30.0f, ui::kPaper);
-    canvas.text({middle, 58.0f * u}, {0.5f, 0.0f}, milliseconds(score.cut_ms), 58.0f,
+    canvas.text({middle, 58.0f * u}, {0.5f, 0.0f}, ui::milliseconds_text(score.cut_ms), 58.0f,
                 score.cuts == 0 ? ui::kDim
-                : leads         ? glm::vec3(0.55f, 0.95f, 0.45f)
+                : leads         ? ui::kLead
                                 : ui::kDanger);
     canvas.text({middle, 126.0f * u}, {0.5f, 0.0f},
                 std::to_string(score.cuts)
                     .append(score.cuts == 1 ? " cut   longest " : " cuts   longest ")
-                    .append(milliseconds(score.worst_ms)),
+                    .append(ui::milliseconds_text(score.worst_ms)),
                 19.0f, ui::kPaper);
     // A frame or two is how a frame is made; more is a hitch.
     constexpr double kShownFrom = 60.0;
     if (score.behind_ms > kShownFrom)
         canvas.text({middle, canvas.size().y - 70.0f * u}, {0.5f, 0.5f},
-                    milliseconds(score.behind_ms).append(" behind"), 34.0f, ui::kDanger);
+                    ui::milliseconds_text(score.behind_ms).append(" behind"), 34.0f, ui::kDanger);
 }
 
 void DuelShow::write(ui::Canvas& canvas)
@@ -193,6 +200,9 @@ void DuelShow::write(ui::Canvas& canvas)
                    share, ui::kAccent);
         return;
     }
+    const sim::Tick left = std::max<sim::Tick>(duel::TimetableScene::kLength - now(), 0);
+    canvas.text({0.5f * size.x, 40.0f * u}, {0.5f, 0.0f}, ui::clock_text(double(left) * sim::kTickSeconds), 44.0f,
+                left < 10 * sim::kTicksPerSecond ? ui::kDanger : ui::kPaper);
     for (std::size_t half = 0; half < 2; ++half) {
         ui::show_effects(canvas, effects_[half], box_of_half(half, size));
         write_score(canvas, half);

@@ -11,6 +11,7 @@
 #include "viewer/app/drawn_world.h"
 #include "viewer/app/painter.h"
 #include "viewer/duel/duel.h"
+#include "viewer/duel/timetable_scene.h"
 #include "viewer/ui/canvas.h"
 
 namespace kerf::app {
@@ -38,6 +39,10 @@ public:
     void wait_until_ready();
 
     sim::Tick now() const { return duel_ ? duel_->now() : 0; }
+    /// Its time is up and both halves have caught up with the clock.
+    bool is_over();
+    /// How both halves stand.
+    std::array<duel::Score, 2> scores();
     /// So many ticks more, with their input; waits for slow cuts only when told to.
     void advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits);
 
@@ -50,6 +55,7 @@ public:
     /// Where a half is on a picture. Pixels from the upper left corner.
     static ui::Box2 box_of_half(std::size_t half, const glm::vec2& size);
 
+    /// The duel itself; once ready().
     duel::Duel& duel() { return *duel_; }
 
 private:
@@ -58,7 +64,7 @@ private:
     std::shared_ptr<sim::ModelShelf> models_;
     sim::Settings settings_;
     std::int64_t triangles_;
-    std::future<std::vector<std::size_t>> preparing_;  ///< gives what is thrown
+    std::future<std::vector<duel::TimetableScene::Item>> preparing_;  ///< gives what is thrown
     std::atomic<bool> ends_ = false;
     std::thread stocking_;  ///< keeps copies of the boulder ready
     std::unique_ptr<duel::Duel> duel_;

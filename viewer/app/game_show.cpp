@@ -187,6 +187,12 @@ void GameShow::toggle_mute()
     store_settings();
 }
 
+void GameShow::play_again()
+{
+    if (screens_.screen() != ui::Screen::over) return;
+    if (const std::optional<ui::Request> request = screens_.click(0)) carry_out(*request);
+}
+
 void GameShow::pause()
 {
     if (screens_.screen() == ui::Screen::play) screens_.show(ui::Screen::paused);
@@ -249,6 +255,15 @@ void GameShow::push(const std::vector<sim::InputEvent>& events)
         script_.insert(script_.end(), events.begin(), events.end());
 }
 
+void GameShow::let_play(game::Autopilot& autopilot)
+{
+    if (screens_.screen() != ui::Screen::play) return;
+    if (simulation_) return push(autopilot.play(*simulation_));
+    if (!duel_->ready()) return;
+    duel::Half& watched = duel_->duel().half(autopilot.swipes() % 2);
+    if (watched.idle() && watched.done() == duel_->now()) push(autopilot.play(watched.simulation()));
+}
+
 void GameShow::advance(double seconds)
 {
     // In fixed steps the first tick waits for what a thread would make meanwhile: no frame of a player's.
@@ -288,6 +303,7 @@ void GameShow::simulate(sim::Tick ticks)
             script_.erase(script_.begin());
         }
         duel_->advance(ticks, events, setup_.fixed_step);
+        watch_duel();
         return;
     }
     sim::Simulation& simulation = *simulation_;
@@ -302,6 +318,11 @@ void GameShow::simulate(sim::Tick ticks)
             cut_times_.add(cut.cut_ms + cut.proxy_ms + cut.bodies_ms);
     watch_game();
     watch_menu();
+}
+
+void GameShow::watch_duel()
+{
+    if (duel_->is_over() && screens_.screen() == ui::Screen::play) screens_.show(ui::Screen::over);
 }
 
 void GameShow::watch_game()
@@ -391,8 +412,12 @@ void GameShow::write(ui::Canvas& canvas)
     ui::ScreenContent content;
     content.message = message_;
     if (screens_.screen() == ui::Screen::scores) content.scores = score_lists();
+    if (duel_ && screens_.screen() == ui::Screen::over)
+        for (const duel::Score& score : duel_->scores())
+            content.duel.push_back(
+                {score.backend, score.cuts, score.cut_ms, score.worst_ms, score.worst_frame_ms, score.lost_frames});
     if (duel_) {
-        duel_->write(canvas);
+        if (screens_.screen() != ui::Screen::over) duel_->write(canvas);
     } else {
         ui::show_effects(canvas, effects_, {{0.0f, 0.0f}, canvas.size()});
         if (const game::GameScene* const played = game::game_of(simulation_->scene())) {

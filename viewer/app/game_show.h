@@ -13,6 +13,7 @@
 #include "viewer/app/view_settings.h"
 #include "viewer/app/window.h"
 #include "viewer/effects/effects.h"
+#include "viewer/game/autopilot.h"
 #include "viewer/game/high_scores.h"
 #include "viewer/sim/frame_clock.h"
 #include "viewer/sim/pointer_sampler.h"
@@ -50,12 +51,17 @@ public:
     void next_backend();
     void next_giant();
     void toggle_mute();
+    /// Begins the game anew that has just ended; otherwise nothing happens.
+    void play_again();
     /// The player looks elsewhere.
     void pause();
     /// @param change  pixels of a picture of this size
     void point(const WindowPointer& change, const glm::vec2& size);
     /// Input of a script, for the scene that is played now.
     void push(const std::vector<sim::InputEvent>& events);
+    /// Lets a player without hands swipe; before each advance(), with the same `autopilot`. In a duel it looks at one
+    /// half and at the other in turn, and its swipes go to both like anybody's.
+    void let_play(game::Autopilot& autopilot);
     /// Goes to another screen at once, for pictures.
     void show_screen(ui::Screen screen);
 
@@ -91,6 +97,7 @@ private:
     void simulate(sim::Tick ticks);
     void watch_menu();
     void watch_game();
+    void watch_duel();
     void move_demo_blade();
     void write_giant(ui::Canvas& canvas);
     void set_giant(double share);

@@ -116,6 +116,8 @@ void GameWindow::take_key(int key)
             return show_.next_backend();
         case GLFW_KEY_N:
             return show_.next_giant();
+        case GLFW_KEY_R:
+            return show_.play_again();
         case GLFW_KEY_F11:
             return window_.set_fullscreen(!window_.fullscreen());
         case GLFW_KEY_F12: {

@@ -43,6 +43,8 @@ Json report_of(DuelShow& show)
         const duel::Score score = show.duel().score(i);
         half["cut_ms"] = score.cut_ms;
         half["longest_cut_ms"] = score.worst_ms;
+        half["worst_frame_ms"] = score.worst_frame_ms;
+        half["lost_frames"] = score.lost_frames;
         halves.push_back(std::move(half));
     }
     return halves;
@@ -70,6 +72,7 @@ int run_headless_game(const Options& options)
     if (options.boulder > 0) setup.boulder = options.boulder;
     GameShow show(setup, painter, speaker);
     show.push(script.events);
+    game::Autopilot autopilot(setup.seed);
     std::optional<render::Recording> recording;
     if (!options.record.empty()) recording.emplace(options.record);
 
@@ -77,6 +80,7 @@ int run_headless_game(const Options& options)
     for (std::int64_t frame = 0; frame < options.frames; ++frame) {
         const bool is_last = frame + 1 == options.frames;
         if (is_last && !options.screen.empty()) show.show_screen(*ui::find_screen(options.screen));
+        if (options.autopilot) show.let_play(autopilot);
         // What a frame took is shown by the giant's panel; the simulation goes in fixed steps.
         show.advance(1e-3 * frame_time.lap());
         const bool is_wanted = recording || (is_last && !options.screenshot.empty()) ||
@@ -98,7 +102,7 @@ int run_headless_game(const Options& options)
     Json report{{"version", KERF_VERSION},     {"graphics", render::describe_current_context()},
                 {"width", options.width},      {"height", options.height},
                 {"gl_errors", errors.count()}, {"gl_messages", errors.messages()},
-                {"scene", show.scene()}};
+                {"scene", show.scene()},       {"screen", ui::screen_names()[std::size_t(show.screens().screen())]}};
     if (show.duel() != nullptr)
         report["halves"] = report_of(*show.duel());
     else

@@ -1,6 +1,7 @@
 #include "viewer/duel/duel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kerf::duel {
 
@@ -58,20 +59,29 @@ void Duel::finish()
     for (const auto& half : halves_) half->finish();
 }
 
+void Duel::count(std::size_t i, const sim::CutRecord& cut)
+{
+    constexpr double kFrameMs = 1e3 * sim::kTickSeconds * double(sim::kTicksPerFrame);
+    Score& score = scores_[i];
+    score.last_ms = cut.cut_ms + cut.proxy_ms + cut.bodies_ms;
+    score.cut_ms += score.last_ms;
+    score.worst_ms = std::max(score.worst_ms, score.last_ms);
+    ++score.cuts;
+
+    if (cut.frame() != std::exchange(frame_[i], cut.frame())) frame_ms_[i] = 0.0;
+    const double before = std::exchange(frame_ms_[i], frame_ms_[i] + score.last_ms);
+    score.worst_frame_ms = std::max(score.worst_frame_ms, frame_ms_[i]);
+    score.lost_frames += std::int64_t(frame_ms_[i] / kFrameMs) - std::int64_t(before / kFrameMs);
+}
+
 Score Duel::score(std::size_t i)
 {
     Score& score = scores_[i];
     Half& half = *halves_[i];
     if (half.idle()) {
         const std::vector<sim::CutRecord>& cuts = half.simulation().cuts();
-        for (; counted_[i] < cuts.size(); ++counted_[i]) {
-            const sim::CutRecord& cut = cuts[counted_[i]];
-            if (cut.pieces.empty()) continue;
-            score.last_ms = cut.cut_ms + cut.proxy_ms + cut.bodies_ms;
-            score.cut_ms += score.last_ms;
-            score.worst_ms = std::max(score.worst_ms, score.last_ms);
-            ++score.cuts;
-        }
+        for (; counted_[i] < cuts.size(); ++counted_[i])
+            if (!cuts[counted_[i]].pieces.empty()) count(i, cuts[counted_[i]]);
     }
     score.behind_ms = 1e3 * sim::kTickSeconds * double(now_ - half.done());
     return score;

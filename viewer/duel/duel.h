@@ -20,7 +20,9 @@ struct Score
     double cut_ms = 0.0;    ///< all of them, from hit to pieces
     double worst_ms = 0.0;  ///< the longest
     double last_ms = 0.0;
-    double behind_ms = 0.0;  ///< how much later than the clock of the duel this half is
+    double worst_frame_ms = 0.0;   ///< the most that the cuts of one frame took
+    std::int64_t lost_frames = 0;  ///< whole frames of 1/60 s that went by during cuts
+    double behind_ms = 0.0;        ///< how much later than the clock of the duel this half is
 };
 
 /// What makes a scene for a half.
@@ -58,10 +60,13 @@ public:
 
 private:
     void follow(const sim::InputEvent& event);
+    void count(std::size_t i, const sim::CutRecord& cut);
 
     std::array<std::unique_ptr<Half>, 2> halves_;
     std::array<Score, 2> scores_;
     std::array<std::size_t, 2> counted_{};  ///< cut records that are in the score
+    std::array<std::int64_t, 2> frame_{};   ///< of the last of them
+    std::array<double, 2> frame_ms_{};      ///< what the cuts of that frame took so far
     sim::Blade blade_;
     sim::Tick now_ = 0;
 };

@@ -19,6 +19,8 @@ public:
     /// Input for the coming ticks; call before each advance().
     std::vector<sim::InputEvent> play(const sim::Simulation& simulation);
 
+    std::uint64_t swipes() const { return swipes_; }  ///< so far
+
 private:
     std::uint64_t seed_;
     std::uint64_t swipes_ = 0;

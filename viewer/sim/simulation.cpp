@@ -207,10 +207,10 @@ std::uint64_t Simulation::seed_for(std::uint64_t n) const
 
 const Body* Simulation::throw_object(const Throw& what)
 {
-    const Flight flight = plan_flight(what.seed, world_.gravity());
+    const Flight flight = plan_flight(what.seed, world_.gravity(), what.radius);
     const Box& box = models_->model(what.model).box;
     const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
-    const double scale = radius > 0.0 ? kThrownRadius / radius : 1.0;
+    const double scale = radius > 0.0 ? what.radius / radius : 1.0;
     const Body* const body = place_object(what.model, scale, flight.centre, flight.rotation, flight.motion);
     if (body != nullptr) last_throw_ = what;
     return body;

@@ -15,6 +15,7 @@ struct Throw
 {
     std::size_t model = 0;
     std::uint64_t seed = 0;
+    double radius = kThrownRadius;  ///< half the diagonal of its box, metres
 
     friend bool operator==(const Throw&, const Throw&) = default;
 };

@@ -27,7 +27,7 @@ struct Box2
 
 // sRGB, as everything is drawn here.
 inline constexpr glm::vec3 kPaper{0.99f, 0.97f, 0.92f}, kAccent{1.0f, 0.66f, 0.28f}, kDim{0.74f, 0.76f, 0.74f},
-    kDanger{1.0f, 0.30f, 0.24f}, kIce{0.62f, 0.88f, 1.0f}, kInk{0.03f, 0.04f, 0.045f};
+    kDanger{1.0f, 0.30f, 0.24f}, kLead{0.55f, 0.95f, 0.45f}, kIce{0.62f, 0.88f, 1.0f}, kInk{0.03f, 0.04f, 0.045f};
 
 /// What the game's texts and panels are drawn with: letters with an outline that can be read before anything, cards,
 /// bars, hearts. Over the picture, in the current frame of Dear ImGui. It remembers how far text reached, so that tests

@@ -1,24 +1,16 @@
 #include "viewer/ui/hud.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "viewer/ui/texts.h"
 
 namespace kerf::ui {
 
 namespace {
 
 constexpr double kLastSeconds = 10.0;
-
-std::string clock_text(double seconds)
-{
-    const int whole = static_cast<int>(std::ceil(std::max(seconds, 0.0)));
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), "%d:%02d", whole / 60, whole % 60);
-    return text.data();
-}
 
 std::string_view title_of(game::FruitKind kind)
 {

@@ -5,6 +5,7 @@
 
 #include "viewer/game/game_mode.h"
 #include "viewer/ui/hud.h"
+#include "viewer/ui/texts.h"
 
 namespace kerf::ui {
 
@@ -145,6 +146,44 @@ std::vector<Hotspot> show_over(Layout& layout, const Screens& screens, const Scr
     return show_buttons(layout, screens, {middle, card.high.y - 156.0f * u}, 320.0f);
 }
 
+/// "halfedge wins": who spent less on the same swipes.
+std::string verdict(const std::vector<DuelSide>& sides)
+{
+    if (sides[0].cuts == 0 && sides[1].cuts == 0) return "Nothing was cut";
+    return (sides[0].cut_ms <= sides[1].cut_ms ? sides[0] : sides[1]).backend + " wins";
+}
+
+std::vector<Hotspot> show_duel_over(Layout& layout, const Screens& screens, const std::vector<DuelSide>& sides)
+{
+    const Box2 card = layout.middle_card(760.0f, 590.0f);
+    const float u = layout.u();
+    Canvas& canvas = layout.canvas();
+    canvas.text({card.middle().x, card.low.y + 26.0f * u}, {0.5f, 0.0f}, verdict(sides), 48.0f, kPaper);
+    const bool first_leads = sides[0].cut_ms <= sides[1].cut_ms;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const DuelSide& side = sides[i];
+        const float right = card.high.x - (i == 0 ? 256.0f : 56.0f) * u;
+        float y = card.low.y + 128.0f * u;
+        const auto value = [&](const std::string& text, float height, const glm::vec3& colour) {
+            canvas.text({right, y}, {1.0f, 0.5f}, text, height, colour);
+            y += 50.0f * u;
+        };
+        value(side.backend, 24.0f, kDim);
+        value(milliseconds_text(side.cut_ms), 38.0f, (i == 0) == first_leads ? kLead : kDanger);
+        value(std::to_string(side.cuts), 24.0f, kPaper);
+        value(milliseconds_text(side.worst_cut_ms), 24.0f, kPaper);
+        value(milliseconds_text(side.worst_frame_ms), 24.0f, kPaper);
+        value(std::to_string(side.lost_frames), 24.0f, kPaper);
+    }
+    float y = card.low.y + 178.0f * u;
+    for (const char* label : {"Spent on cutting", "Cuts", "Longest cut", "Worst frame", "Frames lost"}) {
+        canvas.text({card.low.x + 56.0f * u, y}, {0.0f, 0.5f}, label, 24.0f, kDim);
+        y += 50.0f * u;
+    }
+    canvas.text({card.middle().x, card.high.y - 22.0f * u}, {0.5f, 1.0f}, "R or Enter: rematch", 18.0f, kDim);
+    return show_buttons(layout, screens, {card.middle().x, card.high.y - 142.0f * u}, 320.0f);
+}
+
 std::vector<Hotspot> show_settings(Layout& layout, const Screens& screens)
 {
     const Box2 card = layout.middle_card(720.0f, 540.0f);
@@ -224,6 +263,7 @@ std::vector<Hotspot> show_screen(Canvas& canvas, const Screens& screens, const S
         case Screen::paused:
             return show_paused(layout, screens);
         case Screen::over:
+            if (content.duel.size() == 2) return show_duel_over(layout, screens, content.duel);
             return show_over(layout, screens, content);
         case Screen::scores:
             return show_scores(layout, screens, content);

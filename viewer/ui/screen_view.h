@@ -18,10 +18,22 @@ struct ScoreLine
     bool is_latest = false;  ///< of the game that has just ended
 };
 
+/// How one half of a duel that is over did.
+struct DuelSide
+{
+    std::string backend;
+    std::size_t cuts = 0;
+    double cut_ms = 0.0;          ///< all of them
+    double worst_cut_ms = 0.0;    ///< the longest
+    double worst_frame_ms = 0.0;  ///< the cuts of one frame
+    std::int64_t lost_frames = 0;
+};
+
 /// What a screen shows besides its lines.
 struct ScreenContent
 {
     const game::GameState* game = nullptr;                                    ///< the game that is over; null: none
+    std::vector<DuelSide> duel = {};                                          ///< both halves; empty: no duel is over
     std::vector<std::pair<std::string, std::vector<ScoreLine>>> scores = {};  ///< for each mode, best first
     std::string message = {};                                                 ///< at the lower edge; empty: none
 };

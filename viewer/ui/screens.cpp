@@ -131,7 +131,10 @@ void Screens::list_items()
             for (const char* label : {"Go on", "Start again", "Settings", "Menu"}) items_.push_back({label});
             break;
         case Screen::over:
-            for (const char* label : {"Play again", "High scores", "Menu"}) items_.push_back({label});
+            if (scene_ == "duel")
+                for (const char* label : {"Rematch", "Menu"}) items_.push_back({label});
+            else
+                for (const char* label : {"Play again", "High scores", "Menu"}) items_.push_back({label});
             break;
         case Screen::scores:
             items_.push_back({"Back"});
@@ -262,7 +265,7 @@ std::optional<Request> Screens::accept()
             return std::nullopt;
         case Screen::over:
             if (selected_ == 0) return Request{Request::Kind::restart, scene_};
-            if (selected_ == 2) return back();
+            if (selected_ + 1 == items_.size()) return back();
             show(Screen::scores);
             return std::nullopt;
         case Screen::scores:

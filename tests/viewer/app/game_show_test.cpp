@@ -275,6 +275,29 @@ TEST_F(GameShowTest, FruitIsReadyBeforeItsFirstThrow)
     EXPECT_EQ(show.models().late_work().preparations, 0u);
 }
 
+TEST_F(GameShowTest, ADuelEndsWithAResultAndLeadsToARematch)
+{
+    ShowSetup small = setup("duel");
+    small.boulder = 1000;
+    GameShow show(small, painter, speaker);
+    game::Autopilot autopilot(1);
+    for (int i = 0; i < 4000 && show.screens().screen() == Screen::play; ++i) {
+        show.let_play(autopilot);
+        frames(show, 1);
+    }
+    ASSERT_EQ(show.screens().screen(), Screen::over);
+    EXPECT_GE(show.duel()->now(), duel::TimetableScene::kLength);
+    EXPECT_LE(show.duel()->now(), duel::TimetableScene::kLength + 2);
+    for (const duel::Score& score : show.duel()->scores()) EXPECT_GE(score.cuts, 20u) << score.backend;
+    expect_texts_fit(show, "duel's end");
+    show.play_again();
+    EXPECT_EQ(show.screens().screen(), Screen::play);
+    EXPECT_EQ(show.scene(), "duel");
+    EXPECT_EQ(show.duel()->now(), 0);
+    show.play_again();
+    EXPECT_EQ(show.screens().screen(), Screen::play) << "only a game that is over begins anew";
+}
+
 TEST_F(GameShowTest, ADuelGivesTheSameStatesEveryTime)
 {
     std::array<std::uint64_t, 2> hashes{};

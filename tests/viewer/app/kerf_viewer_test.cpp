@@ -213,6 +213,20 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOfAGiantOnBothBackEnds)
         EXPECT_EQ(json["runs"][0]["cuts"][0][what], json["runs"][1]["cuts"][0][what]);
 }
 
+TEST_F(KerfViewerTest, PlaysADuelByItselfAndTheSameTwice)
+{
+    const std::string run =
+        "--headless --autopilot --scene duel --boulder 2000 --seed 2 --frames 360 --draw 0 --size 16x9";
+    const Json once = report(run), again = report(run);
+    ASSERT_EQ(once["halves"].size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_GE(once["halves"][i]["cuts"], 5) << "in both halves";
+        EXPECT_GE(once["halves"][i]["worst_frame_ms"], once["halves"][i]["longest_cut_ms"]);
+        EXPECT_EQ(once["halves"][i]["state_hash"], again["halves"][i]["state_hash"]);
+    }
+    EXPECT_EQ(once["screen"], "play");
+}
+
 /// No tick of a run prepares a mesh: another thread has done it before.
 TEST_F(KerfViewerTest, ThrowsWhatWasMadeReadyBefore)
 {

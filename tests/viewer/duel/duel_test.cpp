@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
@@ -21,7 +22,7 @@ const std::array<std::string, 2> kBackEnds{sim::backend_names().front(), "baseli
 
 std::unique_ptr<sim::Scene> timetable()
 {
-    return std::make_unique<TimetableScene>(std::vector<std::size_t>{0});
+    return std::make_unique<TimetableScene>(std::vector<TimetableScene::Item>{{0}});
 }
 
 /// As a timetable, but each cut takes half a second longer, in the tick in which it happens.
@@ -41,7 +42,7 @@ Duel unfair_duel(std::shared_ptr<sim::ModelShelf> models)
     int made = 0;
     return {models, {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
                 if (made++ == 0) return timetable();
-                return std::make_unique<SlowCuts>(std::vector<std::size_t>{0});
+                return std::make_unique<SlowCuts>(std::vector<TimetableScene::Item>{{0}});
             }};
 }
 
@@ -136,6 +137,12 @@ TEST(Duel, BothHalvesCutTheSameAndCountTheirOwnTime)
         EXPECT_GE(score.cut_ms, score.worst_ms);
         EXPECT_GE(score.worst_ms, score.last_ms);
         EXPECT_EQ(score.behind_ms, 0.0);
+        EXPECT_GE(score.worst_frame_ms, score.worst_ms);
+        EXPECT_LE(score.worst_frame_ms, score.cut_ms * (1.0 + 1e-12));
+        // All that was lost went by in frames of 1/60 s.
+        EXPECT_GE(score.lost_frames, 0);
+        EXPECT_LE(double(score.lost_frames), score.cut_ms * 60e-3);
+        EXPECT_GE(double(score.lost_frames), std::floor(score.worst_frame_ms * 60e-3 - 1e-9));
     }
 }
 
@@ -169,7 +176,7 @@ TEST(Duel, HandsOnWhatGoesWrongInAHalf)
         void tick(sim::Simulation&) override { throw std::runtime_error("the scene broke"); }
     };
     Duel duel(shelf_of({"icosphere"}), {}, kBackEnds,
-              [] { return std::make_unique<Failing>(std::vector<std::size_t>{0}); });
+              [] { return std::make_unique<Failing>(std::vector<TimetableScene::Item>{{0}}); });
     duel.advance(2, {});
     EXPECT_THROW(duel.finish(), std::runtime_error);
 }

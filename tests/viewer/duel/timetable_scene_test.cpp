@@ -14,7 +14,8 @@ sim::Simulation stage(std::uint64_t seed)
 {
     sim::Settings settings;
     settings.seed = seed;
-    return {shelf_of({"icosphere", "box"}), settings, std::make_unique<TimetableScene>(std::vector<std::size_t>{0, 1})};
+    return {shelf_of({"icosphere", "box"}), settings,
+            std::make_unique<TimetableScene>(std::vector<TimetableScene::Item>{{0}, {1, 2.0}})};
 }
 
 }  // namespace
@@ -31,6 +32,30 @@ TEST(TimetableScene, ThrowsByTheClockAndInTurn)
     EXPECT_EQ(simulation.last_throw()->model, 1u);
     simulation.advance(TimetableScene::kInterval);
     EXPECT_EQ(simulation.last_throw()->model, 0u);
+}
+
+TEST(TimetableScene, ThrowsEachAsLargeAsItIsToBe)
+{
+    sim::Simulation simulation = stage(1);
+    const auto thrown_radius = [&] {
+        const sim::Origin& origin = simulation.bodies().back()->identity().origin;
+        return origin.radius * origin.scale;
+    };
+    simulation.advance(TimetableScene::kGetReady);
+    EXPECT_NEAR(thrown_radius(), sim::kThrownRadius, 1e-6);
+    simulation.advance(TimetableScene::kInterval);
+    EXPECT_NEAR(thrown_radius(), 2.0, 1e-6);
+}
+
+TEST(TimetableScene, ThrowsNothingAnyMoreWhenTheDuelIsAboutToEnd)
+{
+    sim::Simulation simulation = stage(1);
+    simulation.advance(TimetableScene::kLastThrow);
+    const std::optional<sim::Throw> last = simulation.last_throw();
+    EXPECT_FALSE(simulation.bodies().empty());
+    simulation.advance(TimetableScene::kLength);
+    EXPECT_EQ(simulation.last_throw(), last);
+    EXPECT_TRUE(simulation.bodies().empty());
 }
 
 TEST(TimetableScene, DoesNotMindWhatBecameOfItsThrows)

@@ -80,6 +80,17 @@ TEST(Screens, EveryScreenIsReachedAndLeftByKeyboardAlone)
     EXPECT_EQ(choose(s, "Quit"), Request{Request::Kind::quit});
 }
 
+TEST(Screens, ADuelThatIsOverLeadsToARematchOrToTheMenu)
+{
+    Screens s = screens();
+    s.play("duel");
+    s.show(Screen::over);
+    ASSERT_EQ(s.items().size(), 2u) << "duels have no high scores";
+    EXPECT_EQ(s.press(MenuKey::accept), (Request{Request::Kind::restart, "duel"}));
+    EXPECT_EQ(choose(s, "Menu"), Request{Request::Kind::to_menu});
+    EXPECT_EQ(s.screen(), Screen::menu);
+}
+
 TEST(Screens, EscapeNeverEndsTheProgramOrAGameByItself)
 {
     Screens s = screens();

@@ -1,0 +1,25 @@
+#include "viewer/ui/texts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace kerf::ui {
+
+std::string clock_text(double seconds)
+{
+    const int whole = static_cast<int>(std::ceil(std::max(seconds, 0.0)));
+    std::array<char, 24> text{};
+    std::snprintf(text.data(), text.size(), "%d:%02d", whole / 60, whole % 60);
+    return text.data();
+}
+
+std::string milliseconds_text(double ms)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ms < 10.0 ? "%.1f ms" : "%.0f ms", ms);
+    return text.data();
+}
+
+}  // namespace kerf::ui
