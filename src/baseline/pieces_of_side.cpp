@@ -6,12 +6,13 @@
 #include "common/disjoint_sets.h"
 #include "common/half_edge_pairs.h"
 #include "common/mass_properties.h"
+#include "common/parallel_rays.h"
 
 namespace kerf::baseline {
 
 namespace {
 
-/// Signed crossings of a ray with each part that somebody asks for; one loop over all triangles a ray.
+/// Crossings of rays with the parts of a side: one loop over all triangles.
 class RayCounter
 {
 public:
@@ -20,16 +21,14 @@ public:
     {
     }
 
-    int operator()(std::uint32_t part, const AxisRay& ray)
+    void operator()(std::span<const AxisRay> rays, const AddCrossing& add) const
     {
-        int count = 0;
+        const ParallelRays bundle(rays);
         for (std::size_t t = 0; t < part_of_triangle_.size(); ++t) {
-            if (part_of_triangle_[t] != part) continue;
             const auto& [a, b, c] = mesh_.triangles[t];
-            count +=
-                ray_crossing(ray, mesh_.vertices[a].position, mesh_.vertices[b].position, mesh_.vertices[c].position);
+            bundle.for_each_crossing(mesh_.vertices[a].position, mesh_.vertices[b].position, mesh_.vertices[c].position,
+                                     [&](std::uint32_t ray, int term) { add(part_of_triangle_[t], ray, term); });
         }
-        return count;
     }
 
 private:

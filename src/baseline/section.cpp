@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "baseline/pair_table.h"
+#include "common/outgoing_edges.h"
 
 namespace kerf::baseline {
 
@@ -171,25 +172,14 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
 std::vector<SectionPath> link_paths(const Section& section, std::span<const std::uint32_t> tags)
 {
     const std::size_t edge_count = section.edges.size(), point_count = section.points.size();
-
-    // Outgoing edges of each point, in edge order, as compressed rows.
-    std::vector<std::uint32_t> row(point_count + 1, 0), outgoing(edge_count);
     std::vector<std::int32_t> surplus(point_count, 0);  // outgoing less incoming edges
     for (const SectionEdge& edge : section.edges) {
-        ++row[edge.from + 1];
         ++surplus[edge.from];
         --surplus[edge.to];
     }
-    for (std::size_t i = 0; i < point_count; ++i) row[i + 1] += row[i];
-    std::vector<std::uint32_t> fill(row.begin(), row.end() - 1);
-    for (std::uint32_t i = 0; i < edge_count; ++i) outgoing[fill[section.edges[i].from]++] = i;
-
-    std::vector<bool> is_used(edge_count, false);
-    const auto next_edge = [&](std::uint32_t point, std::uint32_t tag) {
-        for (std::uint32_t i = row[point]; i < row[point + 1]; ++i)
-            if (!is_used[outgoing[i]] && tags[outgoing[i]] == tag) return outgoing[i];
-        return kNone;
-    };
+    OutgoingEdges outgoing(
+        point_count, edge_count, [&](std::uint32_t edge) { return section.edges[edge].from; },
+        [&](std::uint32_t edge) { return tags[edge]; });
 
     std::vector<SectionPath> paths;
     std::vector<std::uint32_t> place(point_count, kNone);  // where on the current path a point's outgoing edge is
@@ -197,7 +187,7 @@ std::vector<SectionPath> link_paths(const Section& section, std::span<const std:
         const std::uint32_t tag = tags[first];
         std::vector<std::uint32_t> path;
         for (std::uint32_t edge = first; edge != kNone;) {
-            is_used[edge] = true;
+            outgoing.use(edge);
             place[section.edges[edge].from] = static_cast<std::uint32_t>(path.size());
             path.push_back(edge);
             const std::uint32_t to = section.edges[edge].to;
@@ -208,7 +198,7 @@ std::vector<SectionPath> link_paths(const Section& section, std::span<const std:
                 paths.push_back({{begin, path.end()}, true, tag});
                 path.erase(begin, path.end());
             }
-            edge = next_edge(to, tag);
+            edge = outgoing.next(to, tag);
         }
         for (const std::uint32_t edge : path) place[section.edges[edge].from] = kNone;
         if (!path.empty()) paths.push_back({std::move(path), false, tag});
@@ -217,12 +207,12 @@ std::vector<SectionPath> link_paths(const Section& section, std::span<const std:
     // Chains first, from where they begin, or a loop could swallow a part of one.
     for (std::uint32_t i = 0; i < edge_count; ++i) {
         std::int32_t& begins = surplus[section.edges[i].from];
-        if (is_used[i] || begins <= 0) continue;
+        if (outgoing.is_used(i) || begins <= 0) continue;
         --begins;
         follow(i);
     }
     for (std::uint32_t i = 0; i < edge_count; ++i)
-        if (!is_used[i]) follow(i);
+        if (!outgoing.is_used(i)) follow(i);
     return paths;
 }
 

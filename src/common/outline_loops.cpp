@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "common/cut_geometry.h"
+#include "common/outgoing_edges.h"
 
 namespace kerf {
 
@@ -85,29 +86,29 @@ void SortedOutline::sort_by_points()
 bool SortedOutline::some_run_forth_and_back() const
 {
     return std::any_of(edges_.begin(), edges_.end(), [&](const OutlineEdge& edge) {
-        return std::any_of(edges_.begin() + row_[edge.to], edges_.begin() + row_[edge.to + 1],
-                           [&](const OutlineEdge& other) { return other.to == edge.from; });
+        // Edges that leave one point are sorted by where they end.
+        const auto last = edges_.begin() + row_[edge.to + 1];
+        const auto back = std::lower_bound(edges_.begin() + row_[edge.to], last, edge.from,
+                                           [](const OutlineEdge& other, std::uint32_t to) { return other.to < to; });
+        return back != last && back->to == edge.from;
     });
 }
 
 std::vector<OutlineLoop> SortedOutline::loops(std::size_t side) const
 {
-    std::vector<bool> is_used(edges_.size(), false);
-    const auto next_edge = [&](std::uint32_t point, std::uint32_t part) {
-        for (std::uint32_t i = row_[point]; i < row_[point + 1]; ++i)
-            if (!is_used[i] && edges_[i].part[side] == part) return i;
-        return kNone;
-    };
+    OutgoingEdges outgoing(
+        positions_.size(), edges_.size(), [&](std::uint32_t edge) { return edges_[edge].from; },
+        [&](std::uint32_t edge) { return edges_[edge].part[side]; });
 
     std::vector<OutlineLoop> loops;
     std::vector<std::uint32_t> place(positions_.size(), kNone);  // where on the path a point's outgoing edge is
     std::vector<std::uint32_t> path;
     for (std::uint32_t first = 0; first < edges_.size(); ++first) {
-        if (is_used[first]) continue;
+        if (outgoing.is_used(first)) continue;
         const std::uint32_t part = edges_[first].part[side];
         path.clear();
         for (std::uint32_t edge = first; edge != kNone;) {
-            is_used[edge] = true;
+            outgoing.use(edge);
             place[edges_[edge].from] = static_cast<std::uint32_t>(path.size());
             path.push_back(edge);
             const std::uint32_t to = edges_[edge].to;
@@ -122,7 +123,7 @@ std::vector<OutlineLoop> SortedOutline::loops(std::size_t side) const
                 }
                 path.resize(begin);
             }
-            edge = next_edge(to, part);
+            edge = outgoing.next(to, part);
         }
         for (const std::uint32_t edge : path) place[edges_[edge].from] = kNone;
     }

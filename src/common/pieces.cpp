@@ -150,35 +150,6 @@ struct SolidParts
     bool is_cut = false;
 };
 
-/// Joins each cavity of a solid with the piece it lies in.
-void join_cavities(const SolidParts& solid, const SideParts& side, const AxisRay& direction, DisjointSets& pieces)
-{
-    if (solid.cavities.empty() || solid.shown.empty()) return;
-    // Parts by piece, pieces in the order of their first part. Cavities are not among them: joining one changes nothing
-    // here.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_piece;
-    for (const std::uint32_t part : solid.shown) by_piece.emplace_back(pieces.find(part), part);
-    std::sort(by_piece.begin(), by_piece.end());
-    const bool is_one = by_piece.front().first == by_piece.back().first;
-
-    for (const std::uint32_t cavity : solid.cavities) {
-        // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
-        std::uint32_t home = by_piece.front().second;
-        AxisRay ray = direction;
-        ray.origin = side.parts[cavity].sample;
-        for (std::size_t i = 0; i < by_piece.size() && !is_one;) {
-            const std::size_t first = i;
-            int winding = 0;
-            for (; i < by_piece.size() && by_piece[i].first == by_piece[first].first; ++i)
-                winding += side.count_crossings(by_piece[i].second, ray);
-            if (winding == 0) continue;
-            home = by_piece[first].second;
-            break;
-        }
-        pieces.unite(cavity, home);
-    }
-}
-
 std::vector<std::uint32_t> numbered(DisjointSets& pieces, std::size_t part_count)
 {
     // A set's representative is its smallest part, so it is met first.
@@ -258,14 +229,12 @@ public:
 
     void join_the_rest(const AxisRay& away)
     {
+        join_cavities(away);
         for (const SolidParts& solid : solids_) {
-            if (solid.is_cut) {
-                join_cavities(solid, side_, away, pieces);
-            } else {
-                const std::uint32_t first = (solid.shown.empty() ? solid.cavities : solid.shown).front();
-                for (const auto* some : {&solid.shown, &solid.cavities})
-                    for (const std::uint32_t part : *some) pieces.unite(first, part);
-            }
+            if (solid.is_cut) continue;
+            const std::uint32_t first = (solid.shown.empty() ? solid.cavities : solid.shown).front();
+            for (const auto* some : {&solid.shown, &solid.cavities})
+                for (const std::uint32_t part : *some) pieces.unite(first, part);
         }
     }
 
@@ -274,6 +243,66 @@ public:
     DisjointSets pieces;
 
 private:
+    /// A cavity, and the piece that it lies in: named by its first part.
+    struct Home
+    {
+        std::uint32_t cavity, piece;
+    };
+
+    /// Joins each cavity of a cut solid with the piece it lies in: the first whose winding number around it is not 0.
+    void join_cavities(const AxisRay& direction)
+    {
+        // Joining a cavity changes the names of pieces: first all are looked for, then joined.
+        std::vector<Home> homes, sought;
+        for (const SolidParts& solid : solids_) {
+            if (!solid.is_cut || solid.cavities.empty() || solid.shown.empty()) continue;
+            std::uint32_t first = pieces.find(solid.shown.front());
+            bool is_one = true;
+            for (const std::uint32_t part : solid.shown) {
+                const std::uint32_t piece = pieces.find(part);
+                is_one = is_one && piece == first;
+                first = std::min(first, piece);
+            }
+            // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
+            for (const std::uint32_t cavity : solid.cavities) (is_one ? homes : sought).push_back({cavity, first});
+        }
+        if (!sought.empty()) look_for_homes(sought, direction);
+        homes.insert(homes.end(), sought.begin(), sought.end());
+        for (const Home& home : homes) pieces.unite(home.cavity, home.piece);
+    }
+
+    void look_for_homes(std::vector<Home>& sought, const AxisRay& direction)
+    {
+        std::vector<AxisRay> rays(sought.size(), direction);
+        for (std::size_t i = 0; i < sought.size(); ++i) rays[i].origin = side_.parts[sought[i].cavity].sample;
+        std::vector<bool> is_shown(side_.parts.size(), false);
+        for (const SolidParts& solid : solids_)
+            for (const std::uint32_t part : solid.shown) is_shown[part] = true;
+
+        struct Term
+        {
+            std::uint32_t ray, piece;
+            int term;
+        };
+        std::vector<Term> terms;
+        side_.count_crossings(rays, [&](std::uint32_t part, std::uint32_t ray, int term) {
+            if (is_shown[part] && solid_of_[part] == solid_of_[sought[ray].cavity])
+                terms.push_back({ray, pieces.find(part), term});
+        });
+        std::sort(terms.begin(), terms.end(),
+                  [](const Term& a, const Term& b) { return std::tie(a.ray, a.piece) < std::tie(b.ray, b.piece); });
+        std::uint32_t last_found = kNoContainer;
+        for (std::size_t first = 0, last; first < terms.size(); first = last) {
+            const std::uint32_t ray = terms[first].ray, piece = terms[first].piece;
+            int winding = 0;
+            for (last = first; last < terms.size() && terms[last].ray == ray && terms[last].piece == piece; ++last)
+                winding += terms[last].term;
+            if (winding == 0 || ray == last_found) continue;
+            sought[ray].piece = piece;
+            last_found = ray;
+        }
+    }
+
     const SideParts& side_;
     std::size_t at_;
     std::vector<std::uint32_t> solid_of_;  ///< dense numbers of the solids that occur

@@ -31,10 +31,11 @@ struct SurfacePart
 /// volume6 is MassMoments::volume6.
 bool has_no_volume(double volume6, const Box& box, double noise);
 
-/// How often, counted with sign, the ray leaves part `part`: +1 for each crossing from behind a triangle to its front,
-/// -1 for the other way round. ray_crossing() gives the term of one triangle. The ray points away from the plane, so
-/// that caps of this cut do not matter.
-using CountCrossings = std::function<int(std::uint32_t part, const AxisRay& ray)>;
+/// Calls add(part, ray, term) for each crossing of a ray with a triangle of a part: the term is ray_crossing()'s, +1
+/// from behind a triangle to its front, -1 for the other way round. Rays are asked for all at once; they point away
+/// from the plane in one direction, so that caps of this cut do not matter.
+using AddCrossing = std::function<void(std::uint32_t part, std::uint32_t ray, int term)>;
+using CountCrossings = std::function<void(std::span<const AxisRay> rays, const AddCrossing& add)>;
 
 /// What lies on one side.
 struct SideParts
@@ -53,8 +54,8 @@ struct SideParts
 /// into loops that keep to one piece on either side, the pieces that meet there are one.
 ///
 /// O(p) for p parts where each solid is in one part; otherwise O(p + e log e) for e outline edges, without a quadratic
-/// step for many loops, side by side or nested. Crossing counts are asked for whole cavities only, and only where a
-/// solid has come apart.
+/// step for many loops, side by side or nested. Crossings are asked for once a side, for whole cavities only, and only
+/// where a solid has come apart; each one found costs O(log).
 std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const std::array<SideParts, 2>& sides,
                                                        std::span<const glm::vec3> points,
                                                        std::span<const OutlineEdge> outline);

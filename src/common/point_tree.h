@@ -37,6 +37,28 @@ public:
         }
     }
 
+    /// Whether any remaining point lies in `box`, borders included.
+    bool any_in(const Box& box) const
+    {
+        if (nodes_.empty()) return false;
+        std::uint32_t stack[kMaxDepth];
+        std::uint32_t depth = 0;
+        stack[depth++] = 0;
+        while (depth > 0) {
+            const Node& node = nodes_[stack[--depth]];
+            if (node.remaining == 0 || !overlap(node.box, box)) continue;
+            if (contains(box, node.box.lo) && contains(box, node.box.hi)) return true;
+            if (node.child != 0) {
+                stack[depth++] = node.child + 1;
+                stack[depth++] = node.child;
+                continue;
+            }
+            for (std::uint32_t i = node.first; i < node.last; ++i)
+                if (leaf_of_[order_[i]] != kRemoved && contains(box, points_[order_[i]])) return true;
+        }
+        return false;
+    }
+
     void remove(std::uint32_t index);
 
 private:

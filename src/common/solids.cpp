@@ -71,6 +71,10 @@ private:
             if (own.empty()) own = choose_samples(candidates[i]);
             for (const glm::vec3& position : own) samples.push_back({position, i});
         }
+        // Along the shortest side of the outer shell, where a ray has the fewest chances to meet it: along a comb it
+        // would meet every tooth.
+        const glm::dvec3 size = glm::dvec3(shells_.shells[outer].box.hi) - glm::dvec3(shells_.shells[outer].box.lo);
+        const int axis = size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2);
         WindingNumbers windings(samples);
         for (const std::uint32_t t : triangles_of(outer)) {
             const auto [a, b, c] = corners_of(t);
@@ -78,9 +82,9 @@ private:
             reach.add(a);
             reach.add(b);
             reach.add(c);
-            reach.lo.x = -std::numeric_limits<float>::infinity();
+            reach.lo[axis] = -std::numeric_limits<float>::infinity();
             windings.add(reach, [&, a = a, b = b, c = c](const glm::vec3& p) {
-                return ray_crossing({p, 0, true}, a, b, c);
+                return ray_crossing({p, axis, true}, a, b, c);
             });
         }
         windings.vote(lies_in);

@@ -32,14 +32,17 @@ public:
         });
     }
 
-    /// True when a reflex corner other than these three lies in or on the triangle.
+    /// True when a reflex corner other than these three lies in or on the triangle. Counts the corners that it looks at
+    /// down from `left`, and is true when none are left.
     bool meets(const std::vector<Point>& points, const std::vector<std::uint8_t>& reflex, std::size_t ia,
-               std::size_t ib, std::size_t ic) const
+               std::size_t ib, std::size_t ic, std::size_t& left) const
     {
         const Point &a = points[ia], &b = points[ib], &c = points[ic];
         Box2 box;
         for (const Point* p : {&a, &b, &c}) box.add(p->x, p->y);
         return boxes_.any(box, [&](std::size_t i) {
+            if (left == 0) return true;
+            --left;
             if (reflex[i] == 0 || i == ia || i == ib || i == ic) return false;
             const Point& p = points[i];
             return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
@@ -66,13 +69,14 @@ public:
             ring_[i] = i;
             edge_[i] = kSeamLink + i;
         }
+        looks_left_ = kMostLooks * (n + kFewPoints);
         while (ring_.size() > 3) {
             const std::size_t before = ring_.size();
             clip(cap);
             // Loops that wind like a spiral have few ears at a time; better triangulators know what to do with them.
             constexpr std::size_t kLeastShare = 64;
             const std::size_t clipped = before - ring_.size();
-            if (clipped == 0 || clipped * kLeastShare < before) return false;
+            if (looks_left_ == 0 || clipped == 0 || clipped * kLeastShare < before) return false;
         }
         // A triangle of no area closes a loop that folds back on itself; it is not worth a special case.
         if (turn(points_[0], points_[1], points_[2]) < 0.0) return false;
@@ -81,6 +85,10 @@ public:
     }
 
 private:
+    /// Reflex corners that may be looked at for each point of the loop, before it is given up: teeth that lean over one
+    /// another lie in the bounds of many ears.
+    static constexpr std::size_t kMostLooks = 256, kFewPoints = 1024;
+
     /// One pass. Corners are judged as they are at its beginning: clipping an ear makes no corner reflex, and ears that
     /// are not neighbours don't overlap.
     void clip(CapMesh& cap)
@@ -98,7 +106,7 @@ private:
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t a = i == 0 ? n - 1 : i - 1, c = i + 1 == n ? 0 : i + 1;
             const bool free = !last_clipped && !(i + 1 == n && first_clipped) && left > 3;
-            last_clipped = free && reflex_[i] == 0 && !reflex_tree_.meets(points_, reflex_, a, i, c);
+            last_clipped = free && reflex_[i] == 0 && !reflex_tree_.meets(points_, reflex_, a, i, c, looks_left_);
             clipped_[i] = last_clipped;
             if (last_clipped) {
                 if (i == 0) first_clipped = true;
@@ -149,6 +157,7 @@ private:
     std::vector<Index> edge_;    // what the edge that leaves them is: a seam, or an edge of a triangle
     std::vector<std::uint8_t> reflex_, clipped_;
     ReflexTree reflex_tree_;
+    std::size_t looks_left_ = 0;
 };
 
 }  // namespace

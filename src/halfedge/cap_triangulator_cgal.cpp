@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <new>
+#include <tuple>
 #include <utility>
 
 #include "halfedge/cap_triangulator.h"
@@ -71,12 +72,14 @@ private:
     {
         sort_along_hilbert_curve(outline.points);
         vertices_.resize(outline.points.size());
+        loops_at_.assign(outline.points.size(), 0);
         FaceHandle hint;
+        VertexHandle v;
         for (const auto& [key, i] : order_) {
-            const std::size_t before = triangulation_->number_of_vertices();
             const glm::dvec2& p = outline.points[i];
-            const VertexHandle v = triangulation_->insert(Kernel::Point_2(p.x, p.y), hint);
-            if (triangulation_->number_of_vertices() != before) {
+            // Points at one place follow one another. CGAL would find that it has them, and look around each again.
+            if (v == VertexHandle() || outline.points[v->info()] != p) {
+                v = triangulation_->insert(Kernel::Point_2(p.x, p.y), hint);
                 v->info() = i;
             } else {
                 if (outline.positions[v->info()] != outline.positions[i]) return false;
@@ -84,6 +87,7 @@ private:
                 cap.shared_points.push_back(i);
             }
             vertices_[i] = v;
+            ++loops_at_[v->info()];
             hint = v->face();
         }
         return true;
@@ -105,7 +109,10 @@ private:
             const glm::dvec2 cell = (points[i] - lo) * scale;
             order_.emplace_back(hilbert_index(std::uint32_t(cell.x), std::uint32_t(cell.y), kBits), i);
         }
-        std::sort(order_.begin(), order_.end());
+        std::sort(order_.begin(), order_.end(), [&](const auto& a, const auto& b) {
+            const glm::dvec2 &p = points[a.second], &q = points[b.second];
+            return std::tie(a.first, p.x, p.y, a.second) < std::tie(b.first, q.x, q.y, b.second);
+        });
     }
 
     static std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t bits)
@@ -127,21 +134,53 @@ private:
     /// False when a seam passes through a point of the outline.
     bool insert_seams(const CapOutline& outline)
     {
+        crossed_.clear();
         for_each_seam(outline, [&](Index i, Index j) {
-            triangulation_->insert_constraint(vertices_[i], vertices_[j]);
+            const auto [from, to] = from_fewer_loops(i, j);
+            FaceHandle f;
+            int edge;
+            if (triangulation_->is_edge(vertices_[from], vertices_[to], f, edge))
+                triangulation_->insert_constraint(vertices_[from], vertices_[to]);
+            else
+                crossed_.push_back({from, to});
             return true;
         });
+        // What a seam crosses is triangulated anew. In the order of a loop that can be half of all there is, seam after
+        // seam (teeth that lean over one another); in random order those that are in shield those to come: O(n log^2 n)
+        // expected. Shewchuk and Brown, "Fast segment insertion and incremental construction of constrained Delaunay
+        // triangulations", 2015.
+        shuffle(crossed_);
+        for (const auto& [i, j] : crossed_) triangulation_->insert_constraint(vertices_[i], vertices_[j]);
         seam_next_.assign(vertices_.size(), kNone);
         return for_each_seam(outline, [&](Index i, Index j) {
             FaceHandle f;
             int edge;
-            if (!triangulation_->is_edge(vertices_[i], vertices_[j], f, edge)) return false;
+            const auto [from, to] = from_fewer_loops(i, j);
+            if (!triangulation_->is_edge(vertices_[from], vertices_[to], f, edge)) return false;
             seam_next_[i] = f->info().seam[std::size_t(edge)];
             f->info().seam[std::size_t(edge)] = i;
             const FaceHandle g = f->neighbor(edge);
             g->info().seam[std::size_t(triangulation_->mirror_index(f, edge))] = i;
             return true;
         });
+    }
+
+    /// The ends of a seam, that first where fewer loops run through: CGAL looks for the other one around it, and where
+    /// thousands of loops meet, thousands of edges do.
+    std::array<Index, 2> from_fewer_loops(Index i, Index j) const
+    {
+        return loops_at_[vertices_[i]->info()] <= loops_at_[vertices_[j]->info()] ? std::array{i, j} : std::array{j, i};
+    }
+
+    /// Fisher and Yates, with numbers that are the same on every run and everywhere.
+    static void shuffle(std::vector<std::array<Index, 2>>& seams)
+    {
+        std::uint64_t state = seams.size();
+        for (std::size_t i = seams.size(); i > 1; --i) {
+            // Knuth's linear congruential generator; its high bits are the random ones.
+            state = state * 6364136223846793005ull + 1442695040888963407ull;
+            std::swap(seams[i - 1], seams[((state >> 32) * i) >> 32]);
+        }
     }
 
     template <class Visit>
@@ -241,6 +280,8 @@ private:
     Triangulation* triangulation_ = nullptr;              // of the cap under way
     std::vector<std::pair<std::uint32_t, Index>> order_;  // place on the curve, point
     std::vector<VertexHandle> vertices_;
+    std::vector<Index> loops_at_;                // by a vertex's point: points of the outline that lie there
+    std::vector<std::array<Index, 2>> crossed_;  // seams that are no edges yet
     std::vector<Index> seam_next_;
     std::vector<FaceHandle> queue_;
     std::vector<Index> along_, against_;

@@ -28,7 +28,7 @@ constexpr int kMostRounds = 32;
 constexpr double kTurnedShare = 1e-8;
 /// Work that an outline of n points may cost before it is given up, per round and in all: a section with so many
 /// meetings crosses itself in earnest.
-constexpr std::size_t kMostPairs = 64, kMostEdges = 4, kSmallOutline = 1024;
+constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
 
 /// Twice the signed area; the sign is right, see cap_halving.cpp.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -127,11 +127,12 @@ private:
             for (const Index end : {edges_[i].from, edges_[i].to}) box.add(places_[end].x, places_[end].y);
         };
         boxes_.build(edges_.size(), add_edge);
-        std::size_t pairs_left = kMostPairs * (edges_.size() + kSmallOutline);
+        std::size_t pairs_left = kMostPairs * (edges_.size() + kSmallOutline), looks_left = kMostLooks * pairs_left;
         for (Index e = 0; e < edges_.size(); ++e) {
             Box2 box;
             add_edge(e, box);
             const bool too_many = boxes_.any(box, [&](std::size_t f) {
+                if (--looks_left == 0) return true;
                 if (f <= e) return false;
                 Box2 other;
                 add_edge(f, other);

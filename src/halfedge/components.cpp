@@ -53,8 +53,8 @@ void Components::search_shell(Index shell)
     };
     for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
         start_both(s_->crossings[i].face, s_->crossings[i].face);
-    for (const InPlaneEdge& e : s_->in_plane)
-        if (e.shell == shell) start_both(e.negative_face, e.positive_face);
+    for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i)
+        start_both(s_->in_plane[i].negative_face, s_->in_plane[i].positive_face);
     if (!cut.connected) seed_whole_shell(shell);
 
     for (const Side side : {Side::negative, Side::positive}) search_side(side, cut.connected);
@@ -286,11 +286,12 @@ void Components::retarget(Index shell)
                    ? searches_[static_cast<Index>(stamp - mark_base_)].target
                    : default_target(side);
     };
-    for (FlushEdge& e : s_->flush)
-        if (e.shell == shell) e.target = target_of(e.face, e.side);
-    for (InPlaneEdge& e : s_->in_plane)
-        if (e.shell == shell)
-            e.target = {target_of(e.negative_face, Side::negative), target_of(e.positive_face, Side::positive)};
+    for (std::size_t i = cut.first_flush; i < cut.first_flush + cut.flush_count; ++i)
+        s_->flush[i].target = target_of(s_->flush[i].face, s_->flush[i].side);
+    for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i) {
+        InPlaneEdge& e = s_->in_plane[i];
+        e.target = {target_of(e.negative_face, Side::negative), target_of(e.positive_face, Side::positive)};
+    }
 
     ops_.assign(s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
                 s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op + cut.op_count));

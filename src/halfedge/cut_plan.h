@@ -60,7 +60,6 @@ struct InPlaneEdge
 struct FlushEdge
 {
     Index halfedge = kNone, face = kNone;
-    Index shell = 0;
     Side side = Side::negative;
     Index target = kNone;
 };
@@ -90,6 +89,8 @@ struct CutShell
     bool connected = true;  ///< as Shell
     std::size_t first_op = 0, op_count = 0;
     std::size_t first_crossing = 0, crossing_count = 0;
+    std::size_t first_in_plane = 0, in_plane_count = 0;
+    std::size_t first_flush = 0, flush_count = 0;
     std::uint32_t loops = 0;  ///< closed loops and chains on it
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <unordered_map>
 
 #include "halfedge/cap.h"
 #include "halfedge/components.h"
@@ -89,9 +90,7 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     clock.done(Phase::cap);
     hand_out_caps(s);
     if (options.split_components) divide_bundles(s);
-    // Room for a material and a group for each cap, so that naming them later can't fail.
-    u.materials.reserve(u.materials.size() + 1);
-    u.groups.reserve(u.groups.size() + s.bundles.size());
+    plan_cap_groups(options);
     make_fragments();
     if (fragments_[0].empty() || fragments_[1].empty()) return result;
     clock.done(Phase::components);
@@ -104,7 +103,7 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     result.positive.reserve(fragments_[1].size());
 
     // From here on nothing can fail.
-    name_cap_groups(options);
+    add_cap_groups();
     s.stitcher->run(u, s);
     clock.done(Phase::split);
     s.rebuilder->run(u, plane, *s.stitcher, s);
@@ -171,33 +170,55 @@ void Cutter::find_shells(const Plane& plane)
         cut.solid = shells_[i].solid;
         cut.connected = shells_[i].connected;
         cut.first_op = s.ops.size();
-        const std::size_t first_flush = s.flush.size();
+        cut.first_flush = s.flush.size();
+        cut.first_in_plane = s.in_plane.size();
         cut.first_crossing = s.crossings.size();
         const std::array<bool, 2> present = find(u, shells_[i].root, plane, static_cast<Index>(s.cut_shells.size()), s);
         if (present[0] && present[1]) {
             cut.op_count = s.ops.size() - cut.first_op;
             cut.crossing_count = s.crossings.size() - cut.first_crossing;
+            cut.flush_count = s.flush.size() - cut.first_flush;
+            cut.in_plane_count = s.in_plane.size() - cut.first_in_plane;
             s.cut_shells.push_back(cut);
         } else {
             s.ops.resize(cut.first_op);
-            s.flush.resize(first_flush);
+            s.flush.resize(cut.first_flush);
             whole_[present[1] ? 1 : 0].push_back(shells_[i]);
         }
     }
 }
 
-void Cutter::name_cap_groups(const CutOptions& options)
+void Cutter::plan_cap_groups(const CutOptions& options)
 {
     Universe& u = *universe_;
     CutScratch& s = *u.scratch;
     if (s.caps.empty()) return;
     std::uint32_t material = options.cap_material;
     if (material >= u.materials.size()) {
-        if (u.cap_material == kDefaultCapMaterial) u.cap_material = add_cap_material(u.materials);
-        material = u.cap_material;
+        // The material is added when nothing can fail any more, so that its place is known and not taken yet.
+        adds_cap_material_ = u.cap_material == kDefaultCapMaterial;
+        material = adds_cap_material_ ? static_cast<std::uint32_t>(u.materials.size()) : u.cap_material;
     }
-    for (Bundle& b : s.bundles)
-        if (b.cap_count > 0) b.cap_group = u.group({material, b.solid, TriangleKind::cap});
+    std::unordered_map<std::uint32_t, Index> group_of_solid;
+    for (Index g = 0; g < u.groups.size(); ++g)
+        if (u.groups[g].material == material && u.groups[g].kind == TriangleKind::cap)
+            group_of_solid.emplace(u.groups[g].solid, g);
+    for (Bundle& b : s.bundles) {
+        if (b.cap_count == 0) continue;
+        const auto [entry, is_new] =
+            group_of_solid.try_emplace(b.solid, static_cast<Index>(u.groups.size() + new_groups_.size()));
+        if (is_new) new_groups_.push_back({material, b.solid, TriangleKind::cap});
+        b.cap_group = entry->second;
+    }
+    u.materials.reserve(u.materials.size() + 1);
+    u.groups.reserve(u.groups.size() + new_groups_.size());
+}
+
+void Cutter::add_cap_groups()
+{
+    Universe& u = *universe_;
+    if (adds_cap_material_) u.cap_material = add_cap_material(u.materials);
+    u.groups.insert(u.groups.end(), new_groups_.begin(), new_groups_.end());
 }
 
 void Cutter::make_fragments()

@@ -27,13 +27,18 @@ private:
     void find_shells(const Plane& plane);
     /// Whether a side gets any triangle, once the crossing triangles are split: asked before targets are made.
     bool keeps_triangles(Side side) const;
-    void name_cap_groups(const CutOptions& options);
+    /// Names the groups of the caps, those that are to be added included, and makes room for them.
+    void plan_cap_groups(const CutOptions& options);
+    /// Adds the cap material and groups; can't fail.
+    void add_cap_groups();
     void make_fragments();
 
     const std::shared_ptr<Universe>& universe_;
     const std::vector<Shell>& shells_;
     std::array<std::vector<Shell>, 2> whole_;  ///< shells that the plane does not cut, by side
     PiecePlan pieces_;
+    bool adds_cap_material_ = false;
+    std::vector<Group> new_groups_;
     std::array<std::vector<std::unique_ptr<Fragment>>, 2> fragments_;
 };
 

@@ -175,8 +175,7 @@ private:
             if (d[i] != 0.0 || d[(i + 1) % 3] != 0.0) continue;
             const Index neighbour = u_.mesh.face(h ^ 1u);
             const bool is_flush = neighbour == kNone || side_of_face(neighbour) == side;
-            if (is_flush && (neighbour == kNone || h < (h ^ 1u)))
-                s_.flush.push_back({h, face, shell_, side, target(side)});
+            if (is_flush && (neighbour == kNone || h < (h ^ 1u))) s_.flush.push_back({h, face, side, target(side)});
             if (is_flush || side == Side::positive) continue;
             s_.in_plane.push_back({h,
                                    h ^ 1u,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "common/outgoing_edges.h"
+
 namespace kerf::halfedge {
 
 namespace {
@@ -132,52 +134,54 @@ public:
     OutlineLinker(const Universe& universe, CutScratch& scratch, Tag tag)
         : u_(universe),
           s_(scratch),
-          tag_(tag),
-          start_(scratch.outline_points.size() + 1, 0),
-          is_used_(scratch.outline.size(), false),
+          tag_of_{scratch, tag},
+          outgoing_(
+              scratch.outline_points.size(), scratch.outline.size(), [&](Index i) { return scratch.outline[i].from; },
+              tag_of_),
           position_on_path_(scratch.outline_points.size(), kNone)
     {
     }
 
     void run()
     {
-        // Seams by their origin.
+        // Chains first: they start where more seams leave than arrive.
         std::vector<int> excess(s_.outline_points.size(), 0);
         for (const OutlineSeam& e : s_.outline) {
-            ++start_[e.from + 1];
             ++excess[e.from];
             --excess[e.to];
         }
-        for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-        leaving_.resize(s_.outline.size());
-        std::vector<Index> fill(start_.begin(), start_.end() - 1);
-        for (Index i = 0; i < s_.outline.size(); ++i) leaving_[fill[s_.outline[i].from]++] = i;
-
-        // Chains first: they start where more seams leave than arrive.
-        for (Index i = 0; i < excess.size(); ++i)
-            for (Index j = start_[i]; j < start_[i + 1] && excess[i] > 0; ++j)
-                if (!is_used_[leaving_[j]]) {
-                    --excess[i];
-                    follow(leaving_[j]);
-                }
+        for (Index i = 0; i < excess.size(); ++i) {
+            if (excess[i] <= 0) continue;
+            for (const Index seam : outgoing_.leaving(i)) {
+                if (excess[i] <= 0) break;
+                if (outgoing_.is_used(seam)) continue;
+                --excess[i];
+                follow(seam);
+            }
+        }
         for (Index i = 0; i < s_.outline.size(); ++i)
-            if (!is_used_[i]) follow(i);
+            if (!outgoing_.is_used(i)) follow(i);
     }
 
 private:
+    struct TagOfNumber
+    {
+        const CutScratch& scratch;
+        Tag tag;
+        auto operator()(Index i) const { return tag(scratch.outline[i]); }
+    };
+
     void follow(Index first)
     {
-        const auto tag = tag_(s_.outline[first]);
+        const auto tag = tag_of_(first);
         path_.clear();
         for (Index i = first; i != kNone;) {
-            is_used_[i] = true;
+            outgoing_.use(i);
             position_on_path_[s_.outline[i].from] = static_cast<Index>(path_.size());
             path_.push_back(i);
             const Index at = s_.outline[i].to;
             if (position_on_path_[at] != kNone) emit(position_on_path_[at], true);
-            i = kNone;
-            for (Index j = start_[at]; j < start_[at + 1] && i == kNone; ++j)
-                if (!is_used_[leaving_[j]] && tag_(s_.outline[leaving_[j]]) == tag) i = leaving_[j];
+            i = outgoing_.next(at, tag);
         }
         if (!path_.empty()) emit(0, false);
     }
@@ -207,9 +211,8 @@ private:
 
     const Universe& u_;
     CutScratch& s_;
-    Tag tag_;
-    std::vector<Index> start_, leaving_;  // the seams that leave each point
-    std::vector<bool> is_used_;
+    TagOfNumber tag_of_;
+    OutgoingEdges<TagOfNumber> outgoing_;
     std::vector<Index> path_;
     std::vector<Index> position_on_path_;  // of the seam that leaves a point
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 #include "common/disjoint_sets.h"
+#include "common/parallel_rays.h"
 #include "common/pieces.h"
 #include "halfedge/export.h"
 #include "halfedge/outline.h"
@@ -14,21 +16,15 @@ namespace {
 
 constexpr std::array kSides{Side::negative, Side::positive};
 
-/// Signed crossings of a ray with a subtree; boxes that the ray misses are skipped.
-int count_crossings(const Universe& u, Index root, const AxisRay& ray)
+/// Calls add(ray, term) for the crossings of rays with a subtree; boxes that no ray meets are skipped.
+template <class Add>
+void count_crossings(const Universe& u, Index root, const ParallelRays& rays, Add add)
 {
-    const int v = (ray.axis + 1) % 3, w = (ray.axis + 2) % 3;
-    const auto meets = [&](const Box& box) {
-        return box.lo[v] <= ray.origin[v] && ray.origin[v] <= box.hi[v] && box.lo[w] <= ray.origin[w] &&
-               ray.origin[w] <= box.hi[w] &&
-               (ray.ascending ? box.hi[ray.axis] >= ray.origin[ray.axis] : box.lo[ray.axis] <= ray.origin[ray.axis]);
-    };
-    int count = 0;
     std::vector<Index> stack{root};
     while (!stack.empty()) {
         const Node& node = u.tree.nodes[stack.back()];
         stack.pop_back();
-        if (!meets(node.box)) continue;
+        if (!rays.may_meet(node.box)) continue;
         if (!node.is_leaf()) {
             stack.push_back(node.left);
             stack.push_back(node.right);
@@ -36,44 +32,47 @@ int count_crossings(const Universe& u, Index root, const AxisRay& ray)
         }
         for (Index slot = node.first; slot < node.first + node.count; ++slot) {
             const Triangle& t = u.slots[slot];
-            count += ray_crossing(ray, u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position);
+            rays.for_each_crossing(u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position,
+                                   add);
         }
     }
-    return count;
 }
 
-/// Visits what goes to a target: subtrees by `visit_node`, single triangles by `visit_triangle`.
+/// Visits what goes to the targets of a side, program by program: subtrees by `visit_node(target, node)`, single
+/// triangles by `visit_triangle(target, a, b, c)`.
 template <class VisitNode, class VisitTriangle>
-void for_each_of_target(const Universe& u, const CutScratch& s, Index target, VisitNode visit_node,
-                        VisitTriangle visit_triangle)
+void for_each_on_side(const Universe& u, const CutScratch& s, Side side, VisitNode visit_node,
+                      VisitTriangle visit_triangle)
 {
-    const CutShell& shell = s.cut_shells[s.targets[target].shell];
-    const Side side = s.targets[target].side;
-    for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
-        const TreeOp& op = s.ops[i];
-        if (op.kind == TreeOp::Kind::whole && op.argument == target) visit_node(op.node);
-        if (op.kind != TreeOp::Kind::leaf) continue;
-        const Node& node = u.tree.nodes[op.node];
-        for (Index e = 0; e < node.count; ++e) {
-            const Index entry = s.entries[op.argument + e];
-            const Triangle& t = u.slots[node.first + e];
-            if (entry == target)
-                visit_triangle(u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position);
-            if (entry < kCrossingEntry) continue;
-            const Crossing& c = s.crossings[entry - kCrossingEntry];
-            if (c.target[static_cast<std::size_t>(side)] != target) continue;
-            const auto position = [&](std::uint8_t code) {
-                if (code == TriangleSplit::kCutNext) return c.split.cut_next.position;
-                if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
-                return u.vertices[c.corner[code]].position;
-            };
-            for (std::size_t p = 0; p < c.split.piece_count; ++p) {
-                const TriangleSplit::Piece& piece = c.split.pieces[p];
-                if (piece.side == side)
-                    visit_triangle(position(piece.corners[0]), position(piece.corners[1]), position(piece.corners[2]));
+    for (const CutShell& shell : s.cut_shells)
+        for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
+            const TreeOp& op = s.ops[i];
+            if (op.kind == TreeOp::Kind::whole && s.targets[op.argument].side == side) visit_node(op.argument, op.node);
+            if (op.kind != TreeOp::Kind::leaf) continue;
+            const Node& node = u.tree.nodes[op.node];
+            for (Index e = 0; e < node.count; ++e) {
+                const Index entry = s.entries[op.argument + e];
+                const Triangle& t = u.slots[node.first + e];
+                if (entry < kCrossingEntry) {
+                    if (s.targets[entry].side == side)
+                        visit_triangle(entry, u.vertices[t[0]].position, u.vertices[t[1]].position,
+                                       u.vertices[t[2]].position);
+                    continue;
+                }
+                const Crossing& c = s.crossings[entry - kCrossingEntry];
+                const auto position = [&](std::uint8_t code) {
+                    if (code == TriangleSplit::kCutNext) return c.split.cut_next.position;
+                    if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
+                    return u.vertices[c.corner[code]].position;
+                };
+                for (std::size_t p = 0; p < c.split.piece_count; ++p) {
+                    const TriangleSplit::Piece& piece = c.split.pieces[p];
+                    if (piece.side == side)
+                        visit_triangle(c.target[static_cast<std::size_t>(side)], position(piece.corners[0]),
+                                       position(piece.corners[1]), position(piece.corners[2]));
+                }
             }
         }
-    }
 }
 
 /// Describes a closed shell by sums over its subtrees and triangles.
@@ -162,12 +161,14 @@ public:
             of_target_[t] = part;
         }
         // What has vanished is with what is left of its solid. A solid of which nothing is left makes no fragment.
+        std::unordered_map<std::uint32_t, Index> first_of_solid;
         for (Index t = 0; t < s_.targets.size(); ++t) {
             if (s_.targets[t].side != side_ || !s_.targets[t].is_empty) continue;
-            const std::uint32_t solid = solid_of(t);
-            Index part = 0;
-            while (part < parts_.size() && parts_[part].solid != solid) ++part;
-            of_target_[t] = part < parts_.size() ? part : add(t);
+            if (first_of_solid.empty())
+                for (Index part = 0; part < parts_.size(); ++part) first_of_solid.emplace(parts_[part].solid, part);
+            const auto [entry, is_new] = first_of_solid.try_emplace(solid_of(t), kNone);
+            if (is_new) entry->second = add(t);
+            of_target_[t] = entry->second;
         }
         cut_count_ = static_cast<Index>(parts_.size());
         for (const Shell& shell : whole_) {
@@ -191,6 +192,8 @@ public:
         };
         std::vector<bool> is_far(parts_.size(), false);
         mark_far_parts(is_far, has_several);
+        std::vector<Index> whole_number(parts_.size(), kNone);  // of closed shells
+        std::vector<ClosedShell> closed;
         for (Index i = 0; i < parts_.size(); ++i) {
             SurfacePart& part = parts_[i];
             if (!has_several(part.solid)) continue;
@@ -198,32 +201,43 @@ public:
                 part.is_flat = !is_far[i];
                 continue;
             }
-            ClosedShell shell(u_);
-            if (i >= cut_count_) {
-                shell.add(whole_[i - cut_count_].root);
-            } else {
-                for_each_target_of(i, [&](Index t) {
-                    for_each_of_target(
-                        u_, s_, t, [&](Index node) { shell.add(node); },
-                        [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { shell.add(a, b, c); });
-                });
-            }
-            shell.describe(part);
+            whole_number[i] = static_cast<Index>(closed.size());
+            closed.emplace_back(u_);
+            if (i >= cut_count_) closed.back().add(whole_[i - cut_count_].root);
         }
+        if (closed.empty()) return;
+        const auto closed_at = [&](Index target) {
+            const Index number = whole_number[of_target_[target]];
+            return number == kNone ? nullptr : &closed[number];
+        };
+        // Only what an earlier cut has left in parts holds closed shells beside what is cut.
+        if (std::any_of(whole_number.begin(), whole_number.begin() + cut_count_, [](Index n) { return n != kNone; }))
+            for_each_on_side(
+                u_, s_, side_,
+                [&](Index target, Index node) {
+                    if (ClosedShell* const shell = closed_at(target)) shell->add(node);
+                },
+                [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+                    if (ClosedShell* const shell = closed_at(target)) shell->add(a, b, c);
+                });
+        for (Index i = 0; i < parts_.size(); ++i)
+            if (whole_number[i] != kNone) closed[whole_number[i]].describe(parts_[i]);
     }
 
-    int count_crossings(Index part, const AxisRay& ray) const
+    void count_crossings(std::span<const AxisRay> rays, const AddCrossing& add) const
     {
-        if (part >= cut_count_) return halfedge::count_crossings(u_, whole_[part - cut_count_].root, ray);
-        int count = 0;
-        for_each_target_of(part, [&](Index t) {
-            for_each_of_target(
-                u_, s_, t, [&](Index node) { count += halfedge::count_crossings(u_, node, ray); },
-                [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-                    count += ray_crossing(ray, a, b, c);
-                });
-        });
-        return count;
+        const ParallelRays bundle(rays);
+        const auto add_to = [&](Index part) {
+            return [&add, part](std::uint32_t ray, int term) { add(part, ray, term); };
+        };
+        for_each_on_side(
+            u_, s_, side_,
+            [&](Index target, Index node) { halfedge::count_crossings(u_, node, bundle, add_to(of_target_[target])); },
+            [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+                bundle.for_each_crossing(a, b, c, add_to(of_target_[target]));
+            });
+        for (Index i = 0; i < whole_.size(); ++i)
+            halfedge::count_crossings(u_, whole_[i].root, bundle, add_to(cut_count_ + i));
     }
 
     /// Makes a bundle of the targets of each piece.
@@ -261,13 +275,6 @@ private:
         part.solid = solid_of(target);
         parts_.push_back(part);
         return static_cast<Index>(parts_.size() - 1);
-    }
-
-    template <class Visit>
-    void for_each_target_of(Index part, Visit visit) const
-    {
-        for (Index t = 0; t < of_target_.size(); ++t)
-            if (of_target_[t] == part) visit(t);
     }
 
     /// Finds the parts that have a vertex beyond the noise, in one run over the programs.
@@ -368,15 +375,11 @@ PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch&
         plan.fragment_count[at] = whole[at].empty() && s.targets.empty() ? 0 : 1;
     }
     // Bundles come in pairs: negative, positive.
-    const auto bundle_of = [&](std::uint32_t solid) {
-        Index bundle = 0;
-        while (bundle < s.bundles.size() && s.bundles[bundle].solid != solid) bundle += 2;
-        return bundle;
-    };
+    std::unordered_map<std::uint32_t, Index> bundle_of_solid;
     for (Target& t : s.targets) {
         const CutShell& shell = s.cut_shells[t.shell];
-        const Index bundle = bundle_of(shell.solid);
-        if (bundle == s.bundles.size())
+        const auto [entry, is_new] = bundle_of_solid.try_emplace(shell.solid, static_cast<Index>(s.bundles.size()));
+        if (is_new)
             for (const Side side : kSides) {
                 Bundle b;
                 b.side = side;
@@ -386,7 +389,7 @@ PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch&
                 b.connected = shell.connected && shell.loops == 1 && s.loops_are_all_curves();
                 s.bundles.push_back(b);
             }
-        t.bundle = bundle + static_cast<Index>(t.side);
+        t.bundle = entry->second + static_cast<Index>(t.side);
         // Whether caps connect several shells of a solid is not looked into.
         Bundle& b = s.bundles[t.bundle];
         b.connected = b.connected && b.shell == t.shell;
@@ -408,8 +411,8 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
 
     std::array<SideParts, 2> input;
     for (std::size_t at = 0; at < 2; ++at)
-        input[at] = {sides[at].parts(), [&parts = sides[at]](std::uint32_t part, const AxisRay& ray) {
-                         return parts.count_crossings(part, ray);
+        input[at] = {sides[at].parts(), [&parts = sides[at]](std::span<const AxisRay> rays, const AddCrossing& add) {
+                         parts.count_crossings(rays, add);
                      }};
     const std::array<std::vector<std::uint32_t>, 2> piece = group_pieces(plane, input, outline.points, outline.edges);
     PiecePlan plan;

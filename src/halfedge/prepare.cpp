@@ -220,15 +220,6 @@ Universe::Universe(const Universe& other)
     scratch->reserve(crossings_of_one_cut(other.slots.size()));
 }
 
-Index Universe::group(const Group& wanted)
-{
-    for (Index g = 0; g < groups.size(); ++g)
-        if (groups[g].material == wanted.material && groups[g].solid == wanted.solid && groups[g].kind == wanted.kind)
-            return g;
-    groups.push_back(wanted);
-    return static_cast<Index>(groups.size() - 1);
-}
-
 std::size_t Universe::bytes_reserved() const
 {
     std::size_t bytes = mesh.bytes_reserved() + vertices.bytes_reserved() + slots.bytes_reserved() +
@@ -272,11 +263,16 @@ Prepared prepare_universe(IndexedMesh mesh)
     u.materials = std::move(mesh.materials);
 
     // Groups in the order in which ranges are drawn.
-    for (const TriangleGroup& g : mesh.groups) u.group({g.material, g.solid, g.kind});
+    for (const TriangleGroup& g : mesh.groups) u.groups.push_back({g.material, g.solid, g.kind});
     std::sort(u.groups.begin(), u.groups.end(), draws_before);
+    const auto is_alike = [](const Group& a, const Group& b) { return !draws_before(a, b) && !draws_before(b, a); };
+    u.groups.erase(std::unique(u.groups.begin(), u.groups.end(), is_alike), u.groups.end());
     std::vector<Index> group_of(n);
-    for (const TriangleGroup& g : mesh.groups)
-        std::fill_n(group_of.begin() + g.first, g.count, u.group({g.material, g.solid, g.kind}));
+    for (const TriangleGroup& g : mesh.groups) {
+        const Group wanted{g.material, g.solid, g.kind};
+        const auto found = std::lower_bound(u.groups.begin(), u.groups.end(), wanted, draws_before);
+        std::fill_n(group_of.begin() + g.first, g.count, static_cast<Index>(found - u.groups.begin()));
+    }
 
     const Shells shells = find_shells(mesh);
     const std::vector<Index> order = spatial_order(mesh, group_of, u.groups.size(), shells);

@@ -75,9 +75,6 @@ struct Universe
         return {{vertices.data(), vertices.size()}, {slots.data(), slots.size()}, reference};
     }
 
-    /// The index of a group, which is added if it is new. May throw std::bad_alloc.
-    Index group(const Group& wanted);
-
     /// Bytes held, reserve included.
     std::size_t bytes_reserved() const;
 };

@@ -13,10 +13,9 @@
 namespace kerf {
 namespace {
 
-int no_crossings(std::uint32_t, const AxisRay&)
+void no_crossings(std::span<const AxisRay>, const AddCrossing&)
 {
     ADD_FAILURE() << "nobody should have to count crossings";
-    return 0;
 }
 
 using Pieces = std::vector<std::uint32_t>;
@@ -264,13 +263,16 @@ public:
     Pieces pieces() const
     {
         const Plane plane{{0, 0, 1}, 0.0};
-        return pieces_of(plane, Side::positive, parts, loops_, [&](std::uint32_t part, const AxisRay& ray) {
-            EXPECT_EQ(ray.axis, 2);
-            EXPECT_TRUE(ray.ascending);
-            int sum = 0;
-            for (const auto& [a, b, c] : triangles_[part]) sum += ray_crossing(ray, a, b, c);
-            return sum;
-        });
+        return pieces_of(plane, Side::positive, parts, loops_,
+                         [&](std::span<const AxisRay> rays, const AddCrossing& add) {
+                             for (std::uint32_t i = 0; i < rays.size(); ++i) {
+                                 EXPECT_EQ(rays[i].axis, 2);
+                                 EXPECT_TRUE(rays[i].ascending);
+                                 for (std::uint32_t part = 0; part < triangles_.size(); ++part)
+                                     for (const auto& [a, b, c] : triangles_[part])
+                                         add(part, i, ray_crossing(rays[i], a, b, c));
+                             }
+                         });
     }
 
     std::vector<SurfacePart> parts;

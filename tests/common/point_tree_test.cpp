@@ -38,6 +38,7 @@ RC_GTEST_PROP(PointTree, FindsWhatALoopFindsWhileWhatWasFoundIsRemoved, ())
         }
         tree.for_each_in(box, [&](std::uint32_t i) { RC_ASSERT(found.insert(i).second); });
         RC_ASSERT(found == expected);
+        RC_ASSERT(tree.any_in(box) == !expected.empty());
         for (const std::uint32_t i : found)
             if (number(3) == 0) {
                 tree.remove(i);

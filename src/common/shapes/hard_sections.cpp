@@ -1,0 +1,227 @@
+#include "common/shapes/hard_sections.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "common/shapes.h"
+#include "common/shapes/patch.h"
+#include "common/shapes/random.h"
+
+namespace kerf::shapes {
+
+namespace {
+
+Plane across(int axis, double offset)
+{
+    Plane plane;
+    plane.normal = glm::dvec3(0.0);
+    plane.normal[axis] = 1.0;
+    plane.offset = offset;
+    return plane;
+}
+
+/// The side of a square of at least n cells.
+std::uint32_t square_side(std::uint32_t n)
+{
+    return std::max(1u, static_cast<std::uint32_t>(std::ceil(std::sqrt(double(n)))));
+}
+
+TriangleSoup block(const glm::vec3& centre, const glm::vec3& size, bool is_cavity)
+{
+    TriangleSoup soup = box(size, {1, 1, 1});
+    translate(soup, centre);
+    if (is_cavity) turn_inside_out(soup);
+    return soup;
+}
+
+/// A plate in x and y from (0, 0) to (size, size), and some more around it.
+TriangleSoup plate(std::uint32_t size)
+{
+    const float side = static_cast<float>(size);
+    return block({side / 2, side / 2, 0}, {side + 4, side + 4, 2}, false);
+}
+
+HardSection bricks(std::uint32_t n)
+{
+    const std::uint32_t side = square_side(n);
+    TriangleSoup soup = plate(side);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t row = i / side;
+        const float shift = row % 2 == 0 ? 0.25f : 0.75f;
+        append(soup, block({float(i % side) + shift, float(row) + 0.5f, 0}, {0.875f, 1, 1}, true));
+    }
+    return {std::move(soup), across(2, 0.125)};
+}
+
+HardSection checkerboard(std::uint32_t n)
+{
+    const std::uint32_t side = square_side(2 * n);
+    TriangleSoup soup = plate(side);
+    for (std::uint32_t y = 0; y < side; ++y)
+        for (std::uint32_t x = y % 2; x < side; x += 2)
+            append(soup, block({float(x) + 0.5f, float(y) + 0.5f, 0}, {1, 1, 1}, true));
+    return {std::move(soup), across(2, 0.125)};
+}
+
+HardSection pores(std::uint32_t n)
+{
+    const std::uint32_t side = square_side(n);
+    TriangleSoup soup = plate(side);
+    for (std::uint32_t i = 0; i < n; ++i)
+        append(soup, block({float(i % side) + 0.5f, float(i / side) + 0.5f, 0}, {0.5f, 0.5f, 1}, true));
+    return {std::move(soup), across(2, 0.125)};
+}
+
+HardSection loose_parts(std::uint32_t n)
+{
+    const std::uint32_t side = square_side(n);
+    TriangleSoup soup;
+    for (std::uint32_t i = 0; i < n; ++i)
+        append(soup, block({float(i % side), float(i / side), 0}, {0.5f, 0.5f, 1}, false));
+    return {std::move(soup), across(2, 0.125)};
+}
+
+/// A tooth has eight triangles that a plane along it crosses.
+TriangleSoup comb_of_points(std::uint32_t n)
+{
+    return comb(std::max(1u, n / 8));
+}
+
+HardSection leaning_comb(std::uint32_t n)
+{
+    TriangleSoup soup = comb_of_points(n);
+    float width = 0.0f;
+    for (const Vertex& v : soup.vertices) width = std::max(width, 2.0f * v.position.x);
+    for (Vertex& v : soup.vertices) v.position.x += 0.5f * width * v.position.y;
+    return {std::move(soup), across(2, 0.03)};
+}
+
+HardSection hidden_pores(std::uint32_t n)
+{
+    TriangleSoup soup = comb(n);
+    // comb(): teeth of 0.2 every 0.4, from y = -0.2 to 0.5.
+    const double first = 0.1 - 0.1 * (2.0 * n - 1.0);
+    for (std::uint32_t i = 0; i < n; ++i)
+        append(soup, block({float(first + 0.4 * i), 0.25f, 0}, {0.0625f, 0.0625f, 0.0625f}, true));
+    return {std::move(soup), across(1, 0.01)};
+}
+
+HardSection nested_shells(std::uint32_t n)
+{
+    constexpr double kLargest = 1.0, kSmallest = 0.1;
+    std::vector<float> radii;
+    for (std::uint32_t i = 0; i < n; ++i)
+        radii.push_back(static_cast<float>(kLargest - (kLargest - kSmallest) * i / std::max(1u, n)));
+    return {nested_spheres(radii, 2), across(2, 0.013)};
+}
+
+HardSection rosette(std::uint32_t n)
+{
+    constexpr float kWave = 0.25f, kDepth = -2.0f;
+    TriangleSoup soup;
+    soup.has_normals = false;
+    const auto add = [&](const glm::vec3& p) { soup.vertices.push_back({p, {0, 0, 1}, {0, 0}}); };
+    add({0, 0, 0});
+    add({0, 0, kDepth});
+    const std::uint32_t rim = 2 * std::max(n, 2u);
+    for (std::uint32_t i = 0; i < rim; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / rim;
+        add({float(std::cos(angle)), float(std::sin(angle)), i % 2 == 0 ? kWave : -kWave});
+    }
+    for (std::uint32_t i = 0; i < rim; ++i) {
+        const std::uint32_t a = 2 + i, b = 2 + (i + 1) % rim;
+        soup.triangles.push_back({0, a, b});
+        soup.triangles.push_back({1, b, a});
+    }
+    return {std::move(soup), across(2, 0.0)};
+}
+
+HardSection spiral(std::uint32_t n)
+{
+    constexpr std::uint32_t kTurns = 50;
+    return {spiral_wall(float(kTurns), std::max(3u, n / (4 * kTurns))), across(2, 0.01)};
+}
+
+/// A plate with a top of n triangles at z = 0.5, and a ridge along one edge that reaches above it.
+TriangleSoup ridged_plate(std::uint32_t n)
+{
+    constexpr float kTop = 0.5f, kRidgeFrom = 0.95f, kRidge = 1.0f;
+    const std::uint32_t side = square_side(n / 2);
+    TriangleSoup soup = box({2, 2, 1}, {side, side, 1});
+    for (Vertex& v : soup.vertices)
+        if (v.position.z == kTop && v.position.x > kRidgeFrom) v.position.z = kRidge;
+    return soup;
+}
+
+HardSection flat_rough(std::uint32_t n)
+{
+    constexpr float kTop = 0.5f, kUnit = 0x1p-24f;
+    HardSection section{ridged_plate(n), across(2, 0.5)};
+    for (Vertex& v : section.soup.vertices) {
+        if (v.position.z != kTop) continue;
+        // By position, so that vertices at one place stay there.
+        const auto bits = std::uint64_t(std::bit_cast<std::uint32_t>(v.position.x)) << 32 |
+                          std::bit_cast<std::uint32_t>(v.position.y);
+        v.position.z += kUnit * float(int(Random::mix(bits) % 7) - 3);
+    }
+    return section;
+}
+
+HardSection flat_tilted(std::uint32_t n)
+{
+    return {ridged_plate(n), *Plane::through({0.01, 0.0, 0.5}, {1e-7, 0.0, 1.0})};
+}
+
+const std::map<std::string, HardSection (*)(std::uint32_t), std::less<>>& makers()
+{
+    static const std::map<std::string, HardSection (*)(std::uint32_t), std::less<>> all{
+        {"bricks", bricks},
+        {"checkerboard", checkerboard},
+        {"comb",
+         [](std::uint32_t n) {
+             return HardSection{comb_of_points(n), across(2, 0.03)};
+         }},
+        {"flat",
+         [](std::uint32_t n) {
+             return HardSection{ridged_plate(n), across(2, 0.5)};
+         }},
+        {"flat_rough", flat_rough},
+        {"flat_tilted", flat_tilted},
+        {"hidden_pores", hidden_pores},
+        {"leaning_comb", leaning_comb},
+        {"loose_parts", loose_parts},
+        {"nested_shells", nested_shells},
+        {"pores", pores},
+        {"rosette", rosette},
+        {"spiral", spiral},
+        {"teeth",
+         [](std::uint32_t n) {
+             return HardSection{comb(n), across(1, 0.1)};
+         }},
+    };
+    return all;
+}
+
+}  // namespace
+
+const std::vector<std::string>& hard_section_names()
+{
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const auto& [name, make] : makers()) all.push_back(name);
+        return all;
+    }();
+    return names;
+}
+
+std::optional<HardSection> hard_section(std::string_view name, std::uint32_t n)
+{
+    const auto found = makers().find(name);
+    if (found == makers().end()) return std::nullopt;
+    return found->second(std::max(n, 1u));
+}
+
+}  // namespace kerf::shapes
