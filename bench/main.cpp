@@ -12,6 +12,7 @@ void register_model_benchmarks();
 void register_scale_benchmarks();
 void register_chain_benchmarks();
 void register_long_benchmarks();
+void register_hard_benchmarks();
 #ifdef KERF_HAS_VIEWER
 void register_sim_benchmarks();
 #endif
@@ -30,6 +31,7 @@ int main(int argc, char** argv)
         kerf::bench::register_scale_benchmarks();
         kerf::bench::register_chain_benchmarks();
         kerf::bench::register_long_benchmarks();
+        kerf::bench::register_hard_benchmarks();
 #ifdef KERF_HAS_VIEWER
         kerf::bench::register_sim_benchmarks();
 #endif
