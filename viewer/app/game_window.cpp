@@ -19,9 +19,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A frame after a hitch counts as no more, seconds.
-constexpr double kLongestFrame = 0.25;
-
 ShowSetup setup_of(const Options& options, const std::filesystem::path& user_folder)
 {
     ShowSetup setup;
@@ -63,7 +60,7 @@ bool GameWindow::frame()
     follow_settings();
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
-    show_.advance(std::min(seconds, kLongestFrame));
+    show_.advance(seconds);
 
     if (const glm::ivec2 pixels = window_.framebuffer_size(); pixels.x > 0 && pixels.y > 0) {
         painter_.resize(pixels.x, pixels.y);
