@@ -70,6 +70,7 @@ void GameShow::start(const std::string& scene)
     pointer_.clear();
     script_.clear();
     demo_ = {};
+    demo_fruit_ = 0;
     swiping_ = false;
     wanted_.clear();
     over_at_.reset();
@@ -331,6 +332,7 @@ void GameShow::watch_game()
     if (played == nullptr) return;
     const game::GameState& state = played->state();
     if (state.fruit_cut > 0) is_new_player_ = false;
+    if (is_new_player_) show_first_cut(*played);
     if (state.phase != game::GamePhase::over) return;
     if (!over_at_) {
         over_at_ = simulation_->now();
@@ -379,6 +381,31 @@ void GameShow::sync()
         painter_.sync(*simulation_);
 }
 
+/// Who has cut nothing yet sees a blade go through a fruit that is near its apex. It cuts nothing.
+void GameShow::show_first_cut(const game::GameScene& played)
+{
+    constexpr sim::Tick kStroke = 30;
+    constexpr double kSlow = 3.5;  // m/s upwards: a fruit that is about to turn
+    const sim::Microseconds time = simulation_->time();
+    const sim::Body* fruit = simulation_->world().find(demo_fruit_);
+    const bool is_on = fruit != nullptr && simulation_->now() - demo_start_ <= kStroke;
+    for (const auto& body : simulation_->bodies()) {
+        if (is_on) break;
+        const std::optional<game::FruitKind> kind = played.whole(body->id());
+        const bool is_new = kind && *kind != game::FruitKind::bomb && body->id() > demo_fruit_;
+        if (!is_new || body->motion().velocity.y > kSlow) continue;
+        fruit = body.get();
+        demo_fruit_ = body->id();
+        demo_start_ = simulation_->now();
+        break;
+    }
+    if (fruit == nullptr || simulation_->now() - demo_start_ > kStroke) return;
+    const double share = 2.0 * double(simulation_->now() - demo_start_) / kStroke - 1.0;
+    const glm::dvec2 place = sim::Camera::seen_on_stage(fruit->centre()) + share * glm::dvec2(2.2, 1.2);
+    if (simulation_->now() == demo_start_) demo_.press(time, place);
+    demo_.move(time, place);
+}
+
 void GameShow::paint(const ViewSettings& view)
 {
     sync();
@@ -389,7 +416,8 @@ void GameShow::paint(const ViewSettings& view)
         painter_.paint(stages, nearer);
         return;
     }
-    const bool shows_demo = scene_ == "menu" && !simulation_->blade().pressed() && wanted_.empty();
+    const bool teaches = scene_ == "menu" ? wanted_.empty() : is_new_player_;
+    const bool shows_demo = teaches && !simulation_->blade().pressed() && !demo_.trail(simulation_->time()).empty();
     painter_.paint(*simulation_, view, fraction_, &effects_, shows_demo ? &demo_ : nullptr);
 }
 

@@ -83,6 +83,8 @@ public:
     const sim::Simulation* simulation() const { return simulation_.get(); }
     DuelShow* duel() { return duel_.get(); }
     const effects::Effects& effects() const { return effects_; }
+    /// That shows who has cut nothing yet how it is done.
+    const sim::Blade& demo_blade() const { return demo_; }
     /// How far the giant is that is being made or uploaded, 0 to 1, never falling; empty when there is none.
     std::optional<double> giant_progress() const;
     const sim::ModelShelf& models() const { return *models_; }
@@ -99,6 +101,7 @@ private:
     void watch_game();
     void watch_duel();
     void move_demo_blade();
+    void show_first_cut(const game::GameScene& played);
     void write_giant(ui::Canvas& canvas);
     void set_giant(double share);
     void tell(std::string message);
@@ -131,8 +134,10 @@ private:
     sim::Tick wanted_at_ = 0;
     std::optional<sim::Tick> over_at_;
     std::optional<std::size_t> latest_place_;  ///< of the last game among the scores
-    sim::Blade demo_;                          ///< shows on the menu how to cut
-    sim::Tick touched_at_ = -1000;             ///< when the player last swiped
+    sim::Blade demo_;                          ///< shows on the menu and in the first game how to cut
+    sim::ObjectId demo_fruit_ = 0;             ///< that it went through last
+    sim::Tick demo_start_ = 0;
+    sim::Tick touched_at_ = -1000;  ///< when the player last swiped
     bool is_new_player_ = true;
     FrameStatistics frames_, cut_times_;
     std::size_t cuts_timed_ = 0;

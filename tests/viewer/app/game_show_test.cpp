@@ -275,6 +275,31 @@ TEST_F(GameShowTest, FruitIsReadyBeforeItsFirstThrow)
     EXPECT_EQ(show.models().late_work().preparations, 0u);
 }
 
+TEST_F(GameShowTest, ShowsANewPlayerHowToCutUntilHeDoes)
+{
+    const auto is_shown = [](const GameShow& show) {
+        return !show.demo_blade().trail(show.simulation()->time()).empty();
+    };
+    GameShow show(setup("zen"), painter, speaker);
+    int shown = 0;
+    for (int i = 0; i < 200; ++i) {
+        frames(show, 1);
+        shown += is_shown(show) ? 1 : 0;
+    }
+    EXPECT_GT(shown, 10);
+    EXPECT_TRUE(show.simulation()->cuts().empty()) << "it is only shown";
+    game::Autopilot autopilot(1);
+    for (int i = 0; i < 200; ++i) {
+        show.let_play(autopilot);
+        frames(show, 1);
+    }
+    ASSERT_GT(game::game_of(show.simulation()->scene())->state().fruit_cut, 0);
+    for (int i = 0; i < 200; ++i) {
+        frames(show, 1);
+        EXPECT_FALSE(is_shown(show));
+    }
+}
+
 TEST_F(GameShowTest, ADuelEndsWithAResultAndLeadsToARematch)
 {
     ShowSetup small = setup("duel");
