@@ -15,13 +15,14 @@ picture() {
     convert "$work/$name.png" -filter Lanczos -resize 960x540 -quality 84 "game_$name.jpg"
 }
 
-picture menu --scene menu --frames 92
-picture classic --script game_classic.kerf --frames 477
-picture over --script game_classic.kerf --frames 620
+picture menu --scene menu --frames 40
+picture classic --scene classic --autopilot --seed 6 --frames 2196
+picture over --scene classic --screen over --autopilot --seed 6 --frames 2970
 picture arcade --scene arcade --autopilot --seed 1 --frames 454
 picture zen --scene zen --autopilot --seed 3 --frames 422
 picture giant --scene giant --screen play --giant 400000 --script game_giant.kerf --frames 150
-picture duel --scene duel --script game_duel.kerf --frames 134
+picture duel --scene duel --autopilot --seed 1 --frames 300
+picture duel_over --scene duel --autopilot --seed 1 --frames 3602
 picture settings --scene menu --screen settings --frames 60
 
 # Ten seconds, ten frames each.
