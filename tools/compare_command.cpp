@@ -13,6 +13,7 @@
 #include "tools/comparison.h"
 #include "tools/registry.h"
 #include "tools/text.h"
+#include "tools/whole_number.h"
 
 namespace kerf::tools {
 
@@ -353,22 +354,22 @@ void add_compare_command(CLI::App& program)
     auto options = std::make_shared<CompareCommandOptions>();
     CLI::App* command = program.add_subcommand("compare", "Cut meshes with both back ends and compare what comes out");
     command->add_option("FILE", options->files, "Meshes: obj, ply, stl, off, gltf or glb")->required();
-    const auto at_least = [](std::uint64_t least, std::uint64_t most) {
-        return CLI::Range(least, most).description("");
-    };
     command->add_option("--planes", options->comparison.planes, "How many planes cut each mesh")
-        ->check(at_least(1, 1'000'000))
+        ->check(whole_number(1, 1'000'000))
         ->capture_default_str();
-    command->add_option("--seed", options->comparison.seed, "Another seed gives other planes")->capture_default_str();
+    command->add_option("--seed", options->comparison.seed, "Another seed gives other planes")
+        ->check(whole_number())
+        ->capture_default_str();
     command
         ->add_option("--depth", options->comparison.depth,
                      "Cuts in a row: 2 cuts the two pieces as well, 3 their pieces, ...")
-        ->check(at_least(1, 16))
+        ->check(whole_number(1, 16))
         ->capture_default_str();
     command->add_option("--lookup", options->lookup, "How the baseline looks up vertices: see kerf cut --help");
     command->add_flag("--random-only", options->random_only,
                       "Only random planes through the middle, none through vertices, along edges or in faces");
     command->add_option("--only", options->only, "Cut by this one of the planes, as the first column numbers them")
+        ->check(whole_number())
         ->type_name("NUMBER");
     command->add_flag("--quiet", options->quiet, "Leave out the rows of cuts that are right");
     CLI::Option* json = command->add_flag("--json", options->json, "Print JSON instead of text");

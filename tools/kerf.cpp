@@ -3,6 +3,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "common/io/unfinished_files.h"
 #include "tools/commands.h"
@@ -26,11 +27,25 @@ std::string usage_of(const CLI::App& app, const CLI::App& program)
     return program.get_name() + " " + app.get_name() + positionals + required + " [OPTIONS]";
 }
 
+/// Of a command line without a command.
+std::string what_is_no_command(const CLI::App& program)
+{
+    std::string commands;
+    for (const CLI::App* command : program.get_subcommands(nullptr))
+        commands += (commands.empty() ? "" : ", ") + command->get_name();
+    const std::vector<std::string> words = program.remaining();
+    return (words.empty() ? "a command is missing" : "there is no command '" + words.front() + "'") +
+           ": it is one of " + commands;
+}
+
 /// What was wrong with the command line, and how it should look.
 int report_wrong_use(const CLI::App& program, const CLI::ParseError& error)
 {
-    std::cerr << "kerf: " << error.what() << "\n";
     const auto chosen = program.get_subcommands();
+    if (chosen.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+        std::cerr << "kerf: " << what_is_no_command(program) << "\n";
+    else
+        std::cerr << "kerf: " << error.what() << "\n";
     const CLI::App& app = chosen.empty() ? program : *chosen.front();
     std::cerr << "Usage: " << usage_of(app, program) << "\nRun " << (chosen.empty() ? "kerf" : "kerf " + app.get_name())
               << " --help for more.\n";

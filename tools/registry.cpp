@@ -60,8 +60,12 @@ std::unique_ptr<Backend> make_backend(const std::string& name, const std::string
     for (const RegisteredBackend& entry : registered_backends()) {
         if (entry.name != name) continue;
         const bool known = std::find(entry.lookups.begin(), entry.lookups.end(), lookup) != entry.lookups.end();
-        if (!lookup.empty() && !known)
-            throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup + "'");
+        if (!lookup.empty() && !known) {
+            std::string lookups;
+            for (const std::string& one : entry.lookups) lookups += (lookups.empty() ? "" : ", ") + one;
+            throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup +
+                                        "': " + (lookups.empty() ? "it needs none" : "it is one of " + lookups));
+        }
         return entry.make(lookup);
     }
     return nullptr;

@@ -9,6 +9,7 @@
 #include "common/shapes.h"
 #include "tools/commands.h"
 #include "tools/text.h"
+#include "tools/whole_number.h"
 
 namespace kerf::tools {
 
@@ -51,10 +52,12 @@ void add_shape_command(CLI::App& program)
         ->required()
         ->check(CLI::IsMember(shapes::names()).description(""));
     command->add_option("-n,--triangles", options->triangles, "About how many triangles it should have")
-        ->check(CLI::Range(std::uint64_t{1}, kMostTriangles).description(""))
+        ->check(whole_number(1, kMostTriangles))
         ->capture_default_str();
-    command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")->capture_default_str();
-    command->add_option("-o,--out", options->out, "File to write: obj, ply, stl or glb")->required();
+    command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")
+        ->check(whole_number())
+        ->capture_default_str();
+    command->add_option("-o,--out", options->out, "File to write: obj, ply, stl or glb")->required()->type_name("FILE");
     command->footer("Shapes: " + list_of_names() +
                     ".\n\n"
                     "Examples:\n"

@@ -70,7 +70,8 @@ TEST_F(GlbTest, RefusesWhatItsSizesDoNotAllow)
     EXPECT_TRUE(contains(error_with("/accessors/0/componentType", 5122), "not supported"));
     EXPECT_TRUE(contains(error_with("/bufferViews/0/byteOffset", 60), "not inside its buffer"));
     EXPECT_TRUE(contains(error_with("/buffers/0/byteLength", 93), "truncated"));
-    EXPECT_TRUE(contains(error_with("/meshes/0/primitives/0/attributes/POSITION", 9), "does not exist"));
+    EXPECT_TRUE(
+        contains(error_with("/meshes/0/primitives/0/attributes/POSITION", 9), "names accessor 9, but there are only"));
     EXPECT_TRUE(contains(error_with("/meshes/0/primitives/0/mode", 1), "no triangles"));
     EXPECT_TRUE(contains(error_with("/nodes/0/mesh", 1), "does not exist"));
     EXPECT_TRUE(contains(error_with("/nodes/0/children", json::array({0})), "not a root"));

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "tools/whole_number.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/game/scenes.h"
 #include "viewer/sim/back_ends.h"
@@ -18,6 +19,8 @@
 namespace kerf::app {
 
 namespace {
+
+constexpr std::uint64_t kMostFrames = 1'000'000'000;  // half a year
 
 /// "1280x720".
 bool parse_size(const std::string& text, int& width, int& height)
@@ -96,10 +99,10 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--screen", options.screen, "of the game, for the last picture of --headless")
         ->check(CLI::IsMember(ui::screen_names()));
     program.add_option("--boulder", options.boulder, "triangles of what the scene duel throws")
-        ->check(CLI::Range(1000, 2'000'000))
+        ->check(tools::whole_number(1000, 2'000'000))
         ->type_name("N");
     program.add_option("--giant", options.giant, "triangles of the scene giant")
-        ->check(CLI::Range(game::kFewestGiantTriangles, game::kMostGiantTriangles))
+        ->check(tools::whole_number(game::kFewestGiantTriangles, game::kMostGiantTriangles))
         ->type_name("N");
     program
         .add_option("--backend", backends,
@@ -107,15 +110,19 @@ ParsedOptions parse_options(int argc, char** argv)
         ->type_name("NAME[,NAME]");
     program.add_option("--proxy", options.proxy, "what stands for pieces in the physics engine")
         ->check(CLI::IsMember(proxy_names()));
-    program.add_option("--seed", options.seed, "of everything that looks random")->type_name("N");
+    program.add_option("--seed", options.seed, "of everything that looks random")
+        ->check(tools::whole_number())
+        ->type_name("N");
     program.add_option("--script", options.script, "play recorded input")->type_name("FILE");
     program.add_option("--save-script", options.save_script, "save the input of this run")->type_name("FILE");
     program.add_flag("--autopilot", options.autopilot, "let the program swipe");
     program.add_flag("--headless", options.headless, "no window: fixed steps, results as JSON");
     program.add_option("--frames", options.frames, "frames of 1/60 s to run (0: to the script's end)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(tools::whole_number(0, kMostFrames))
+        ->type_name("N");
     program.add_option("--draw", options.draw_every, "with --headless: draw every N-th frame; 0: only a screenshot")
-        ->check(CLI::NonNegativeNumber);
+        ->check(tools::whole_number(0, kMostFrames))
+        ->type_name("N");
     program.add_option("--size", size, "of the picture or window in pixels")->type_name("WxH");
     program.add_option("--screenshot", options.screenshot, "write the last frame as PNG")->type_name("FILE");
     program.add_option("--record", options.record, "write all frames as PNG into a folder")->type_name("DIR");
@@ -146,7 +153,9 @@ ParsedOptions parse_options(int argc, char** argv)
         for (const std::string& name : CLI::detail::split(backends, ',')) {
             if (backends.empty()) break;
             const std::string found = sim::find_backend(name);
-            if (found.empty()) throw CLI::ValidationError("--backend", "there is no back end '" + name + "'");
+            if (found.empty())
+                throw CLI::ValidationError(
+                    "--backend", "there is no back end '" + name + "': it is one of " + joined(sim::backend_names()));
             options.backends.push_back(found);
         }
         if (options.backends.size() > 1 && !options.headless)

@@ -21,7 +21,8 @@ struct GlfwLibrary
 {
     GlfwLibrary()
     {
-        if (glfwInit() == GLFW_FALSE) throw render::NoDisplay("there is no display: " + last_glfw_error());
+        if (glfwInit() == GLFW_FALSE)
+            throw render::NoDisplay("there is no display; --headless needs none: " + last_glfw_error());
     }
     ~GlfwLibrary() { glfwTerminate(); }
 };

@@ -78,7 +78,7 @@ Recording::Recording(std::filesystem::path folder) : folder_(std::move(folder))
     std::filesystem::create_directories(folder_, error);
     for (int i = 0; !error && std::filesystem::remove(folder_ / frame_name(i), error); ++i) {
     }
-    if (error) throw io::FileError(folder_.string() + ": " + error.message());
+    if (error) throw io::FileError(folder_.string() + ": it is no folder to write pictures to: " + error.message());
 }
 
 void Recording::add(const Picture& picture)

@@ -180,6 +180,7 @@ Script read_script(const std::filesystem::path& path)
 {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) throw io::FileError(path.string() + ": is a folder, not a script");
+    if (!std::filesystem::exists(path, error)) throw io::FileError(path.string() + ": there is no such file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw io::FileError(path.string() + ": cannot be opened for reading");
     return read_script(in, path.string());

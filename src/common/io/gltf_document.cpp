@@ -43,8 +43,7 @@ public:
     GltfDocument run()
     {
         parts_ = split();
-        json_ = GltfJson::parse(parts_.json, nullptr, false);
-        if (json_.is_discarded()) refuse("its JSON is malformed or cut off");
+        json_ = parse_json();
         if (!json_.is_object()) refuse("its JSON is not an object");
         check_version();
         check_lists();
@@ -58,6 +57,19 @@ public:
 
 private:
     [[noreturn]] void refuse(const std::string& reason) const { fail(path_, reason); }
+
+    GltfJson parse_json() const
+    {
+        try {
+            return GltfJson::parse(parts_.json);
+        } catch (const GltfJson::parse_error& error) {
+            if (!parts_.is_container && path_.extension() == ".glb")
+                refuse("it does not begin with 'glTF', as binary glTF does, and what it holds is no JSON either");
+            refuse("its JSON is malformed or cut off at byte " + std::to_string(error.byte));
+        } catch (const GltfJson::exception&) {
+            refuse("its JSON holds a number that is too large");
+        }
+    }
 
     Parts split() const
     {
@@ -241,7 +253,9 @@ private:
     const GltfAccessor& accessor(const GltfJson& object, const char* name, const std::string& where) const
     {
         const std::uint64_t index = number(object, name, where);
-        if (index >= document_.accessors.size()) refuse(where + " names an accessor that does not exist");
+        if (index >= document_.accessors.size())
+            refuse(where + " names accessor " + std::to_string(index) + ", but there are only " +
+                   std::to_string(document_.accessors.size()));
         return document_.accessors[index];
     }
 

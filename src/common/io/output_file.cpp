@@ -36,7 +36,8 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path))
     if (fs::exists(status) && !fs::is_regular_file(status)) fail(path_, "it exists and is not a regular file");
     const fs::path temporary = temporary_beside(path_);
     file_.reset(std::fopen(temporary.c_str(), "wbx"));
-    if (!file_) fail(path_, std::string("it cannot be written (") + std::strerror(errno) + ")");
+    if (!file_ && errno == ENOENT) fail(path_, "it cannot be written: its folder does not exist; make that first");
+    if (!file_) fail_to_write();
     temporary_ = temporary;
     unfinished_ = remember_unfinished(temporary_);
     constexpr std::size_t kBufferBytes = 1 << 20;

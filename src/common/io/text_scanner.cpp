@@ -149,7 +149,7 @@ float TextScanner::to_number(std::string_view text, std::string_view what) const
         case NumberError::not_finite:
             fail(std::string(what) + " is " + in_quotes(text) + ", which is not finite");
         case NumberError::too_large:
-            fail(std::string(what) + " is " + in_quotes(text) + ", which is too large");
+            fail(std::string(what) + " is " + in_quotes(text) + ", which is too large for single precision");
     }
     return value;
 }
