@@ -1,0 +1,79 @@
+// What one cut counts, to within a few per cent: the numbers that the published comparison rests on. A change that
+// makes a cut look at twice as much fails here; one that is meant to changes the number beside its reason.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "common/cut.h"
+#include "common/shapes.h"
+#include "support/backends.h"
+#include "support/fixtures.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint64_t kTriangles = 20'000, kSmall = 3'000;
+// Shapes are made with the system's sine: another one may move a vertex across a plane, and a triangle with it.
+constexpr double kShare = 0.03;
+
+/// Counters of cuts of fresh copies by three fixed planes, added up. Without this back end all stay 0.
+CutStatistics counted(const std::string& backend, std::uint64_t triangles)
+{
+    std::unique_ptr<Cuttable> object;
+    for (const test::NamedBackend& named : test::backends())
+        if (named.name == backend)
+            object = named.make()->prepare(test::assembled(shapes::asteroid(triangles, 1))).object;
+    if (!object) return {};
+    CutStatistics sum;
+    for (const glm::dvec3& normal : {glm::dvec3(1, 2, 3), glm::dvec3(-3, 1, 2), glm::dvec3(2, -3, 1)}) {
+        const CutResult result = cut(object->clone(), *Plane::through({0.01, 0.02, 0.03}, normal));
+        EXPECT_EQ(result.status, Status::cut);
+        sum.crossing_triangles += result.statistics.crossing_triangles;
+        sum.nodes_visited += result.statistics.nodes_visited;
+        sum.triangles_touched += result.statistics.triangles_touched;
+        sum.vertex_comparisons += result.statistics.vertex_comparisons;
+        sum.bytes_to_upload += result.statistics.bytes_to_upload;
+    }
+    return sum;
+}
+
+void expect_about(std::uint64_t value, double expected)
+{
+    EXPECT_NEAR(double(value), expected, kShare * expected);
+}
+
+TEST(Counters, OfTheHalfEdgeBackEndAreThoseThatArePublished)
+{
+    const CutStatistics sum = counted("halfedge", kTriangles);
+    if (sum.crossing_triangles == 0) GTEST_SKIP() << "the half-edge back end is not built";
+    expect_about(sum.crossing_triangles, 1'148);
+    expect_about(sum.triangles_touched, 17'028);
+    expect_about(sum.nodes_visited, 1'648);
+    expect_about(sum.bytes_to_upload, 273'552);
+}
+
+TEST(Counters, OfLinearBackEndsAreInProportionToTheMesh)
+{
+    const CutStatistics sum = counted("baseline_remap", kTriangles);
+    expect_about(sum.crossing_triangles, 1'148);
+    expect_about(sum.triangles_touched, 60'516);
+    expect_about(sum.bytes_to_upload, 1'945'456);
+    EXPECT_EQ(sum.nodes_visited, 0u);
+}
+
+TEST(Counters, OfVertexComparisonsTellTheLookUpsApart)
+{
+    const auto comparisons = [](const std::string& lookup) {
+        return counted("baseline_" + lookup, kSmall).vertex_comparisons;
+    };
+    expect_about(comparisons("scan"), 14'062'965);
+    expect_about(comparisons("two_bucket_hash"), 4'361'445);
+    expect_about(comparisons("hash"), 24'751);
+    EXPECT_EQ(comparisons("remap"), 0u);
+}
+
+}  // namespace
+}  // namespace kerf
