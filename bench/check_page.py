@@ -123,7 +123,9 @@ def look(browser: Browser, address: str, width: int, theme: str, picture: Path |
     if facts["figures"] == 0:
         wrong.append("there is no figure")
     wrong += [f"{name or 'a figure'} is not drawn" for name in facts["undrawn"]]
-    if picture:
+    if picture and top >= facts["height"]:
+        wrong.append(f"the page ends above {top} px: there is nothing to keep")
+    elif picture:
         clip = {"x": 0, "y": top, "width": width, "height": min(facts["height"] - top, tallest), "scale": 1}
         data = browser.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)["data"]
         picture.write_bytes(base64.b64decode(data))

@@ -60,6 +60,9 @@ def main() -> int:
         print("report: VTK is not there; Debian's package is python3-vtk9", file=sys.stderr)
         return 1
     to_do = plan(extent, FOLDER / "models", has_vtk)
+    if missing := stages.programs.missing():
+        print(f"report: {missing} is not there; `./run report` builds it", file=sys.stderr)
+        return 1
     start = time.monotonic()
     try:
         if arguments.again:

@@ -1,6 +1,7 @@
 // The report's fifteen models, ten cuts each (its Table 2):
 //   Cut/<back end>/<model>        one cut, fan and new pivots included, as the report times it
-//   Proxy/<kind>/<model>          the collision proxies of both fragments of a cut
+//   Proxy/<kind>/<model>          the collision proxies of both fragments of a cut, linear back end
+//   Proxy/halfedge/<kind>/<model> the hulls of the same fragments, half-edge back end
 //   Prepare/<back end>/<model>    making a mesh ready for cutting
 // Loading, cloning and destroying stay untimed.
 
@@ -59,17 +60,17 @@ void cut_model(benchmark::State& state, const Backend& backend, const Model& mod
     }
     const auto triangles = double(model.mesh.triangles.size());
     state.counters["cut_ms"] = seconds * 1e3 / double(cuts);
+    state.counters["cuts_each"] = double(planes.size());
     state.counters["triangles"] = triangles;
     state.counters["vertices"] = double(model.mesh.vertices.size());
     state.counters["crossing"] = double(crossing) / double(cuts);
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(cuts) / triangles;
 }
 
-void build_proxies(benchmark::State& state, ProxyKind kind, const Model& model)
+void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind kind, const Model& model)
 {
-    const auto backend = baseline::make_backend(baseline::VertexLookup::remap);
     const auto planes = planes_of_model(model);
-    const auto object = prepared(state, *backend, model, planes);
+    const auto object = prepared(state, backend, model, planes);
     if (!object) return;
     std::vector<CutResult> cuts;
     for (const Plane& plane : planes) cuts.push_back(cut(object->clone(), plane));
@@ -146,10 +147,18 @@ void register_model_benchmarks()
         }
         for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull,
                                      ProxyKind::every_vertex})
-            benchmark::RegisterBenchmark(("Proxy/" + std::string(name_of(kind)) + "/" + model.name).c_str(),
-                                         [&, kind](benchmark::State& s) { build_proxies(s, kind, model); })
-                ->UseManualTime()
-                ->Unit(benchmark::kMillisecond);
+            for (const auto& backend : timed) {
+                const bool half_edge = backend->name() == "halfedge";
+                if (!half_edge && backend->name() != "baseline/remap") continue;  // all lookups build alike
+                // Only hulls are read off the tree; the other proxies look at every vertex in both.
+                if (half_edge && kind != ProxyKind::bounded_hull && kind != ProxyKind::full_hull) continue;
+                const std::string variant = (half_edge ? "halfedge/" : "") + std::string(name_of(kind));
+                benchmark::RegisterBenchmark(
+                    ("Proxy/" + variant + "/" + model.name).c_str(),
+                    [&, kind](benchmark::State& s) { build_proxies(s, *backend, kind, model); })
+                    ->UseManualTime()
+                    ->Unit(benchmark::kMillisecond);
+            }
         // All lookups prepare alike.
         for (const auto& backend : timed) {
             if (backend->name() == "baseline/scan" || backend->name() == "baseline/two_bucket_hash" ||

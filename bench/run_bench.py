@@ -87,7 +87,8 @@ def run_one(program, pattern, repetitions, min_time, progress, out):
 
 
 def collect(results):
-    """Median and spread of each benchmark's counters: {name: {counter: (median, lowest, highest)}}."""
+    """Median and spread of each benchmark's counters: {name: {counter: (median, lowest, highest)}}. Times are those of one
+    cut, where an iteration is a round of several (`cuts_each`)."""
     runs = {}
     for entry in results["benchmarks"]:
         if entry.get("run_type") != "iteration":
@@ -95,7 +96,7 @@ def collect(results):
         name = re.sub(r"(/iterations:\d+)?/manual_time.*", "", entry["name"])
         if entry.get("error_occurred"):
             sys.exit(f"run_bench: {name} was not timed because its result is wrong: {entry['error_message']}")
-        runs.setdefault(name, []).append(entry)
+        runs.setdefault(name, []).append(per_cut(entry))
     table = {}
     for name, entries in runs.items():
         counters = [key for key, value in entries[0].items() if isinstance(value, (int, float))]
@@ -103,7 +104,14 @@ def collect(results):
         for key in counters:
             values = [entry[key] for entry in entries]
             table[name][key] = (statistics.median(values), min(values), max(values))
+        table[name]["repetitions"] = (len(entries),) * 3
     return table
+
+
+def per_cut(entry):
+    """A run of a benchmark with the iteration's time divided by the cuts in it."""
+    each = entry.get("cuts_each", 1)
+    return entry | {"real_time": entry["real_time"] / each}
 
 
 def report_rows():

@@ -11,9 +11,8 @@ namespace kerf::bench {
 std::vector<Plane> planes_of_shape(const IndexedMesh& shape)
 {
     constexpr std::uint64_t kPlaneSeed = 99;
-    const std::size_t triangles = shape.triangles.size();
-    const std::uint32_t count = triangles < 200'000 ? 10 : triangles < 2'000'000 ? 5 : 2;
-    return planes_through_the_middle(shape.bounds(), count, kPlaneSeed);
+    constexpr std::uint32_t kPlanes = 5;
+    return planes_through_the_middle(shape.bounds(), kPlanes, kPlaneSeed);
 }
 
 const IndexedMesh& timed_shape(const std::string& name, std::uint64_t triangles)

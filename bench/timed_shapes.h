@@ -9,8 +9,8 @@
 
 namespace kerf::bench {
 
-/// The planes that `shape` is cut by in turn: seeded random directions through its middle. Each is checked before
-/// anything is timed, which takes longer than the cuts: fewer for large meshes.
+/// The planes that `shape` is cut by in turn: seeded random directions through its middle. As many at every size, and
+/// in the same directions: times of different sizes and back ends are means over the same cuts.
 std::vector<Plane> planes_of_shape(const IndexedMesh& shape);
 
 /// `asteroid` (triangles in a coherent order) or `shuffled` (the same in a random order) with about `triangles`

@@ -51,6 +51,8 @@ PeerRow time_planes(const std::string& peer, const PeerInput& input, double budg
     for (std::size_t i = 0; i < input.planes.size() && (i == 0 || seconds < budget_seconds); ++i) {
         const auto [taken, problem] = cut_once(i);
         seconds += taken;
+        row.least_ms = i == 0 ? taken * 1e3 : std::min(row.least_ms, taken * 1e3);
+        row.most_ms = std::max(row.most_ms, taken * 1e3);
         ++row.planes;
         if (problem.empty())
             ++row.right;

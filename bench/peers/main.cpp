@@ -34,6 +34,8 @@ Json cgal(double budget, const std::vector<std::string>& sizes)
                             {"mesh", row.mesh},
                             {"triangles", row.triangles},
                             {"ms", row.ms},
+                            {"least_ms", row.least_ms},
+                            {"most_ms", row.most_ms},
                             {"planes", row.planes},
                             {"right", row.right},
                             {"verdict", row.verdict}});

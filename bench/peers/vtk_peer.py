@@ -89,20 +89,21 @@ def problem_of(sides, plane, whole, allowed):
 
 def cut_all(folder, entry, share, budget):
     surface, triangles = read_surface(folder, entry["file"])
-    problems, seconds, planes = Counter(), 0.0, 0
+    problems, times, planes = Counter(), [], 0
     for plane in entry["planes"]:
-        if planes > 0 and seconds >= budget:
+        if planes > 0 and sum(times) >= budget:
             break
         normal, offset = plane["normal"], plane["offset"]
         above, taken_above = clipped(surface, normal, offset)
         below, taken_below = clipped(surface, [-part for part in normal], -offset)
-        seconds += taken_above + taken_below
+        times.append(taken_above + taken_below)
         planes += 1
         problem = problem_of((below, above), plane, entry["volume"], share * abs(entry["volume"]))
         if problem:
             problems[problem] += 1
     verdict = "; ".join(problem if count == planes else f"{problem} in {count}" for problem, count in sorted(problems.items()))
-    return {"peer": PEER, "mesh": entry["mesh"], "triangles": triangles, "ms": seconds * 1e3 / planes, "planes": planes,
+    return {"peer": PEER, "mesh": entry["mesh"], "triangles": triangles, "ms": sum(times) * 1e3 / planes,
+            "least_ms": min(times) * 1e3, "most_ms": max(times) * 1e3, "planes": planes,
             "right": planes - sum(problems.values()), "verdict": verdict or "right"}
 
 

@@ -4,7 +4,7 @@ import statistics
 from typing import Any, Iterator
 
 from report.measurements import Measurements, model_name
-from report.tables.core import Column, Table, digits, percent, scientific
+from report.tables.core import Column, Table, count, digits, percent, scientific
 
 SMALLEST_SECTION = 1e-6  # of the model's largest section: below, a relative error says nothing
 MIXES = {"random": "random planes through the middle", "nasty": "planes through vertices, edges and faces too"}
@@ -125,5 +125,5 @@ def verdict(found: Measurements) -> str:
                  for result in found.comparisons.values())
     differ = sum(result["total"]["surfaces_differ"] for result in found.comparisons.values())
     if failed == 0 and differ == 0:
-        return f"In all {cuts:,} cuts the two back ends agree: their surfaces are equal bit for bit, and every check passed."
-    return f"THE BACK ENDS DO NOT AGREE: of {cuts:,} cuts, {differ} surfaces differ and {failed} checks failed."
+        return f"In all {count(cuts)} cuts the two back ends agree: their surfaces are equal bit for bit, and every check passed."
+    return f"THE BACK ENDS DO NOT AGREE: of {count(cuts)} cuts, {differ} surfaces differ and {failed} checks failed."

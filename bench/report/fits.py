@@ -7,8 +7,6 @@ from typing import Sequence
 
 from run_bench import fitted_exponent
 
-# Student's t for 97.5 %, by degrees of freedom; beyond, the normal distribution's 1.96 is near enough.
-STUDENT = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228]
 FITTED_FROM = 9_000  # triangles; smaller meshes are dominated by the fixed cost of a cut. Shapes miss their size by a little
 
 
@@ -35,8 +33,45 @@ def exponent(points: Sequence[tuple[float, float]]) -> Exponent | None:
     degrees = len(usable) - 2
     if degrees < 1:
         return Exponent(slope, None, len(usable), factor)
-    t = STUDENT[degrees - 1] if degrees <= len(STUDENT) else 1.96
-    return Exponent(slope, t * error, len(usable), factor)
+    return Exponent(slope, student_quantile(degrees) * error, len(usable), factor)
+
+
+def student_share(t: float, degrees: int) -> float:
+    """The share of Student's distribution that lies within ±t: Abramowitz and Stegun, "Handbook of Mathematical Functions"
+    (1964), 26.7.3 and 26.7.4, exact sums for whole degrees of freedom."""
+    angle = math.atan(t / math.sqrt(degrees))
+    cosine = math.cos(angle)
+    term, total = 1.0, 0.0
+    if degrees % 2 == 0:
+        for step in range(degrees // 2):
+            total += term
+            term *= cosine**2 * (2 * step + 1) / (2 * step + 2)
+        return math.sin(angle) * total
+    term = cosine
+    for step in range((degrees - 1) // 2):
+        total += term
+        term *= cosine**2 * (2 * step + 2) / (2 * step + 3)
+    return 2 / math.pi * (angle + math.sin(angle) * total)
+
+
+def student_quantile(degrees: int, share: float = 0.95) -> float:
+    """The t within which this share of Student's distribution lies, by bisection."""
+    low, high = 0.0, 1e3
+    for _ in range(80):
+        middle = (low + high) / 2
+        low, high = (middle, high) if student_share(middle, degrees) < share else (low, middle)
+    return (low + high) / 2
+
+
+def without_each(points: Sequence[tuple[float, float]]) -> list[Exponent | None]:
+    """The exponents that are fitted when one of the points is left out, in the order of the points."""
+    return [exponent([*points[:left_out], *points[left_out + 1:]]) for left_out in range(len(points))]
+
+
+def slopes(points: Sequence[tuple[float, float]]) -> list[float]:
+    """Exponents between neighbouring sizes, smallest first."""
+    ordered = sorted(point for point in points if point[0] > 0 and point[1] > 0)
+    return [math.log(b / a) / math.log(m / n) for (n, a), (m, b) in zip(ordered, ordered[1:]) if m > n]
 
 
 def cuts_to_pay_back(prepare: float, other_prepare: float, cut: float, other_cut: float) -> float | None:

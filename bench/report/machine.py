@@ -43,6 +43,20 @@ def memory_gib() -> float:
     return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
 
 
+def caches() -> str:
+    """Of one core, as the kernel lists them."""
+    found = []
+    for folder in sorted(Path("/sys/devices/system/cpu/cpu0/cache").glob("index*")):
+        try:
+            level, kind, size = ((folder / name).read_text(encoding="utf-8").strip() for name in ("level", "type", "size"))
+        except OSError:
+            continue
+        suffix = {"Data": "d", "Instruction": "i"}.get(kind, "")
+        found.append(f"L{level}{suffix} {int(size[:-1]) / 1024:g} MiB" if size.endswith("K") and int(size[:-1]) >= 1024
+                     else f"L{level}{suffix} {size.replace('K', ' KiB')}")
+    return ", ".join(found) or "not known"
+
+
 def describe(build: Path) -> dict[str, str]:
     """Machine, compiler, flags, versions, seeds and commit, for the page. `build` is the configured build folder."""
     try:
@@ -52,6 +66,7 @@ def describe(build: Path) -> dict[str, str]:
     compiler = cache_entry(cache, "CMAKE_CXX_COMPILER")
     facts = {
         "processor": f"{processor()}, {os.cpu_count()} cores, {memory_gib():.0f} GiB",
+        "caches": caches(),
         "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux {platform.release().partition('-')[0]}",
         "compiler": (output_of([compiler, "--version"]) if compiler else "").partition("\n")[0] or "not known",
         "flags": " ".join([cache_entry(cache, "CMAKE_BUILD_TYPE"), cache_entry(cache, "CMAKE_CXX_FLAGS_RELEASE"),

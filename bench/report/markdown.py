@@ -20,7 +20,7 @@ def table_markdown(table: Table) -> str:
 def figure_markdown(part: ShownFigure, drawing: Drawing) -> str:
     light, dark = (f"images/results_{drawing.name}_{theme}.svg" for theme in ("light", "dark"))
     return (f'<picture><source media="(prefers-color-scheme: dark)" srcset="{dark}">'
-            f'<img alt="{part.caption}" src="{light}" width="640"></picture>\n\n*{part.caption}*')
+            f'<img alt="{part.caption}" src="{light}" width="520"></picture>\n\n*{part.caption}*')
 
 
 def results_markdown(title: str, lead: list[str], warnings: list[str], sections: list[Section],

@@ -6,11 +6,13 @@ import re
 from report.drawing import Drawing
 from report.palette import COLOURS, THEMES
 from report.sections import Section, ShownFigure, ShownTable
-from report.tables import Table
+from report.tables import Table, count
 
 CODE = re.compile(r"`([^`]+)`")
 STRONG = re.compile(r"\*\*(.+?)\*\*")
 EMPHASIS = re.compile(r"\*([^*]+)\*")
+
+BROAD = 5  # columns that a narrow screen has no room for
 
 STYLE = """
 :root { color-scheme: light dark; --font: system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; LIGHT }
@@ -30,17 +32,22 @@ nav { display: flex; flex-wrap: wrap; gap: .25rem 1rem; margin: 1.2rem 0 0; font
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 27rem), 1fr)); gap: 1.2rem 2rem; margin: 1.1rem 0;
            align-items: start; }
 figure { margin: 0; min-width: 0; }
-figure.wide { max-width: 46rem; }
-.figures > figure { max-width: 35rem; }
+figure.wide { max-width: 34rem; }
+.figures > figure { max-width: 30rem; }
 figure svg { display: block; width: 100%; height: auto; }
 figcaption, .caption { font-size: .88rem; line-height: 1.45; color: var(--muted); margin: .35rem 0 .4rem; max-width: 46rem; }
-.scroll { overflow-x: auto; max-width: 100%; margin: 0 0 1.3rem; border-top: 1px solid var(--grid); border-bottom: 1px solid var(--grid); }
+.hint { display: none; }
+@media (max-width: 48rem) { .hint { display: block; font-size: .82rem; color: var(--muted); margin: 0 0 .2rem; } }
+.scroll { background: linear-gradient(to left, var(--paper) 30%, transparent) right / 2.5rem 100% no-repeat local,
+          linear-gradient(to left, color-mix(in srgb, var(--ink) 28%, transparent), transparent) right / 1rem 100% no-repeat scroll;
+          overflow-x: auto; max-width: 100%; margin: 0 0 1.3rem; border-top: 1px solid var(--grid); border-bottom: 1px solid var(--grid); }
 table { border-collapse: collapse; font-size: .87rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .28rem .7rem; text-align: right; white-space: nowrap; }
 th { font-weight: 600; vertical-align: bottom; white-space: normal; min-width: 4rem; line-height: 1.3; border-bottom: 1px solid var(--grid); }
 th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: var(--paper); padding-left: 0; }
 th.text, td.text { text-align: left; }
-tbody tr:nth-child(even) td { background: var(--panel); }
+tbody tr:nth-child(even) td { background: color-mix(in srgb, var(--muted) 7%, transparent); }
+tbody tr:nth-child(even) td:first-child { background: var(--panel); }
 .tall { max-height: 28rem; overflow: auto; }
 .tall thead th { position: sticky; top: 0; background: var(--paper); z-index: 1; }
 details { margin: .9rem 0; } summary { cursor: pointer; color: var(--accent); font-size: .92rem; }
@@ -74,9 +81,10 @@ def shown_table(part: ShownTable) -> str:
     link = f'<a href="csv/{part.table.name}.csv">CSV</a>'
     caption = f'<p class="caption">{inline(part.caption)} {link}</p>'
     if part.folded:
-        return (f'<details><summary>{inline(part.caption)} {len(part.table.rows):,} rows</summary><p class="caption">{link}</p>'
+        return (f'<details><summary>{inline(part.caption)} {count(len(part.table.rows))} rows</summary><p class="caption">{link}</p>'
                 f'<div class="scroll tall">{table_html(part.table)}</div></details>')
-    return f'{caption}<div class="scroll">{table_html(part.table)}</div>'
+    hint = '<p class="hint">More columns to the right →</p>' if len(part.table.columns) >= BROAD else ""
+    return f'{caption}{hint}<div class="scroll">{table_html(part.table)}</div>'
 
 
 def shown_figure(part: ShownFigure, drawing: Drawing) -> str:

@@ -42,6 +42,8 @@ COLOURS = colours(
     ("violet", "#5b4db5", "#a99cf5"),
     ("wrong", "#d04a00", "#ff8a4c"),
     ("right", "#0072b2", "#5fb3ea"),
+    ("sky", "#56b4e9", "#a6dcff"),
+    ("yellow", "#e8d83a", "#f4e96b"),
 )
 
 

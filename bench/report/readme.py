@@ -12,13 +12,15 @@ def table_lines(scaling: Table) -> list[str]:
     """The scaling table with fewer sizes."""
     there = {column.key for column in scaling.columns}
     sizes = [size for size in SIZES if f"ms_{size}" in there]
-    lines = ["| ms per cut | " + " | ".join(count_short(size) for size in sizes) + " | time ~ triangles^e |",
+    lines = ["| ms per cut | " + " | ".join(count_short(size) for size in sizes) + " | time ~ triangles^e (from size to size) |",
              "|---|" + "--:|" * len(sizes) + "---|"]
     for row in scaling.rows:
         cells = [milliseconds(row[f"ms_{size}"]) if row.get(f"ms_{size}") is not None else ABSENT for size in sizes]
         exponent = ABSENT if row.get("exponent") is None else digits(2)(row["exponent"])
         if row.get("exponent_half_width") is not None:
             exponent += " ± " + digits(2)(row["exponent_half_width"])
+        if row.get("least_slope") is not None:
+            exponent += f" ({digits(2)(row['least_slope'])} to {digits(2)(row['most_slope'])})"
         lines.append(f"| `{short(str(row['backend']))}` | " + " | ".join(cells) + f" | {exponent} |")
     return lines
 
@@ -27,7 +29,7 @@ def results_block(scaling: Table, limits: Section | None, processor: str) -> str
     """What stands between the two marks."""
     lines = ['<picture><source media="(prefers-color-scheme: dark)" srcset="docs/images/results_scaling_scale_asteroid_dark.svg">'
              '<img alt="Time of a cut by the size of the mesh, one line a back end" '
-             'src="docs/images/results_scaling_scale_asteroid_light.svg" width="620"></picture>', "",
+             'src="docs/images/results_scaling_scale_asteroid_light.svg" width="520"></picture>', "",
              "An asteroid of so many triangles, cut through its middle, with everything that a game needs of the two pieces: closed "
              f"meshes with all attributes, mass properties, collision hulls, draw ranges. One thread of {processor.partition(',')[0]}.", ""]
     lines += table_lines(scaling)

@@ -41,6 +41,10 @@ class Programs:
         return Programs(build / "bench/kerf_bench", build / "tools/kerf", build / "viewer/app/kerf-viewer",
                         build / "bench/kerf_peers", Path("bench/peers/vtk_peer.py"))
 
+    def missing(self) -> Path | None:
+        """The first of them that is not there."""
+        return next((path for path in (self.of(kind) for kind in Kind) if not path.exists()), None)
+
     def of(self, kind: Kind) -> Path:
         return {Kind.BENCH: self.bench, Kind.COMPARE: self.kerf, Kind.VIEWER: self.viewer, Kind.PEERS: self.peers,
                 Kind.VTK: self.vtk}[kind]

@@ -22,6 +22,7 @@ sys.path.insert(0, str(ROOT / "bench"))
 
 from report import fits, measurements  # noqa: E402  (found through the line above)
 from report.chapters import all_sections  # noqa: E402
+from report.chapters.growth import chain_turn  # noqa: E402
 from report.measurements import Measurements  # noqa: E402
 from report.names import Kind  # noqa: E402
 from report.page import inline  # noqa: E402
@@ -30,7 +31,7 @@ from report.progress import Progress, time_text  # noqa: E402
 from report.readme import BEGIN, END, with_results  # noqa: E402
 from report.sections import Facts, all_tables  # noqa: E402
 from report.stages import Programs, StageFailed, Stages  # noqa: E402
-from report.tables import Column, Table, count_short, crossovers_table, digits, milliseconds, percent  # noqa: E402
+from report.tables import Column, Table, count_short, crossovers_table, digits, milliseconds, percent, rounded  # noqa: E402
 
 HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
 
@@ -50,7 +51,7 @@ def some_measurements():
         for backend, ms in (("baseline/remap", size / 1000), ("halfedge", math.sqrt(size) / 10)):
             counters = {"real_time": ms, "triangles": size, "crossing": math.sqrt(size), "touched": 10 * math.sqrt(size),
                         "nodes": math.sqrt(size), "upload_bytes": 200 * math.sqrt(size), "ns_per_crossing": 1e6 * ms / math.sqrt(size),
-                        "ms_find": ms / 2, "ms_cap": ms / 2}
+                        "ms_find": ms / 2, "ms_cap": ms / 2, "repetitions": 1, "iterations": 1}
             for kind in ("Scale", "Geometry"):
                 found.bench[f"{kind}/{backend}/asteroid/{size}"] = {key: (v, v, v) for key, v in counters.items()}
     return found
@@ -68,7 +69,20 @@ class Fits(unittest.TestCase):
         d = 0.1
         fitted = fits.exponent([(math.e**x, math.e**(x + r)) for x, r in ((0, d), (1, -2 * d), (2, d))])
         self.assertAlmostEqual(fitted.value, 1.0)
-        self.assertAlmostEqual(fitted.half_width, 12.706 * math.sqrt(6 * d * d / 1 / 2))
+        one_degree = math.tan(0.475 * math.pi)  # Student's distribution is Cauchy's there
+        self.assertAlmostEqual(fitted.half_width, one_degree * math.sqrt(6 * d * d / 1 / 2))
+
+    def test_quantiles_of_students_t_are_those_of_printed_tables(self):
+        for degrees, t in ((1, 12.706), (2, 4.303), (3, 3.182), (4, 2.776), (10, 2.228), (13, 2.160), (30, 2.042)):
+            self.assertAlmostEqual(fits.student_quantile(degrees), t, places=3)
+
+    def test_leaving_out_the_point_that_bends_a_line_gives_it_back(self):
+        points = [(n, float(n)) for n in (1, 10, 100)] + [(1000, 5000.0)]
+        self.assertAlmostEqual(fits.without_each(points)[3].value, 1.0)
+        self.assertGreater(fits.without_each(points)[0].value, 1.1)
+
+    def test_slopes_are_those_between_neighbours(self):
+        self.assertEqual([round(slope, 9) for slope in fits.slopes([(100, 1e4), (1, 1.0), (10, 10.0)])], [1.0, 3.0])
 
     def test_too_few_sizes_give_no_exponent_or_no_interval(self):
         self.assertIsNone(fits.exponent([(10, 1.0)]))
@@ -93,11 +107,18 @@ class Tables(unittest.TestCase):
     def test_numbers_are_shown_as_people_write_them(self):
         self.assertEqual([count_short(n) for n in (12, 3_000, 100_000, 4_000_000)], ["12", "3 k", "100 k", "4 M"])
         self.assertEqual([percent(share) for share in (0.0, 1e-16, 0.012, 0.25, 5.82)], ["0", "0", "1.2 %", "25 %", "582 %"])
+        self.assertEqual([rounded(n).replace("\u202f", " ") for n in (19354, 308138, 47, 0.123, 0)], ["19 000", "310 000", "47", "0.12", "0"])
         self.assertEqual([milliseconds(ms) for ms in (0.0123, 9.9994, 123.4)], ["0.012", "9.999", "123.4"])
 
     def test_the_crossover_is_where_the_lines_meet(self):
         row = next(row for row in crossovers_table(some_measurements()).rows if row["extent"] == "whole chain")
         self.assertAlmostEqual(row["from_triangles"], 10_000)  # n / 1000 = sqrt(n) / 10
+
+    def test_a_chain_pays_back_where_its_balance_turns_for_good(self):
+        rows = [{"cuts": cuts, "balance_ms": ms} for cuts, ms in ((1, -5.0), (10, 1.0), (100, -1.0), (300, 2.0), (1000, 9.0))]
+        self.assertEqual(chain_turn(rows, "balance_ms"), (100, 300))
+        self.assertIsNone(chain_turn(rows[:3], "balance_ms"))
+        self.assertEqual(chain_turn(rows[3:], "balance_ms"), (0, 300))
 
     def test_every_chapter_is_made_of_what_there_is_and_says_the_exponents(self):
         facts = Facts()
@@ -219,6 +240,16 @@ class Revisions(unittest.TestCase):
         self.assertEqual(self.compare.median_interval([1, 2, 3, 4, 5]), (3, None, None))
         self.assertEqual(self.compare.median_interval([6, 5, 4, 3, 2, 1]), (3.5, 1, 6))
 
+    def test_a_filter_that_matches_nothing_is_one_sentence(self):
+        for program in ("/bin/true", "/no/such/program"):  # the harness writes nothing and ends well
+            with self.assertRaises(self.compare.Failed):
+                self.compare.run_once(program, "(", 0.1)
+
+    def test_times_are_those_of_one_cut(self):
+        self.assertEqual(self.compare.cuts_of({"name": "Scale/x", "real_time": 10.0, "cuts_each": 5}), 5)
+        self.assertEqual(self.compare.cuts_of({"name": "Cut/x", "real_time": 10.0, "cut_ms": 1.0}), 10)
+        self.assertEqual(self.compare.cuts_of({"name": "Recut/x", "real_time": 10.0, "cut_ms": 1.0}), 1)
+
     def test_rows_are_ratios_of_neighbouring_runs_and_counters_that_differ(self):
         runs = ([{"x": {"ms": ms, "touched": 5}} for ms in (1, 2, 4, 1, 2, 4)], [{"x": {"ms": 2 * ms, "touched": 6}} for ms in (1, 2, 4, 1, 2, 4)])
         row, = self.compare.rows_of(runs)
@@ -333,6 +364,13 @@ class Measured(unittest.TestCase):
         self.assertEqual(table["Cut/halfedge/rook"]["real_time"], (2.0, 1.0, 3.0))
         with self.assertRaises(SystemExit):
             collect({"benchmarks": [entry | {"error_occurred": True, "error_message": "a side is not closed"}]})
+
+    def test_times_are_those_of_one_cut_where_a_round_is_timed(self):
+        from run_bench import collect
+        entry = {"run_type": "iteration", "name": "Scale/halfedge/asteroid/1000/manual_time", "cuts_each": 5}
+        table = collect({"benchmarks": [entry | {"real_time": ms} for ms in (5.0, 10.0)]})
+        counters = table["Scale/halfedge/asteroid/1000"]
+        self.assertEqual((counters["real_time"], counters["repetitions"]), ((1.5, 1.0, 2.0), (2, 2, 2)))
 
     def test_models_are_named_without_folder_and_size(self):
         self.assertEqual(measurements.model_name("build/x/asteroid-1000.ply"), "asteroid")

@@ -2,8 +2,9 @@
 
 from report.measurements import Measurements
 from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import (EXTENTS, ORDERS, count_short, counters_table, counter_exponents_table, crossing_table,
-                           crossovers_table, digits, milliseconds, phases_table, prepare_table, scaling_table)
+from report.tables import (EXTENTS, ORDERS, Table, chain_balance_table, count_short, counters_table, counter_exponents_table,
+                           crossing_table, crossovers_table, digits, milliseconds, percent, phases_table, prepare_table, rounded,
+                           scaling_points_table, scaling_table)
 
 WHAT = {"Scale": "Whole chain: two closed fragments with all attributes, volume, centre of mass and inertia, a bounded hull "
                  "each, draw ranges and the bytes to upload.",
@@ -13,16 +14,18 @@ WHAT = {"Scale": "Whole chain: two closed fragments with all attributes, volume,
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
     if not found.growth("Scale", "asteroid"):
         return []
-    return [scaling(found, facts), crossing(found, facts), phases(found), prepare(found, facts)]
+    return [scaling(found, facts), crossing(found, facts), phases(found, facts), prepare(found, facts)]
 
 
 def scaling(found: Measurements, facts: Facts) -> Section:
     parts: list = [headline(found, facts),
-                   "An asteroid of every size is cut by seeded random planes through its middle, a fresh copy for each cut; copying "
-                   "and destroying stay untimed. *e* is the exponent in time ~ trianglesᵉ, fitted from 10 000 triangles up, with "
-                   "the half width of its 95 % confidence interval. In coherent order neighbours in space are neighbours in the "
+                   "An asteroid of every size is cut by seeded random planes through its middle, the same directions at every size and for "
+                   "every back end, in whole rounds over all of them; a fresh copy for each cut, copying and destroying stay "
+                   "untimed. *e* is the exponent in time ~ trianglesᵉ, fitted from 10 000 triangles up, with "
+                   "the half width of its 95 % confidence interval; *slopes* are the exponents between neighbouring sizes, and where they "
+                   "differ much, one exponent says little. In coherent order neighbours in space are neighbours in the "
                    "file, as programs write them; in random order they are not, which costs a linear method its caches. "
-                   "The quadratic methods stop at 30 000 triangles, where one cut takes most of a second."]
+                   + quadratic(found, facts)]
     for kind, _ in EXTENTS:
         parts.append(f"**{WHAT[kind]}**")
         for shape, order in ORDERS:
@@ -32,40 +35,97 @@ def scaling(found: Measurements, facts: Facts) -> Section:
             parts += [ShownFigure("scaling", f"{'Whole chain' if kind == 'Scale' else 'Geometry only'}, {order} order.",
                                   arguments=(kind, shape), published=kind == "Scale" and shape == "asteroid"),
                       ShownTable(table, f"ms per cut by triangles, {order} order; spread: (highest − lowest) / median of the "
-                                 "repetitions, the worst of the row's sizes.", published=shape == "asteroid")]
-    parts.append(ShownTable(crossovers_table(found), "From which size on the half-edge back end takes less time.", published=True))
+                                 "repetitions, the worst of the row's sizes. Cuts timed: planes × rounds × repetitions, of the size "
+                                 "that was timed least.", published=shape == "asteroid")]
+    parts.append(ShownTable(crossovers_table(found), "From which size on the half-edge back end takes less time, by interpolation "
+                            "between sizes; the range is what the repetitions' spread allows.", published=True))
+    parts.append(ShownTable(scaling_points_table(found), "Every time above, with its planes, rounds over them, and the range of its "
+                            "repetitions.", folded=True))
+    if text := dearer_alone(found, facts):
+        parts.append(text)
     return Section("scaling", "How the cost of a cut grows", parts)
 
 
-def headline(found: Measurements, facts: Facts) -> str:
-    table = scaling_table(found, "Scale", "asteroid")
+def dearer_alone(found: Measurements, facts: Facts) -> str:
+    """Sizes at which the half-edge back end's geometry alone took longer than the whole chain: noise, and said to be."""
+    whole, geometry = found.growth("Scale", "asteroid"), found.growth("Geometry", "asteroid")
+    odd = [size for (name, size), c in sorted(geometry.items()) if name == "halfedge" and (name, size) in whole
+           and c["real_time"][0] > whole[(name, size)]["real_time"][0]]
+    if not odd:
+        return ""
+    return (f"At {facts.say('largest size with dearer geometry', odd[-1], count_short)} triangles the half-edge back end's geometry alone "
+            "took longer than the whole chain of which it is a part. That is noise: its mass properties and hulls cost less than "
+            "runs of the same cut differ by.")
+
+
+def quadratic(found: Measurements, facts: Facts) -> str:
+    """Where the quadratic look-ups stop."""
+    cells = found.growth("Scale", "asteroid") | found.growth("Scale", "shuffled")
+    last = max((size for name, size in cells if name == "baseline/scan"), default=None)
+    if last is None:
+        return ""
+    times = [c["real_time"][0] for kind in ("asteroid", "shuffled") for (name, size), c in found.growth("Scale", kind).items()
+             if size == last and name in ("baseline/scan", "baseline/two_bucket_hash")]
+    return (f"The quadratic look-ups stop at {facts.say('largest quadratic size', last, count_short)} triangles, where a cut takes "
+            f"{facts.say('least quadratic ms', min(times), rounded)} to {facts.say('most quadratic ms', max(times), rounded)} ms.")
+
+
+def sizes_of(table: Table) -> list[int]:
+    return [int(column.key[3:]) for column in table.columns if column.key.startswith("ms_")]
+
+
+def at_largest(found: Measurements, kind: str) -> tuple[int, float, float] | None:
+    """The largest size that both back ends have cut, and ms of `halfedge` and `remap` there."""
+    table = scaling_table(found, kind, "asteroid")
     rows = {row["backend"]: row for row in table.rows}
     half, linear = rows.get("halfedge"), rows.get("baseline/remap")
-    sizes = [int(column.key[3:]) for column in table.columns if column.key.startswith("ms_")]
-    shared = [size for size in sizes if half and linear and half.get(f"ms_{size}") and linear.get(f"ms_{size}")]
-    if not shared:
+    shared = [size for size in sizes_of(table) if half and linear and half.get(f"ms_{size}") and linear.get(f"ms_{size}")]
+    return (shared[-1], half[f"ms_{shared[-1]}"], linear[f"ms_{shared[-1]}"]) if half and linear and shared else None
+
+
+def headline(found: Measurements, facts: Facts) -> str:
+    whole, geometry = at_largest(found, "Scale"), at_largest(found, "Geometry")
+    if not whole:
         return ""
-    size = shared[-1]
-    ours, theirs = half[f"ms_{size}"], linear[f"ms_{size}"]
+    size, ours, theirs = whole
     text = (f"At {facts.say('largest size', size, count_short)} triangles a cut with everything a game needs takes "
             f"{facts.say('halfedge ms', ours, milliseconds)} ms with the half-edge back end and "
             f"{facts.say('remap ms', theirs, milliseconds)} ms with the best linear one: "
             f"{facts.say('remap to halfedge', theirs / ours, digits(1))} times as much.")
-    # From three sizes the interval is too wide to say anything.
-    if half.get("exponent_points", 0) > 3 and linear.get("exponent_points", 0) > 3:
-        text += (f" Its time grows as triangles to the power of {facts.say('halfedge e', half['exponent'], digits(2))} ± "
-                 f"{facts.say('halfedge e half width', half['exponent_half_width'], digits(2))}; the linear one's as "
-                 f"{facts.say('remap e', linear['exponent'], digits(2))} ± "
-                 f"{facts.say('remap e half width', linear['exponent_half_width'], digits(2))}. A plane crosses about √n of "
-                 f"n triangles, so an exponent of one half is what a method that touches only those can reach.")
-    return text
+    if geometry and geometry[0] == size:
+        _, ours, theirs = geometry
+        text += (f" Much of that is mass properties and collision hulls, which a tree keeps and a linear method works out anew: the "
+                 f"two closed pieces alone take {facts.say('halfedge geometry ms', ours, milliseconds)} and "
+                 f"{facts.say('remap geometry ms', theirs, milliseconds)} ms, "
+                 f"{facts.say('remap to halfedge, geometry only', theirs / ours, digits(1))} times.")
+    return text + exponents(found, facts)
+
+
+def exponents(found: Measurements, facts: Facts) -> str:
+    """How both grow; nothing from three sizes, whose interval is too wide to say anything."""
+    rows = {kind: {row["backend"]: row for row in scaling_table(found, kind, "asteroid").rows} for kind, _ in EXTENTS}
+    half, geometry, linear = (rows[kind].get(name) for kind, name in (("Scale", "halfedge"), ("Geometry", "halfedge"),
+                                                                      ("Scale", "baseline/remap")))
+    if not half or not linear or not geometry or min(row.get("exponent_points", 0) for row in (half, geometry, linear)) <= 3:
+        return ""
+    return (f" The half-edge back end's time grows as triangles to the power of {facts.say('halfedge e', half['exponent'], digits(2))} "
+            f"± {facts.say('halfedge e half width', half['exponent_half_width'], digits(2))} (geometry only "
+            f"{facts.say('halfedge e, geometry', geometry['exponent'], digits(2))} ± "
+            f"{facts.say('halfedge e half width, geometry', geometry['exponent_half_width'], digits(2))}). `remap` fits no such line: "
+            f"from size to size its slope goes from {facts.say('remap least slope', linear['least_slope'], digits(2))} to "
+            f"{facts.say('remap greatest slope', linear['most_slope'], digits(2))}, fixed costs in small meshes and caches in large "
+            f"ones (a line through all of it: {facts.say('remap e', linear['exponent'], digits(2))}). A plane crosses about √n of n "
+            f"triangles; a tree over them adds a logarithm, so that a little above one half is what a method that touches only those "
+            f"can reach.")
 
 
 def crossing(found: Measurements, facts: Facts) -> Section:
     return Section("crossing", "What a crossing triangle costs", [
-        "Counters say more than times: they are exact, the same on every run and machine, and checked in the tests. For the "
-        "half-edge back end all of them grow with the square root of the mesh, because they count what the plane meets: "
-        "triangle records read or written, nodes of the tree looked at, bytes that the graphics card does not have yet.",
+        "Counters say more than times: they are exact, the same on every run and machine, and fixed cuts are held to theirs by "
+        "the tests. The half-edge back end's count what the plane meets: "
+        "triangle records read or written, nodes of the tree looked at, bytes that the graphics card does not have yet. Triangles and "
+        "bytes grow about as the square root of the mesh, as the section does; nodes a little faster, because a larger mesh has a "
+        "deeper tree, which is a logarithm more.",
         ShownFigure("counters", "Exact counters of one cut, mean of the planes. The dotted line is a method that looks at every triangle."),
         ShownFigure("crossing", "Time of the whole chain by triangle crossed: no more in a large mesh than in a small one, "
                     "apart from fixed costs (left) and caches (right)."),
@@ -74,29 +134,82 @@ def crossing(found: Measurements, facts: Facts) -> Section:
         ShownTable(counter_exponents_table(found), "Exponents of the counters in the number of triangles.", published=True)])
 
 
-def phases(found: Measurements) -> Section:
+def shares(found: Measurements, facts: Facts) -> str:
+    """What the best linear method spends its time on, at the largest size of the figure."""
+    rows = [row for row in phases_table(found).rows if row["backend"] == "baseline/remap" and row["triangles"] <= 1_000_000
+            and row["total_ms"]]
+    if not rows:
+        return ""
+    row = rows[-1]
+    named = [(name, row.get(f"{name}_ms") or 0.0) for name in ("mass", "find", "copy", "proxy")]
+    listed = ", ".join(f"{name} {facts.say(f'share of {name}, remap', ms / row['total_ms'], percent)}"
+                       for name, ms in sorted(named, key=lambda pair: -pair[1]))
+    return (f"A linear method does everything for every triangle. Of `remap`'s time at "
+            f"{facts.say('size of the shares', row['triangles'], count_short)} triangles: {listed}. ")
+
+
+def phases(found: Measurements, facts: Facts) -> Section:
     return Section("phases", "Where the time goes", [
-        "The linear methods spend it copying triangles that the plane does not meet; the half-edge back end finds, "
-        "splits, caps and rebuilds along the section. *find*: which triangles are on which side; *walk*: following the section; "
+        shares(found, facts) + "The half-edge back end finds, splits, caps and rebuilds along the section. *find*: which triangles are "
+        "on which side; *walk*: following the section; "
         "*split*: new vertices and pieces; *copy*: untouched triangles; *cap*: closing the section; *rebuild*: trees and "
-        "draw ranges; *mass*: volume, centre and inertia; *proxy*: bounded hulls; *draw*: draw ranges and what to upload. "
-        "Phases are read from the wall clock, so their sum can exceed the processor time above on a busy machine.",
-        ShownFigure("phases", "Phases of the whole chain."),
-        ShownTable(phases_table(found), "ms in each phase, and bytes to upload.", folded=True)])
+        "draw ranges; *components*: which parts a side consists of; *growth*: buffers moved because reserved room was used up; "
+        "*mass*: volume, centre and inertia; *proxy*: bounded hulls; *draw*: draw ranges and what to upload. "
+        "Phases are read from the wall clock, so their sum can exceed the processor time above on a busy machine. Each bar is "
+        "the whole of that back end's time, which is written beside it.",
+        ShownFigure("phases", "Phases of the whole chain, as shares of each back end's time.", published=True),
+        ShownTable(phases_table(found), "ms in each phase, their sum, and bytes to upload.", folded=True)])
 
 
 def prepare(found: Measurements, facts: Facts) -> Section:
-    table = prepare_table(found)
+    table, balance = prepare_table(found), chain_balance_table(found)
     rows = [row for row in table.rows if row["backend"] == "halfedge" and row.get("paid_back_remap")]
     parts: list = [
         "The half-edge back end sorts triangles, links half-edges, builds a tree and reserves memory before the first cut. "
-        "Bytes are what the program holds more of afterwards, vertices and indices included."]
+        "Bytes are what the program holds more of afterwards, vertices and indices included. The viewer prepares on a worker, so that "
+        "no frame waits for it; the work is done all the same, and it is paid back only by cuts that are quicker."]
     if rows:
         row = rows[-1]
-        parts.append(f"At {facts.say('size', row['triangles'], count_short)} triangles preparing costs "
+        parts.append(f"**Many copies of one object**, each cut once, as a game throws them: at "
+                     f"{facts.say('size', row['triangles'], count_short)} triangles preparing costs "
                      f"{facts.say('prepare ms', row['prepare_ms'], milliseconds)} ms and is paid back after "
-                     f"{facts.say('cuts', row['paid_back_remap'], digits(0))} cuts against `remap`. An object that is cut "
-                     "once and thrown away should be cut by a linear method, unless preparing happens while a level loads.")
-    parts += [ShownFigure("prepare", "Preparing once and then cutting: where lines cross, preparing is paid back."),
-              ShownTable(table, "Preparing, memory, and after how many cuts it is paid back (– : never).", published=True)]
+                     f"{facts.say('cuts', row['paid_back_remap'], digits(0))} of them against `remap` (copying is not counted).")
+    if balance.rows:
+        parts.append("**One object cut to pieces** is another matter: a cut consumes its object, pieces get smaller, and there is less and "
+                     f"less to save. {paid_back_in_chains(balance, facts)}")
+    parts += [ShownFigure("prepare", "Preparing once and then cutting. Solid: copies of the whole, each cut once. Dashed: one object cut to "
+                          "pieces. Where lines of a kind cross, preparing is paid back.", published=True),
+              ShownTable(table, "Preparing, memory, and after how many cuts of fresh copies it is paid back (– : never).", published=True)]
+    if balance.rows:
+        parts.append(ShownTable(balance, "One object cut to pieces, whole chain and cut() alone, ms for all cuts so far. A balance above zero: "
+                                "preparing is paid back.", published=True))
     return Section("prepare", "Preparing, and the memory it takes", parts)
+
+
+def paid_back_in_chains(balance: Table, facts: Facts) -> str:
+    """Between which marks of the largest chain the balance turns."""
+    size = max(row["triangles"] for row in balance.rows)
+    rows = [row for row in balance.rows if row["triangles"] == size]
+    text = f"Of {facts.say('chain size', size, count_short)} triangles, always the largest piece cut, "
+    turns = {key: chain_turn(rows, key) for key in ("balance_ms", "cutting_balance_ms")}
+    whole, cutting = (turn_text(f"{key}, cuts", turn, rows[-1]["cuts"], facts) for key, turn in turns.items())
+    if whole == cutting:
+        return text + f"preparing is {whole}, with everything a game needs as for cut() alone."
+    return text + f"preparing is {whole} with everything a game needs, and {cutting} counting cut() alone."
+
+
+def turn_text(name: str, turn: tuple[float, float] | None, most: float, facts: Facts) -> str:
+    if turn is None:
+        return f"not paid back within {facts.say(f'{name}, most', most, digits(0))} cuts"
+    if turn[0] == 0:
+        return "paid back by the first cut"
+    return f"paid back between {facts.say(f'{name}, before', turn[0], digits(0))} and {facts.say(f'{name}, after', turn[1], digits(0))} cuts"
+
+
+def chain_turn(rows: list[dict], key: str) -> tuple[float, float] | None:
+    """The marks between which a balance turns from loss to gain for good; 0 as the first where it is a gain from the start,
+    None where it never is one."""
+    if rows[-1][key] <= 0:
+        return None
+    losses = [number for number, row in enumerate(rows) if row[key] <= 0]
+    return (rows[losses[-1]]["cuts"], rows[losses[-1] + 1]["cuts"]) if losses else (0, rows[0]["cuts"])

@@ -1,8 +1,10 @@
 """Where the half-edge back end is not the better choice, from the numbers."""
 
+from report.chapters.growth import paid_back_in_chains
+from report.chapters.unflattering import frames, longest, tail
 from report.measurements import Measurements
 from report.sections import Facts, Section
-from report.tables import count, crossovers_table, cuts_table, digits, milliseconds, prepare_table
+from report.tables import chain_balance_table, count, count_short, crossovers_table, cuts_table, digits, prepare_table, rounded
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
@@ -16,19 +18,24 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     rows = [row for row in cuts_table(found).rows if row.get("halfedge_ms") and row.get("baseline/remap_ms")]
     if rows:
         faster = sum(row["halfedge_ms"] < row["baseline/remap_ms"] for row in rows)
-        parts.append(f"Of the report's fifteen models `remap` cuts {facts.say('models that remap cuts faster', len(rows) - faster, count)} "
-                     f"faster.")
+        parts.append(f"Of our fifteen imitations of the report's models `remap` cuts "
+                     f"{facts.say('models that remap cuts faster', len(rows) - faster, count)} faster.")
     prepared = {(row["backend"], row["triangles"]): row for row in prepare_table(found).rows}
     size = max((size for backend, size in prepared if backend == "halfedge"), default=None)
     if size is not None and ("baseline/remap", size) in prepared:
         half, linear = prepared[("halfedge", size)], prepared[("baseline/remap", size)]
-        parts.append(f"**Memory.** It holds {facts.say('bytes a triangle', half['bytes_per_triangle'], digits(0))} bytes a triangle "
+        held = [(other, row["bytes_per_triangle"]) for (name, other), row in sorted(prepared.items()) if name == "halfedge"]
+        listed = ", ".join(f"{facts.say(f'bytes a triangle, {other}', held_bytes, digits(0))} at "
+                           f"{facts.say(f'size of the bytes, {other}', other, count_short)} triangles" for other, held_bytes in held)
+        parts.append(f"**Memory.** For each triangle it holds {listed} bytes "
                      f"where the linear methods hold {facts.say('linear bytes', linear['bytes_per_triangle'], digits(0))}: "
-                     f"half-edges, the tree, and room for cuts to come.")
-        parts.append(f"**Preparing.** {facts.say('prepare ms', half['prepare_ms'], milliseconds)} ms for "
-                     f"{facts.say('prepared size', size, count)} triangles, once; the linear methods need "
-                     f"{facts.say('linear prepare ms', linear['prepare_ms'], milliseconds)} ms. What is cut once or twice does "
-                     f"not pay that back, and what is deformed between cuts must be prepared anew.")
+                     f"half-edges, the tree, and room for cuts to come, which weighs the more the smaller the mesh is.")
+        parts.append(f"**Preparing.** {facts.say('prepare ms', half['prepare_ms'], rounded)} ms for "
+                     f"{facts.say('prepared size', size, count_short)} triangles, once; the linear methods need "
+                     f"{facts.say('linear prepare ms', linear['prepare_ms'], rounded)} ms. {paid_back(half, found, facts)} "
+                     f"What is deformed between cuts must be prepared anew.")
+    if text := worst(found, facts):
+        parts.append(f"**The worst cut and the worst frame.** {text}")
     if parts:
         parts += ["**Draw calls.** A piece that was cut often is drawn in many runs of a shared buffer until it is compacted; "
                   "a linear method's pieces are drawn in one run for each material, and one for the cap.",
@@ -40,8 +47,28 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     return [Section("limits", "Where the half-edge back end is not the better choice", parts)]
 
 
+def paid_back(half: dict, found: Measurements, facts: Facts) -> str:
+    """How many cuts it takes, of copies and of one object."""
+    said = []
+    if half.get("paid_back_remap"):
+        said.append(f"Copies of one object, each cut once, pay that back after {facts.say('cuts of copies', half['paid_back_remap'], digits(0))} "
+                    f"cuts.")
+    balance = chain_balance_table(found)
+    if balance.rows:
+        said.append("One object that is cut to pieces does so late. " + paid_back_in_chains(balance, facts))
+    return " ".join(said) or "Few cuts do not pay that back."
+
+
+def worst(found: Measurements, facts: Facts) -> str:
+    return " ".join(part for part in (frames(found, facts), tail(found, facts), longest(found, facts)) if part)
+
+
 def words(row: dict, facts: Facts) -> str:
     if row["from_triangles"] is None:
         return "nowhere that was measured"
     name = f"crossover, {row['extent']}"
-    return f"from {facts.say(name, row['from_triangles'], count)} triangles on"
+    text = f"from about {facts.say(name, row['from_triangles'], rounded)} triangles on"
+    if row.get("least") and row.get("most"):
+        text += (f" ({facts.say(f'{name}, least', row['least'], rounded)} to {facts.say(f'{name}, most', row['most'], rounded)} by the "
+                 "spread of the times)")
+    return text

@@ -1,8 +1,10 @@
 """Other libraries on the same meshes and planes."""
 
+from statistics import median
+
 from report.measurements import Measurements
 from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import peers_by_mesh_table, peers_table
+from report.tables import Table, digits, peers_by_mesh_table, peers_table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
@@ -16,8 +18,19 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         "no normals and uv through the cut, the back ends do. Libraries keep their own mesh "
         "structures: building those from triangles is left out of the time, as preparing is for ours. Slow ones stop at "
         "100 000 triangles.",
-        "Every answer is checked: both sides closed, volumes that add up to the whole's to within a millionth. A ring in the "
-        "plot marks an answer that is not right, and the table says what is the matter.",
-        ShownFigure("peers", "Geometry only, coherent order: time of a cut with both sides."),
-        ShownTable(peers_by_mesh_table(found), "ms per cut, mean of the planes.", published=True),
-        ShownTable(table, "Each library and mesh, with the number of planes that it had time for.", folded=True)])]
+        "Every answer is checked: both sides closed, volumes that add up to the whole's to within a millionth. `cgal_split` has no caps to be "
+        "right or wrong; the table has a column for whatever else is the matter." + spread(table, facts),
+        ShownFigure("peers", "Geometry only, coherent order: time of a cut with both sides. A ring would mark an answer that is not "
+                    "right; `cgal_split` makes no caps."),
+        ShownTable(peers_by_mesh_table(found), "ms per cut, mean of the planes. Libraries cut each plane once.", published=True),
+        ShownTable(table, "Each library and mesh, with the number of planes that it had time for; least and most: of the planes for "
+                   "libraries, of the repetitions for the back ends.", folded=True)])]
+
+
+def spread(table: Table, facts: Facts) -> str:
+    """How far a library's planes lie apart."""
+    ratios = [row["most_ms"] / row["least_ms"] for row in table.rows if str(row["cutter"]).startswith(("cgal", "vtk")) and row.get("least_ms")]
+    if not ratios:
+        return ""
+    return (f" From plane to plane their times differ by a factor of {facts.say('most to least ms of the planes, median', median(ratios), digits(1))} "
+            f"(median), at most {facts.say('most to least ms of the planes, most', max(ratios), digits(1))}.")

@@ -1,5 +1,7 @@
 """Caps: by how much fans are wrong, the worst of them drawn beside the right caps, and how thin triangles are."""
 
+import statistics
+
 from matplotlib.collections import PolyCollection
 
 from report.figures import Drawing, finished, legend_above, new_figure, token
@@ -18,7 +20,7 @@ def fan_errors(tables: dict[str, Table], mix: str) -> Drawing | None:
         # Dots of one model are spread over its row in an order that depends on nothing but their number.
         heights = [place + 0.62 * ((number * 0.618034) % 1.0 - 0.5) for number in range(len(own))]
         axes.scatter([100 * error for error in own], heights, s=9, color=token("vermilion"), alpha=0.55, linewidths=0)
-        axes.plot([100 * own[len(own) // 2]] * 2, [place - 0.36, place + 0.36], color=token("ink"), linewidth=2)
+        axes.plot([100 * statistics.median(own)] * 2, [place - 0.36, place + 0.36], color=token("ink"), linewidth=2)
     axes.set_yticks(range(len(models)), models)
     axes.invert_yaxis()
     axes.set_xscale("symlog", linthresh=1.0)
@@ -39,7 +41,7 @@ def gallery(tables: dict[str, Table], drawn: list[dict]) -> Drawing | None:
     """Two drawings a row: the fan with the triangles that are turned over marked, and the triangulation."""
     if not drawn:
         return None
-    figure, all_axes = new_figure(height=2.45 * len(drawn), rows=len(drawn), columns=2, squeeze=False)
+    figure, all_axes = new_figure(height=2.0 * len(drawn), rows=len(drawn), columns=2, squeeze=False)
     for axes_of_row, row in zip(all_axes, drawn):
         loops = row["caps"]["loops"]
         lo_x, hi_x, lo_y, hi_y = bounds_of(loops)

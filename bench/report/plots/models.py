@@ -11,7 +11,7 @@ def times_by_size(tables: dict[str, Table]) -> Drawing | None:
     cuts, sizes = tables["table2_cuts"], tables["table1"]
     faces = {row["model"]: row["report_faces"] for row in sizes.rows}
     figure, axes = new_figure(height=4.2)
-    for column in cuts.columns[1:]:
+    for column in [column for column in cuts.columns if column.key.endswith("_ms")]:
         name = "report" if column.key == "report_cut_ms" else column.key.removesuffix("_ms")
         points = [(faces[row["model"]], row[column.key]) for row in cuts.rows if row.get(column.key)]
         if not points:
@@ -43,7 +43,7 @@ def report_growth(tables: dict[str, Table]) -> Drawing | None:
     for row in cuts.rows:
         if row["model"] in ("car", "cube", "bishop", "horse", "pedestal"):
             axes.annotate(str(row["model"]), (faces[row["model"]], row["report_cut_ms"]), xytext=(6, -9),
-                          textcoords="offset points", fontsize=8.5, color=token("muted"))
+                          textcoords="offset points", fontsize=9, color=token("muted"))
     log_log(axes, "faces of the model", "ms per cut, the report's laptop")
     legend_above(axes)
     return finished("report_growth", figure)

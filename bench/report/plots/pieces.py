@@ -1,6 +1,6 @@
 """Chains of cuts, collision proxies, and how the times of many cuts are distributed."""
 
-from report.figures import Drawing, finished, legend_above, log_log, new_figure, token
+from report.figures import Drawing, finished, legend_above, log_log, more_ticks, new_figure, token
 from report.palette import style_of
 from report.plots.growth import series
 from report.tables import Table, count_short, short
@@ -10,13 +10,17 @@ def chain_rows(tables: dict[str, Table], size: float) -> list[dict]:
     return [row for row in table.rows if row["triangles"] == size] if table else []
 
 
-def largest_chain(tables: dict[str, Table]) -> float | None:
+def shown_chain(tables: dict[str, Table]) -> float | None:
+    """The largest size at which anything was compacted, so that what that does can be seen; else the largest."""
     table = tables.get("chain_decades")
-    return max((row["triangles"] for row in table.rows), default=None) if table else None
+    if not table or not table.rows:
+        return None
+    compacted = [row["triangles"] for row in table.rows if row["compactions"]]
+    return max(compacted or [row["triangles"] for row in table.rows])
 
 
 def chain_plot(tables: dict[str, Table], key: str, y_label: str, name: str) -> Drawing | None:
-    size = largest_chain(tables)
+    size = shown_chain(tables)
     if size is None:
         return None
     rows = chain_rows(tables, size)
@@ -27,6 +31,7 @@ def chain_plot(tables: dict[str, Table], key: str, y_label: str, name: str) -> D
         series(axes, backend, short(backend) + (", compacted" if mode == "compacted" else ""), [row["cuts"] for row in own],
                [row[key] for row in own], **more)
     log_log(axes, f"cuts so far, {count_short(size)} triangles", y_label)
+    more_ticks(axes)
     legend_above(axes, 2)
     return finished(name, figure)
 
@@ -80,10 +85,11 @@ def distribution(tables: dict[str, Table]) -> Drawing | None:
         series(axes, str(row["backend"]), short(str(row["backend"])), [max(100.0 - share, 0.05) for share, _ in shares],
                [ms for _, ms in shares], markersize=4)
     log_log(axes, "of all cuts, the slowest …", f"ms per cut, {count_short(size)} triangles")
+    more_ticks(axes)
     axes.invert_xaxis()
     axes.set_xticks([50, 10, 1, 0.05], ["half", "10 %", "1 %", "worst"])
     axes.axhline(1e3 / 60, color=token("muted"), linewidth=1)
-    axes.text(50, 1e3 / 60, " a frame, 1/60 s", color=token("muted"), fontsize=8.5, ha="left", va="bottom")
+    axes.text(50, 1e3 / 60, " a frame, 1/60 s", color=token("muted"), fontsize=9, ha="left", va="bottom")
     legend_above(axes)
     return finished("distribution", figure)
 

@@ -2,8 +2,9 @@
 
 import csv
 import io
+import math
 from dataclasses import dataclass, field
-from typing import Any, Callable
+from typing import Any, Callable, Iterable
 
 from report.measurements import Counters
 
@@ -20,6 +21,33 @@ def milliseconds(value: float) -> str:
 
 def count(value: float) -> str:
     return f"{value:,.0f}".replace(",", "\u202f")
+
+
+def microseconds(value: float) -> str:
+    """Milliseconds, with more digits where they are few: a box takes less than a thousandth."""
+    return f"{value:.5f}" if value < 1e-2 else milliseconds(value)
+
+
+def rounded(value: float) -> str:
+    """Two digits, as a sentence wants them of what is known to no more: 19 354 as "19 000"."""
+    if value == 0:
+        return "0"
+    step = 10 ** (math.floor(math.log10(abs(value))) - 1)
+    nearest = round(value / step) * step
+    return count(nearest) if nearest >= 10 else f"{nearest:.2g}"
+
+
+def spread_of(counters: Counters | None, counter: str) -> float | None:
+    """(highest - lowest) / median of the repetitions; None where there is but one."""
+    if not counters or counter not in counters or counters["repetitions"][0] < 2 or not counters[counter][0]:
+        return None
+    middle, lowest, highest = counters[counter]
+    return (highest - lowest) / middle
+
+
+def worst_spread(cells: Iterable[tuple[Counters | None, str]]) -> float | None:
+    """The worst spread of some benchmarks' counters; None where nothing was repeated."""
+    return max((spread for counters, counter in cells if (spread := spread_of(counters, counter)) is not None), default=None)
 
 
 def count_short(value: float) -> str:

@@ -2,7 +2,8 @@
 
 from report import fits
 from report.measurements import Counters, Measurements, order
-from report.tables.core import Column, Table, Value, count, digits, median, milliseconds, percent, short
+from report.tables.core import (Column, Table, Value, count, digits, median, milliseconds, percent, rounded, short, spread_of,
+                                worst_spread)
 from run_bench import crossover
 
 EXTENTS = (("Scale", "whole chain"), ("Geometry", "geometry only"))
@@ -16,7 +17,10 @@ def scaling_table(found: Measurements, kind: str, shape: str) -> Table:
     table = Table(f"scaling_{kind.lower()}_{shape}", [Column("backend", "back end", short)] +
                   [Column(f"ms_{size}", count(size), milliseconds) for size in sizes] +
                   [Column("exponent", "exponent", digits(2)), Column("exponent_half_width", "± (95 %)", digits(2)),
-                   Column("exponent_points", "sizes fitted"), Column("spread", "spread", percent)])
+                   Column("exponent_points", "sizes fitted"), Column("least_slope", "least slope", digits(2)),
+                   Column("most_slope", "greatest slope", digits(2)), Column("spread", "spread", percent),
+                   Column("planes", "planes", digits(0)), Column("repetitions", "repetitions", digits(0)),
+                   Column("least_cuts", "cuts timed, at least", digits(0))])
     for backend in sorted({backend for backend, _ in cells}, key=order):
         own = {size: counters for (name, size), counters in cells.items() if name == backend}
         row: dict[str, Value] = {"backend": backend}
@@ -24,21 +28,56 @@ def scaling_table(found: Measurements, kind: str, shape: str) -> Table:
         fitted = growth_exponent(own)
         if fitted:
             row |= {"exponent": fitted.value, "exponent_half_width": fitted.half_width, "exponent_points": fitted.points}
-        # Without repetitions there is no spread to tell.
-        row["spread"] = max((c["real_time"][2] - c["real_time"][1]) / c["real_time"][0] for c in own.values()) or None
+        local = fits.slopes(fitted_points(own))
+        if len(local) > 1:
+            row |= {"least_slope": min(local), "most_slope": max(local)}
+        row["spread"] = worst_spread((c, "real_time") for c in own.values())
+        row |= how_often(own)
         table.rows.append(row)
     return table
 
 
+def scaling_points_table(found: Measurements) -> Table:
+    """Every time of the scaling tables with its repetitions: the range, and how many cuts it rests on."""
+    table = Table("scaling_points", [Column("extent", "what"), Column("input", "order of triangles"), Column("backend", "back end", short),
+                                     Column("triangles", "triangles", count), Column("ms", "ms", milliseconds),
+                                     Column("least_ms", "least ms", milliseconds), Column("most_ms", "most ms", milliseconds),
+                                     Column("planes", "planes", digits(0)), Column("rounds", "rounds", digits(0)),
+                                     Column("repetitions", "repetitions", digits(0))])
+    for kind, extent in EXTENTS:
+        for shape, input_order in ORDERS:
+            for (backend, size), c in sorted(found.growth(kind, shape).items(), key=lambda item: (order(item[0][0]), item[0][1])):
+                middle, lowest, highest = c["real_time"]
+                table.rows.append({"extent": extent, "input": input_order, "backend": backend, "triangles": c["triangles"][0],
+                                   "ms": middle, "least_ms": lowest, "most_ms": highest, "planes": median(c, "cuts_each"),
+                                   "rounds": median(c, "iterations"), "repetitions": median(c, "repetitions")})
+    return table
+
+
+def how_often(own: dict[int, Counters]) -> dict[str, Value]:
+    """Planes of each size, repetitions, and the cuts that the time of the size rests on that was timed least often."""
+    rounds = [c for c in own.values() if "cuts_each" in c]
+    if not rounds:
+        return {}
+    return {"planes": min(c["cuts_each"][0] for c in rounds), "repetitions": min(c["repetitions"][0] for c in rounds),
+            "least_cuts": min(c["repetitions"][0] * c["iterations"][1] * c["cuts_each"][0] for c in rounds)}
+
+
+def fitted_points(own: dict[int, Counters], counter: str = "real_time") -> list[tuple[float, float]]:
+    """Triangles and a counter, of the sizes that exponents are fitted to."""
+    return [(c["triangles"][0], c[counter][0]) for c in own.values() if c["triangles"][0] >= fits.FITTED_FROM]
+
+
 def growth_exponent(own: dict[int, Counters], counter: str = "real_time") -> fits.Exponent | None:
-    return fits.exponent([(c["triangles"][0], c[counter][0]) for c in own.values() if c["triangles"][0] >= fits.FITTED_FROM])
+    return fits.exponent(fitted_points(own, counter))
 
 
 def crossovers_table(found: Measurements) -> Table:
     """From which size on the half-edge back end takes less time than the linear ones that are worth it."""
     table = Table("crossovers", [Column("extent", "what"), Column("input", "order of triangles"),
                                  Column("against", "half-edge against", short),
-                                 Column("from_triangles", "faster from", count), Column("verdict", "in words")])
+                                 Column("from_triangles", "faster from", rounded), Column("least", "by the spread, at least", rounded),
+                                 Column("most", "at most", rounded), Column("verdict", "in words")])
     for kind, extent in EXTENTS:
         for shape, input_order in ORDERS:
             cells = found.growth(kind, shape)
@@ -49,10 +88,23 @@ def crossovers_table(found: Measurements) -> Table:
                 size = crossover(cells, slower, "halfedge")
                 smallest = cells[("halfedge", sizes[0])]["triangles"][0]
                 verdict = (f"never, up to {count(sizes[-1])}" if size is None else
-                           "at every size measured" if size <= smallest else f"from about {count(size)} triangles")
-                table.rows.append({"extent": extent, "input": input_order, "against": slower, "from_triangles": size,
-                                   "verdict": verdict})
+                           "at every size measured" if size <= smallest else f"from about {rounded(size)} triangles")
+                row: dict[str, Value] = {"extent": extent, "input": input_order, "against": slower, "from_triangles": size,
+                                         "verdict": verdict}
+                if size is not None and size > smallest:
+                    # Every repetition of one at its quickest with every one of the other at its slowest, and the reverse.
+                    row |= {"least": crossover(extreme(cells, slower, 2, 1), slower, "halfedge"),
+                            "most": crossover(extreme(cells, slower, 1, 2), slower, "halfedge")}
+                table.rows.append(row)
     return table
+
+
+def extreme(cells: dict[tuple[str, int], Counters], slower: str, of_slower: int,
+            of_half_edge: int) -> dict[tuple[str, int], Counters]:
+    """Cells with the lowest (1) or highest (2) time of the repetitions in place of the median."""
+    chosen = {slower: of_slower, "halfedge": of_half_edge}
+    return {(name, size): c | {"real_time": (c["real_time"][chosen[name]],) * 3}
+            for (name, size), c in cells.items() if name in chosen}
 
 
 def crossing_table(found: Measurements) -> Table:
@@ -61,13 +113,16 @@ def crossing_table(found: Measurements) -> Table:
                                    Column("ns_per_crossing", "ns / k", digits(0)),
                                    Column("touched_per_crossing", "touched / k", digits(1)),
                                    Column("nodes_per_crossing", "nodes / k", digits(2)),
-                                   Column("bytes_per_crossing", "bytes to upload / k", digits(0))])
+                                   Column("bytes_per_crossing", "bytes to upload / k", digits(0)),
+                                   Column("spread", "spread of ns", percent), Column("planes", "planes", digits(0)),
+                                   Column("repetitions", "repetitions", digits(0))])
     own = {size: c for (name, size), c in found.growth("Scale", "asteroid").items() if name == "halfedge"}
     for _, c in sorted(own.items()):
         k = c["crossing"][0]
         table.rows.append({"triangles": c["triangles"][0], "crossing": k, "ns_per_crossing": c["ns_per_crossing"][0],
                            "touched_per_crossing": c["touched"][0] / k, "nodes_per_crossing": c["nodes"][0] / k,
-                           "bytes_per_crossing": c["upload_bytes"][0] / k})
+                           "bytes_per_crossing": c["upload_bytes"][0] / k, "spread": spread_of(c, "ns_per_crossing"),
+                           "planes": median(c, "cuts_each"), "repetitions": c["repetitions"][0]})
     return table
 
 
@@ -101,35 +156,10 @@ def phases_table(found: Measurements) -> Table:
     names = list(dict.fromkeys(key[3:] for counters in cells.values() for key in counters if key.startswith("ms_")))
     table = Table("phases", [Column("backend", "back end", short), Column("triangles", "triangles", count)] +
                   [Column(f"{name}_ms", name, milliseconds) for name in names] +
-                  [Column("upload_bytes", "bytes to upload", count)])
+                  [Column("total_ms", "all phases", milliseconds), Column("upload_bytes", "bytes to upload", count)])
     for (backend, size), c in sorted(cells.items(), key=lambda item: (item[0][1], order(item[0][0]))):
         row: dict[str, Value] = {"backend": backend, "triangles": size, "upload_bytes": c["upload_bytes"][0]}
         row |= {f"{name}_ms": median(c, f"ms_{name}") for name in names}
-        table.rows.append(row)
-    return table
-
-
-def prepare_table(found: Measurements) -> Table:
-    """Preparing a mesh once, the memory it takes, and after how many cuts the half-edge back end has made up for it."""
-    table = Table("prepare", [Column("backend", "back end", short), Column("triangles", "triangles", count),
-                              Column("prepare_ms", "prepare ms", milliseconds),
-                              Column("ns_per_triangle", "ns / triangle", digits(0)),
-                              Column("bytes_per_triangle", "bytes / triangle", digits(0)),
-                              Column("cut_ms", "a cut, ms", milliseconds),
-                              Column("paid_back_remap", "paid back against remap, cuts", digits(1)),
-                              Column("paid_back_hash", "against hash, cuts", digits(1))])
-    scale = found.growth("Scale", "asteroid")
-    prepared = {(backend, size): c for backend, size, c in found.sized("Prepare")}
-    for (backend, size), c in prepared.items():
-        row: dict[str, Value] = {"backend": backend, "triangles": size, "prepare_ms": c["real_time"][0],
-                                 "ns_per_triangle": c["ns_per_triangle"][0],
-                                 "bytes_per_triangle": c["bytes_per_triangle"][0]}
-        row["cut_ms"] = median(scale.get((backend, size)), "real_time")
-        linear = prepared.get(("baseline/remap", size))  # all lookups prepare alike
-        for lookup in ("remap", "hash"):
-            cut, other = scale.get((backend, size)), scale.get((f"baseline/{lookup}", size))
-            if backend == "halfedge" and linear and cut and other:
-                row[f"paid_back_{lookup}"] = fits.cuts_to_pay_back(c["real_time"][0], linear["real_time"][0],
-                                                                  cut["real_time"][0], other["real_time"][0])
+        row["total_ms"] = sum(median(c, f"ms_{name}") or 0.0 for name in names)
         table.rows.append(row)
     return table

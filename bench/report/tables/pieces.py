@@ -4,9 +4,11 @@ import statistics
 
 from report.measurements import Measurements
 from report.names import ASTEROID
-from report.tables.core import Column, Table, Value, count, digits, median, milliseconds, short
+from report.tables.core import (Column, Table, Value, count, digits, median, microseconds, milliseconds, percent, short, spread_of,
+                                worst_spread)
 from run_bench import PROXIES
 
+CHAINS_EACH = 5  # chains of an iteration, chain_bench.cpp
 QUANTILES = ("p50", "p90", "p99")
 
 
@@ -17,26 +19,30 @@ def chains_table(found: Measurements) -> Table:
                              Column("worst_to_mean", "worst / mean", digits(1)),
                              Column("worst_to_predicted", "worst / predicted", digits(2)),
                              Column("ns_per_crossing", "ns / crossing", digits(0)),
-                             Column("most_draw_ranges", "most draw ranges", count)])
+                             Column("most_draw_ranges", "most draw ranges", count), Column("spread", "spread of the mean", percent),
+                             Column("chains", "chains", digits(0))])
     for backend, size, c in found.sized("Recut"):
         table.rows.append({"backend": backend, "triangles": size, "mean_cut_ms": c["cut_ms"][0],
                            "worst_cut_ms": c["worst_cut_ms"][0], "worst_to_mean": c["worst_cut_ms"][0] / c["cut_ms"][0],
                            "worst_to_predicted": c["worst_to_predicted"][0], "ns_per_crossing": c["ns_per_crossing"][0],
-                           "most_draw_ranges": c["most_draw_ranges"][0]})
+                           "most_draw_ranges": c["most_draw_ranges"][0], "spread": spread_of(c, "cut_ms"),
+                           "chains": CHAINS_EACH * c["repetitions"][0] * c["iterations"][1]})
     return table
 
 
 def swipes_table(found: Measurements) -> Table:
     """What a swipe costs the viewer's simulation, and its physics with many pieces."""
     table = Table("simulation", [Column("what", "what"), Column("backend", "back end", short),
-                                 Column("size", "triangles or pieces", count), Column("ms", "ms", milliseconds)])
+                                 Column("size", "triangles or pieces", count), Column("ms", "ms", milliseconds),
+                                 Column("spread", "spread", percent), Column("repetitions", "repetitions", digits(0))])
     for backend, size, c in found.sized("Swipe"):
-        table.rows.append({"what": "swipe", "backend": backend, "size": size, "ms": c["real_time"][0]})
+        table.rows.append({"what": "swipe", "backend": backend, "size": size, "ms": c["real_time"][0],
+                           "spread": spread_of(c, "real_time"), "repetitions": c["repetitions"][0]})
     for name, c in found.bench.items():
         if name.startswith("Pieces/"):
             table.rows.append({"what": f"frame of physics, pieces in a {name.split('/')[1]}" if "heap" in name else
                                "frame of physics, pieces apart", "backend": None, "size": c["bodies"][0],
-                               "ms": c["real_time"][0]})
+                               "ms": c["real_time"][0], "spread": spread_of(c, "real_time"), "repetitions": c["repetitions"][0]})
     return table
 
 
@@ -69,9 +75,9 @@ def viewer_cuts_table(found: Measurements) -> Table:
 
 
 def distribution_table(found: Measurements) -> Table:
-    """Quantiles of the whole chain's time over many planes that go anywhere through one mesh."""
+    """Quantiles of the whole chain's time over many planes through the inner half of one mesh."""
     table = Table("distribution", [Column("backend", "back end", short), Column("triangles", "triangles", count),
-                                   Column("cuts", "cuts", count)] +
+                                   Column("cuts", "planes", count)] +
                   [Column(f"{quantile}_ms", f"{quantile[1:]} % of cuts, ms", milliseconds) for quantile in QUANTILES] +
                   [Column("worst_ms", "worst ms", milliseconds), Column("over_frame", "longer than 1/60 s", digits(0))])
     for backend, size, c in found.sized("Many"):
@@ -104,12 +110,15 @@ def chain_decades_table(found: Measurements) -> Table:
 def proxies_table(found: Measurements) -> Table:
     """Collision proxies over the fifteen models: time to build, points, fit; and a frame's physics with each."""
     table = Table("proxies", [Column("kind", "proxy", lambda kind: str(kind).replace("_", " ")),
-                              Column("build_ms", "build, median ms", milliseconds),
-                              Column("worst_build_ms", "build, worst model, ms", milliseconds),
+                              Column("build_ms", "build, median ms", microseconds),
+                              Column("worst_build_ms", "build, worst model, ms", microseconds),
+                              Column("halfedge_build_ms", "of halfedge, median ms", microseconds),
                               Column("points", "points, median", digits(0)),
                               Column("volume_ratio", "volume / full hull, median", digits(3)),
                               Column("least_volume_ratio", "least", digits(3)), Column("most_volume_ratio", "most", digits(3)),
-                              Column("frame_ms", "physics of a frame, ms", milliseconds), Column("pieces", "pieces", digits(0))])
+                              Column("frame_ms", "physics of a frame, ms", milliseconds),
+                              Column("touching_pairs", "pairs that touch", digits(0)), Column("pieces", "pieces", digits(0)),
+                              Column("spread", "worst spread", percent), Column("repetitions", "repetitions", digits(0))])
     for kind in PROXIES:
         own = [c for name, c in found.bench.items() if name.startswith(f"Proxy/{kind}/")]
         if not own:
@@ -121,6 +130,12 @@ def proxies_table(found: Measurements) -> Table:
         if ratios:
             row |= {"volume_ratio": statistics.median(ratios), "least_volume_ratio": min(ratios), "most_volume_ratio": max(ratios)}
         physics = next((c for name, c in found.bench.items() if name.startswith(f"Physics/{kind}/")), None)
-        row |= {"frame_ms": median(physics, "real_time"), "pieces": median(physics, "bodies")}
+        row |= {"frame_ms": median(physics, "real_time"), "pieces": median(physics, "bodies"),
+                "touching_pairs": median(physics, "touching_pairs")}
+        row |= {"spread": worst_spread([(c, "proxy_ms") for c in own] + [(physics, "real_time")]),
+                "repetitions": min(c["repetitions"][0] for c in own)}
+        of_tree = [c["proxy_ms"][0] for name, c in found.bench.items() if name.startswith(f"Proxy/halfedge/{kind}/")]
+        if of_tree:
+            row["halfedge_build_ms"] = statistics.median(of_tree)
         table.rows.append(row)
     return table
