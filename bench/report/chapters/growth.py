@@ -157,7 +157,8 @@ def phases(found: Measurements, facts: Facts) -> Section:
         "*mass*: volume, centre and inertia; *proxy*: bounded hulls; *draw*: draw ranges and what to upload. "
         "Phases are read from the wall clock, so their sum can exceed the processor time above on a busy machine. Each bar is "
         "the whole of that back end's time, which is written beside it.",
-        ShownFigure("phases", "Phases of the whole chain, as shares of each back end's time.", published=True),
+        ShownFigure("phases", "Phases of the whole chain, as shares of each back end's time; beside it the time in all, by the wall clock, "
+                    "and megabytes to upload.", published=True),
         ShownTable(phases_table(found), "ms in each phase, their sum, and bytes to upload.", folded=True)])
 
 

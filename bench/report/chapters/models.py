@@ -105,7 +105,12 @@ def followed(found: Measurements, facts: Facts) -> str:
               if row.get("baseline/two_bucket_hash_ms")]
     if not ratios:
         return ""
-    return (f", and its exponent agrees with the report's within both intervals; model by model it follows loosely: the report's laptop takes "
+    rows = {row["times"]: row for row in model_exponents_table(found).rows}
+    report, ours = rows["the report's cut"], rows["baseline/two_bucket_hash"]
+    apart = abs(report["exponent"] - ours["exponent"])
+    agrees = apart <= min(report["half_width"] or 0.0, ours["half_width"] or 0.0)
+    return (f", and its exponent {'agrees' if agrees else 'does not agree'} with the report's within both intervals; model by model it follows "
+            f"loosely: the report's laptop takes "
             f"{facts.say('report to two_bucket_hash, least', min(ratios), digits(1))} to "
             f"{facts.say('report to two_bucket_hash, most', max(ratios), digits(0))} times as long")
 

@@ -104,15 +104,19 @@ def phases(tables: dict[str, Table]) -> Drawing | None:
                         used.setdefault(phase, bar)
                     left += share
         axes.set_xlim(0, 100)
-        axes.set_yticks(range(len(rows)), [f"{short(str(row['backend']))}\n{row['total_ms']:.3g} ms\n{row['upload_bytes'] / 1e6:.2g} MB"
+        axes.set_yticks(range(len(rows)), [f"{short(str(row['backend']))}\n{shown_total(row['total_ms'])} ms\n{row['upload_bytes'] / 1e6:.2g} MB"
                                            for row in rows])
         axes.grid(axis="y", visible=False)
         axes.set_title(f"{count_short(size)} triangles")
-    all_axes[-1, 0].set_xlabel("% of the back end's time, wall clock; MB: to upload")
+    all_axes[-1, 0].set_xlabel("% of the back end's time")
     named = [phase for phase in PHASES if phase in used]
     all_axes[-1, 0].legend([used[phase] for phase in named], named, loc="upper center", bbox_to_anchor=(0.38, -0.36), ncols=4,
                            handlelength=1.6, handleheight=1.1, columnspacing=1.0)
     return finished("phases", figure)
+
+
+def shown_total(ms: float) -> str:
+    return f"{ms:.0f}" if ms >= 100 else f"{ms:.3g}"
 
 
 def prepare(tables: dict[str, Table]) -> Drawing | None:

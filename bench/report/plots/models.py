@@ -18,9 +18,9 @@ def times_by_size(tables: dict[str, Table]) -> Drawing | None:
             continue
         style = style_of(name)
         axes.plot([x for x, _ in points], [y for _, y in points], linestyle="none", color=style.token, marker=style.marker,
-                  label="the report's laptop" if name == "report" else short(name), alpha=0.95)
+                  label="the report" if name == "report" else short(name), alpha=0.95)
     log_log(axes, "faces of the model", "ms per cut")
-    legend_above(axes)
+    legend_above(axes, 2)
     return finished("models", figure)
 
 
