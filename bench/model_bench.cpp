@@ -101,6 +101,7 @@ void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind ki
         seconds += iteration;
     }
     state.counters["proxy_ms"] = seconds * 1e3 / double(state.iterations()) / double(planes.size());
+    state.counters["cuts_each"] = double(planes.size());
     state.counters["points"] = double(points) / (2.0 * double(planes.size()));
     state.counters["volume_ratio"] = volume / full_volume;
     state.counters["triangles"] = double(model.mesh.triangles.size());

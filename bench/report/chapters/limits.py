@@ -4,7 +4,7 @@ from report.chapters.growth import paid_back_in_chains
 from report.chapters.unflattering import frames, longest, tail
 from report.measurements import Measurements
 from report.sections import Facts, Section
-from report.tables import chain_balance_table, count, count_short, crossovers_table, cuts_table, digits, prepare_table, rounded
+from report.tables import chain_balance_table, chain_decades_table, count, count_short, crossovers_table, cuts_table, digits, prepare_table, rounded
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
@@ -26,8 +26,8 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         half, linear = prepared[("halfedge", size)], prepared[("baseline/remap", size)]
         held = [(other, row["bytes_per_triangle"]) for (name, other), row in sorted(prepared.items()) if name == "halfedge"]
         listed = ", ".join(f"{facts.say(f'bytes a triangle, {other}', held_bytes, digits(0))} at "
-                           f"{facts.say(f'size of the bytes, {other}', other, count_short)} triangles" for other, held_bytes in held)
-        parts.append(f"**Memory.** For each triangle it holds {listed} bytes "
+                           f"{facts.say(f'size of the bytes, {other}', other, count_short)}" for other, held_bytes in held)
+        parts.append(f"**Memory.** It holds more bytes a triangle: {listed} triangles, "
                      f"where the linear methods hold {facts.say('linear bytes', linear['bytes_per_triangle'], digits(0))}: "
                      f"half-edges, the tree, and room for cuts to come, which weighs the more the smaller the mesh is.")
         parts.append(f"**Preparing.** {facts.say('prepare ms', half['prepare_ms'], rounded)} ms for "
@@ -37,8 +37,8 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     if text := worst(found, facts):
         parts.append(f"**The worst cut and the worst frame.** {text}")
     if parts:
-        parts += ["**Draw calls.** A piece that was cut often is drawn in many runs of a shared buffer until it is compacted; "
-                  "a linear method's pieces are drawn in one run for each material, and one for the cap.",
+        parts += ["**Draw calls.** A piece is drawn in many runs of a shared buffer until it is compacted, the most after the first "
+                  "cuts of a large mesh" + most_ranges(found, facts) + "; a linear method's pieces are drawn in one run for each material, and one for the cap.",
                   "**Flat faces in the plane's direction.** A plane parallel to a large flat face that is not aligned with the axes "
                   "meets the boxes of all its leaves: finding the section is then linear in that face, with a small factor.",
                   "**Connected pieces.** Asked for connected pieces, it searches the smaller parts of a side; where one part is bounded "
@@ -57,6 +57,15 @@ def paid_back(half: dict, found: Measurements, facts: Facts) -> str:
     if balance.rows:
         said.append("One object that is cut to pieces does so late. " + paid_back_in_chains(balance, facts))
     return " ".join(said) or "Few cuts do not pay that back."
+
+
+def most_ranges(found: Measurements, facts: Facts) -> str:
+    rows = [row for row in chain_decades_table(found).rows if row["backend"] == "halfedge" and row["mode"] == "kept"]
+    if not rows:
+        return ""
+    size = max(row["triangles"] for row in rows)
+    return (f" ({facts.say('most draw ranges', max(row['most_ranges'] for row in rows if row['triangles'] == size), count)} "
+            f"of {facts.say('size of the most draw ranges', size, count_short)} triangles)")
 
 
 def worst(found: Measurements, facts: Facts) -> str:

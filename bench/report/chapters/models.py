@@ -2,6 +2,7 @@
 
 import statistics
 
+from report import fits
 from report.measurements import Measurements
 from report.sections import Facts, Section, ShownFigure, ShownTable
 from report.tables import (cuts_table, digits, frames_table, hulls_table, model_exponents_table, sizes_table,
@@ -77,7 +78,7 @@ def report_fit(found: Measurements, facts: Facts) -> Section:
         f"Fitted over all fifteen models the report's cut times grow as the number of faces to the power of "
         f"{facts.say('exponent of the report', report['exponent'], digits(2))} ± {facts.say('its half width', half, digits(2))} "
         f"(95 % confidence; least squares in logarithms). Its text says that the method is linear. That it is not hangs on few models: "
-        + fragile(report, facts),
+        + fragile(found, facts),
         "The reason is in its section 3.2.1. Every vertex that is added to a fragment is looked up among those added before. "
         "With a dictionary that compares one vertex that is linear; with a list, or a dictionary whose hash sends all "
         "vertices to a few buckets, each look-up walks through the vertices so far, and the cut is quadratic. Our "
@@ -88,15 +89,23 @@ def report_fit(found: Measurements, facts: Facts) -> Section:
     return Section("report-growth", "Why the report's times grow faster than linearly", parts)
 
 
-def fragile(row: dict, facts: Facts) -> str:
-    """How much the exponent moves when one model is left out."""
-    if row.get("least") is None or row.get("least_half_width") is None:
+def fragile(found: Measurements, facts: Facts) -> str:
+    """What leaving out one model makes of the exponent of the report's cuts."""
+    rows = cuts_table(found).rows
+    faces = {row["model"]: row["report_faces"] for row in sizes_table(found).rows}
+    without = fits.without_each([(faces[row["model"]], row["report_cut_ms"]) for row in rows])
+    fitted = [(exponent, str(row["model"])) for exponent, row in zip(without, rows) if exponent and exponent.half_width is not None]
+    if not fitted:
         return "there are too few to tell."
-    def said(which: str) -> str:
-        return (f"without the {row[f'{which}_without']} it is {facts.say(f'{which} exponent without a model', row[which], digits(2))} ± "
-                f"{facts.say(f'its half width, {which}', row[f'{which}_half_width'], digits(2))}")
-    includes = row["least"] - row["least_half_width"] <= 1.0
-    return (f"{said('least')}, {said('most')}" + (", and the former does not tell it from a linear one." if includes else "."))
+    least, most = min(fitted, key=lambda pair: pair[0].value)[0], max(fitted, key=lambda pair: pair[0].value)[0]
+    linear = [pair for pair in fitted if pair[0].value - pair[0].half_width <= 1.0]
+    text = (f"when one is left out the exponent lies between {facts.say('least exponent without a model', least.value, digits(2))} and "
+            f"{facts.say('greatest exponent without a model', most.value, digits(2))}")
+    if linear:
+        text += ", and " + ", ".join(f"without the {model} ({facts.say(f'exponent without {model}', exponent.value, digits(2))} ± "
+                                     f"{facts.say(f'its half width without {model}', exponent.half_width, digits(2))})"
+                                     for exponent, model in linear) + " it cannot be told from 1"
+    return text + "."
 
 
 def followed(found: Measurements, facts: Facts) -> str:

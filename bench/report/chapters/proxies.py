@@ -18,7 +18,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                   ShownTable(table, "Collision proxies.", published=True)]
     if swipes.rows:
         parts += [ShownTable(swipes, "What the viewer's simulation costs. A swipe is everything from the hit to the last rigid body: cut, mass "
-                             "properties, bounded hulls, bodies, momentum.", published=True)]
+                             "properties, bounded hulls, bodies, momentum.")]
     return [Section("proxies", "Collision proxies and simulation", parts)]
 
 
