@@ -85,7 +85,9 @@ void GameShow::write_giant(ui::Canvas& canvas)
     const game::GiantState state = scene->state();
     if (!giant_sliding_) giant_share_ = giant_share(state.triangles);
     const float u = canvas.unit();
-    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, 366.0f * u}};
+    // A line for each back end that has cut, and one that says what to do before the present one has.
+    const std::size_t lines = cut_times_.series().size() + (cut_times_.of(simulation_->backend()) == nullptr ? 1u : 0u);
+    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, (342.0f + 24.0f * static_cast<float>(lines)) * u}};
     canvas.card(card, 0.70f);
     const float left = card.low.x + 22.0f * u, right = card.high.x - 22.0f * u;
     float y = card.low.y + 16.0f * u;
@@ -99,20 +101,30 @@ void GameShow::write_giant(ui::Canvas& canvas)
     canvas.bar(giant_slider_, static_cast<float>(giant_share_), ui::kAccent);
     y += 34.0f * u;
 
-    const auto plot = [&](const FrameStatistics& times, const std::string& title, const glm::vec3& colour) {
-        line(title, 18.0f, ui::kPaper);
-        const ui::Box2 box{{left, y}, {right, y + 58.0f * u}};
-        canvas.fill(box, ui::kPaper, 0.06f, 4.0f * u);
+    const auto draw = [&](const ui::Box2& box, const FrameStatistics& times, double most, const glm::vec3& colour) {
         const bool wraps = times.size() == FrameStatistics::kShown;
         canvas.plot(box, times.values(), static_cast<int>(times.size()), wraps ? static_cast<int>(times.offset()) : 0,
-                    static_cast<float>(std::max(33.0, 1.1 * times.most())), colour);
-        y += 68.0f * u;
+                    static_cast<float>(std::max(33.0, most)), colour);
     };
-    plot(frames_, with_unit("frame", frames_.last()) + with_unit("   longest", frames_.worst_since_reset()), ui::kIce);
-    plot(cut_times_,
-         cut_times_.size() == 0 ? std::string("cut: swipe across it")
-                                : with_unit("cut", cut_times_.last()) + with_unit("   longest", cut_times_.most()),
-         ui::kAccent);
+    line(with_unit("frame", frames_.last()) + with_unit("   longest", frames_.worst_since_reset()), 18.0f, ui::kPaper);
+    const ui::Box2 frames{{left, y}, {right, y + 58.0f * u}};
+    canvas.fill(frames, ui::kPaper, 0.06f, 4.0f * u);
+    draw(frames, frames_, 1.1 * frames_.most(), ui::kIce);
+    y += 68.0f * u;
+
+    const std::string baseline = sim::find_backend("baseline");
+    const auto colour_of = [&](const std::string& backend) { return backend == baseline ? ui::kDanger : ui::kLead; };
+    if (cut_times_.of(simulation_->backend()) == nullptr)
+        line("cut by " + simulation_->backend() + ": swipe across it", 18.0f, ui::kPaper);
+    for (const CutTimes::Series& series : cut_times_.series())
+        line(with_unit(series.backend.c_str(), series.times.last()) + with_unit("   longest", series.times.most()),
+             18.0f, colour_of(series.backend));
+    const ui::Box2 cuts{{left, y}, {right, y + 58.0f * u}};
+    canvas.fill(cuts, ui::kPaper, 0.06f, 4.0f * u);
+    // One scale for all, so that one sees who takes longer.
+    for (const CutTimes::Series& series : cut_times_.series())
+        draw(cuts, series.times, 1.1 * cut_times_.most(), colour_of(series.backend));
+    y += 68.0f * u;
     line("Left, Right: size   B: other back end   N: next one", 15.0f, ui::kDim);
 
     const std::optional<double> progress = giant_progress();

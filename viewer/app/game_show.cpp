@@ -76,7 +76,6 @@ void GameShow::start(const std::string& scene)
     over_at_.reset();
     latest_place_.reset();
     cut_times_ = {};
-    cuts_timed_ = 0;
     speaker_.set_fuse(false);
 
     sim::Settings how;
@@ -231,10 +230,14 @@ void GameShow::point(const WindowPointer& change, const glm::vec2& size)
             return;
         }
     }
+    // What the pointer does while a game stands still is no swipe.
+    if (is_held()) return;
     const bool can_cut = screens_.screen() == ui::Screen::play || screens_.screen() == ui::Screen::menu;
     if (change.kind == Kind::press && !can_cut) return;
     ui::Box2 box{{0.0f, 0.0f}, size};
-    if (duel_) box = DuelShow::box_of_half(place.x < 0.5f * size.x ? 0 : 1, size);
+    // A swipe that leaves its half goes on beside it: in the other half it would begin at the far edge.
+    if (change.kind == Kind::press || !swiping_) pressed_half_ = place.x < 0.5f * size.x ? 0 : 1;
+    if (duel_) box = DuelShow::box_of_half(pressed_half_, size);
     const glm::dvec2 extent(box.size());
     if (extent.x < 1.0 || extent.y < 1.0) return;
     const sim::Camera camera(extent.x / extent.y);
@@ -273,11 +276,22 @@ void GameShow::advance(double seconds)
     double scale = effects_.time_scale();
     if (simulation_) scale *= simulation_->scene().time_scale();
     clock_.set_time_scale(scale);
+    if (is_held() && !clock_.paused()) let_go();
     clock_.set_paused(is_held());
     look_ahead();
     const sim::Tick ticks = !setup_.fixed_step ? clock_.advance(seconds) : is_held() ? 0 : sim::kTicksPerFrame;
     if (ticks > 0) simulate(ticks);
     fraction_ = setup_.fixed_step ? 1.0 : clock_.fraction();
+}
+
+/// The game stands still from now on: the blade ends where it is, and nothing hisses.
+void GameShow::let_go()
+{
+    sampler_.let_go();
+    pointer_.clear();
+    swiping_ = false;
+    giant_sliding_ = false;
+    speaker_.set_fuse(false);
 }
 
 /// Another thread makes ready what will be thrown: on the menu, whatever game is chosen.
@@ -314,9 +328,7 @@ void GameShow::simulate(sim::Tick ticks)
     if (std::string message = simulation.take_message(); !message.empty()) tell(std::move(message));
     effects_.follow(simulation);
     soundtrack_.follow(simulation, speaker_);
-    for (; cuts_timed_ < simulation.cuts().size(); ++cuts_timed_)
-        if (const sim::CutRecord& cut = simulation.cuts()[cuts_timed_]; !cut.pieces.empty())
-            cut_times_.add(cut.cut_ms + cut.proxy_ms + cut.bodies_ms);
+    cut_times_.follow(simulation.cuts());
     watch_game();
     watch_menu();
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/app/cut_times.h"
 #include "viewer/app/duel_show.h"
 #include "viewer/app/frame_statistics.h"
 #include "viewer/app/painter.h"
@@ -88,6 +89,8 @@ public:
     /// How far the giant is that is being made or uploaded, 0 to 1, never falling; empty when there is none.
     std::optional<double> giant_progress() const;
     const sim::ModelShelf& models() const { return *models_; }
+    /// Of the giant, for each back end.
+    const CutTimes& cut_times() const { return cut_times_; }
 
 private:
     void start(const std::string& scene);
@@ -95,6 +98,7 @@ private:
     void choose_mode(const std::string& scene);
     void store_settings();
     bool is_held() const;
+    void let_go();
     void look_ahead();
     void simulate(sim::Tick ticks);
     void watch_menu();
@@ -127,6 +131,7 @@ private:
     std::vector<sim::PointerChange> pointer_;
     std::vector<sim::InputEvent> script_;  ///< for the duel: not yet due
     bool swiping_ = false;
+    std::size_t pressed_half_ = 0;        ///< of a duel: where the swipe began, and where its places are read
     std::optional<std::size_t> sliding_;  ///< the line whose slider is being moved
     double fraction_ = 1.0;
 
@@ -139,8 +144,8 @@ private:
     sim::Tick demo_start_ = 0;
     sim::Tick touched_at_ = -1000;  ///< when the player last swiped
     bool is_new_player_ = true;
-    FrameStatistics frames_, cut_times_;
-    std::size_t cuts_timed_ = 0;
+    FrameStatistics frames_;
+    CutTimes cut_times_;
     double giant_share_ = 0.0;  ///< of its slider
     ui::Box2 giant_slider_;
     bool giant_sliding_ = false;

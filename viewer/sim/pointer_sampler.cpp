@@ -62,4 +62,10 @@ std::vector<InputEvent> PointerSampler::frame(Microseconds start, Microseconds e
     return events;
 }
 
+void PointerSampler::let_go()
+{
+    waiting_.clear();
+    if (pressed_ && position_) waiting_.push_back({PointerChange::Kind::release, *position_});
+}
+
 }  // namespace kerf::sim

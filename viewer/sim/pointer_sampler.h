@@ -30,6 +30,10 @@ public:
     /// tick) gives none, and its changes belong to the next. O(changes + ticks).
     std::vector<InputEvent> frame(Microseconds start, Microseconds end, std::span<const PointerChange> changes);
 
+    /// The pointer is not followed for a while: what waits is dropped, and a swipe under way ends where it was at the
+    /// start of the next frame.
+    void let_go();
+
 private:
     std::vector<PointerChange> waiting_;  ///< of frames without time
     std::optional<glm::dvec2> position_;  ///< the last one seen

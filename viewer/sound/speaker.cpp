@@ -155,6 +155,7 @@ void Speaker::play(Sound sound, const Playing& how)
 
 void Speaker::set_fuse(bool burning)
 {
+    fuse_burns_ = burning;
     if (!device_ || Device::is_playing(device_->voices.front()) == burning) return;
     if (burning)
         device_->play(device_->voices.front(), Sound::fuse, {}, true);

@@ -34,6 +34,7 @@ public:
     void play(Sound sound, const Playing& how = {});
     /// Repeats Sound::fuse until it is turned off, at most once at a time.
     void set_fuse(bool burning);
+    bool fuse_burns() const { return fuse_burns_; }
     void silence();  ///< ends everything that is heard
 
     void set_volume(double volume);  ///< 0 to 1; beyond that the nearer end; not a number: 0
@@ -49,6 +50,7 @@ private:
     std::unique_ptr<Device> device_;
     double volume_ = 0.8;
     bool muted_ = false;
+    bool fuse_burns_ = false;
 };
 
 }  // namespace kerf::sound

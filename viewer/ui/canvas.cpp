@@ -126,7 +126,12 @@ void Canvas::heart(const glm::vec2& middle, float radius, const glm::vec3& colou
 
 void Canvas::plot(const Box2& box, const float* values, int count, int offset, float most, const glm::vec3& colour)
 {
-    if (count < 2 || !(most > 0.0f)) return;
+    if (count < 1 || !(most > 0.0f)) return;
+    if (count == 1) {
+        const float height = std::clamp(values[0] / most, 0.0f, 1.0f);
+        return list_->AddCircleFilled({box.low.x + 3.0f * unit(), box.high.y - height * box.size().y}, 3.0f * unit(),
+                                      packed(colour, 1.0f));
+    }
     list_->PathClear();
     for (int i = 0; i < count; ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(count - 1);

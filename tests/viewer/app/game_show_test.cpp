@@ -202,6 +202,61 @@ TEST_F(GameShowTest, AGameThatIsPausedStandsStill)
     EXPECT_NE(show.simulation()->state_hash(), before);
 }
 
+TEST_F(GameShowTest, APauseEndsTheSwipeAndNothingOfThePauseIsPlayedBack)
+{
+    using Kind = app::WindowPointer::Kind;
+    const glm::vec2 size(1280.0f, 720.0f);
+    GameShow show(setup("classic"), painter, speaker);
+    frames(show, 80);
+    show.point({Kind::press, {300.0, 360.0}}, size);
+    show.point({Kind::move, {310.0, 360.0}}, size);
+    frames(show, 1);
+    ASSERT_TRUE(show.simulation()->blade().pressed());
+    show.pause();
+    frames(show, 1);
+    for (int i = 0; i < 20; ++i) show.point({Kind::move, {310.0 + 40.0 * i, 300.0 - 10.0 * i}}, size);
+    show.press(MenuKey::back);
+    frames(show, 1);
+    EXPECT_FALSE(show.simulation()->blade().pressed());
+    const double farthest = sim::Camera(16.0 / 9.0).screen_to_stage({311.0, 360.0}, glm::dvec2(size)).x;
+    for (const sim::TrailPoint& point : show.simulation()->blade().trail(show.simulation()->time()))
+        EXPECT_LT(point.position.x, farthest);
+}
+
+TEST_F(GameShowTest, NoFuseHissesDuringAPause)
+{
+    GameShow show(setup("classic"), painter, speaker);
+    game::Autopilot autopilot(1);  // keeps the game going until there is a bomb
+    for (int i = 0; i < 3600 && !speaker.fuse_burns(); ++i) {
+        show.let_play(autopilot);
+        frames(show, 1);
+    }
+    ASSERT_TRUE(speaker.fuse_burns());
+    show.pause();
+    frames(show, 1);
+    EXPECT_FALSE(speaker.fuse_burns());
+    show.press(MenuKey::back);
+    frames(show, 1);
+    EXPECT_TRUE(speaker.fuse_burns());
+}
+
+TEST_F(GameShowTest, ASwipeAcrossTheMiddleOfADuelStaysInItsHalf)
+{
+    using Kind = app::WindowPointer::Kind;
+    const glm::vec2 size(1280.0f, 720.0f);
+    GameShow show(setup("duel"), painter, speaker);
+    frames(show, 10);
+    double before = -100.0;
+    for (int i = 0; i <= 8; ++i) {
+        show.point({i == 0 ? Kind::press : Kind::move, {480.0 + 40.0 * i, 360.0}}, size);
+        frames(show, 1);
+        const auto trail = show.duel()->duel().blade().trail(show.duel()->duel().time());
+        ASSERT_FALSE(trail.empty());
+        EXPECT_GT(trail.back().position.x, before) << "the blade turned back at " << 480 + 40 * i;
+        before = trail.back().position.x;
+    }
+}
+
 TEST_F(GameShowTest, SettingsAreThereInTheNextProgram)
 {
     {

@@ -84,6 +84,22 @@ TEST(PointerSampler, FramesWithoutTimeKeepTheirChangesForTheNext)
     EXPECT_EQ(events.back().kind, InputKind::release);
 }
 
+TEST(PointerSampler, LettingGoEndsASwipeWhereItWas)
+{
+    PointerSampler sampler;
+    const std::vector<PointerChange> swipe{{Kind::press, {0, 0}}, {Kind::move, {1, 0}}};
+    sampler.frame(0, 100'000, swipe);
+    const PointerChange far_away{Kind::move, {5, 3}};
+    sampler.frame(100'000, 100'000, std::span(&far_away, 1));
+    sampler.let_go();
+    const auto events = sampler.frame(100'000, 200'000, {});
+    ASSERT_FALSE(events.empty());
+    EXPECT_EQ(events.back().kind, InputKind::release);
+    for (const InputEvent& event : events) EXPECT_EQ(event.position, glm::dvec2(1, 0));
+    sampler.let_go();
+    EXPECT_TRUE(sampler.frame(200'000, 300'000, {}).empty()) << "nothing is held any more";
+}
+
 TEST(PointerSampler, MovementWithoutAPressIsNotRecorded)
 {
     PointerSampler sampler;
