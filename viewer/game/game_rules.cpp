@@ -183,8 +183,9 @@ double GameRules::time_scale() const
 
 void GameRules::show()
 {
-    state_.is_best = state_.score > best_before_;
-    state_.best = std::max(best_before_, state_.score);
+    // A first game has nothing to beat.
+    state_.is_best = best_before_ > 0 && state_.score > best_before_;
+    state_.best = state_.is_best ? state_.score : best_before_;
     state_.combo = combo_.fruit();
     state_.multiplier = is_active(FruitKind::double_points) ? kDoubleMultiplier : 1;
     if (rules_.duration > 0)

@@ -40,10 +40,10 @@ struct GameState
     GamePhase phase = GamePhase::playing;
     GameEnd end = GameEnd::none;
     std::int64_t score = 0;
-    std::int64_t best = 0;               ///< of this mode so far, this game included
-    bool is_best = false;                ///< this game has beaten what was best before it, and not nothing
-    int lives = 0;                       ///< only where Rules::lives > 0
-    int lives_at_start = 0;              ///< 0: this mode has none
+    std::int64_t best = 0;   ///< of this mode so far, this game included once it is better; 0: no game before
+    bool is_best = false;    ///< this game has beaten the best of those before it
+    int lives = 0;           ///< only where Rules::lives > 0
+    int lives_at_start = 0;  ///< 0: this mode has none
     std::optional<double> seconds_left;  ///< empty: no end
     int combo = 0;                       ///< fruit that the swipe under way has cut so far
     int multiplier = 1;

@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "viewer/game/stored_json.h"
-
 namespace kerf::game {
 namespace {
 
@@ -95,7 +93,7 @@ HighScores::HighScores(std::filesystem::path folder)
 void HighScores::read()
 {
     if (path_.empty()) return;
-    StoredJson stored = load_json(path_, objection_to);
+    StoredJson stored = load_json(path_, objection_to, kVersion);
     may_write_ = stored.is_free;
     if (!stored.message.empty()) message_ = std::move(stored.message);
     if (stored.value.is_null()) return;
@@ -135,19 +133,30 @@ std::int64_t HighScores::best(GameMode mode) const
     return scores.empty() ? 0 : scores.front().score;
 }
 
-std::optional<std::size_t> HighScores::add(GameMode mode, const HighScore& score)
+std::optional<std::size_t> HighScores::add(GameMode mode, const HighScore& score, const GivesUp& gives_up)
 {
     if (score.score <= 0) return std::nullopt;
     std::optional<FileLock> lock;
-    if (!path_.empty()) lock.emplace(path_);
+    if (!path_.empty()) lock.emplace(path_, gives_up);
+    if (lock && lock->is_held_elsewhere()) {
+        message_ = path_.string() + " is held by another program: the score is not stored";
+        return insert(mode, score);
+    }
     read();
+    const std::optional<std::size_t> rank = insert(mode, score);
+    if (rank) write();
+    return rank;
+}
+
+std::optional<std::size_t> HighScores::insert(GameMode mode, const HighScore& score)
+{
+    if (score.score <= 0) return std::nullopt;
     std::vector<HighScore>& scores = scores_[mode];
     const auto place = std::upper_bound(scores.begin(), scores.end(), score, is_better);
     const auto rank = static_cast<std::size_t>(place - scores.begin());
     if (rank >= kKept) return std::nullopt;
     scores.insert(place, score);
     if (scores.size() > kKept) scores.resize(kKept);
-    write();
     return rank;
 }
 

@@ -11,6 +11,7 @@
 
 #include "viewer/game/game_mode.h"
 #include "viewer/game/game_state.h"
+#include "viewer/game/stored_json.h"
 
 namespace kerf::game {
 
@@ -47,7 +48,10 @@ public:
 
     /// Puts a game into the list and stores it. Its place from 0; empty when ten others are at least as good, or when
     /// there is nothing to be proud of (0 points).
-    std::optional<std::size_t> add(GameMode mode, const HighScore& score);
+    /// @param gives_up  ends waiting for another program that writes; then nothing is stored, and a message says so
+    std::optional<std::size_t> add(GameMode mode, const HighScore& score, const GivesUp& gives_up = {});
+    /// The same without a file.
+    std::optional<std::size_t> insert(GameMode mode, const HighScore& score);
 
     /// What went wrong with the file since the last call; empty: nothing. One sentence.
     std::string take_message() { return std::exchange(message_, {}); }

@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <thread>
 
 namespace kerf::game {
 namespace {
@@ -65,6 +67,16 @@ StoredJson unreadable(const fs::path& path, const std::string& why)
     return {nullptr, cannot(path, "read", why), false};
 }
 
+/// One of Kerf's files, by a later version of the program.
+bool is_later(const nlohmann::json& value, int newest)
+{
+    if (!value.is_object()) return false;
+    const nlohmann::json format = value.value("format", nlohmann::json()),
+                         version = value.value("version", nlohmann::json());
+    return format.is_string() && format.get<std::string>().starts_with("kerf-") && version.is_number_integer() &&
+           version.get<std::int64_t>() > newest;
+}
+
 /// Renames a file to the first free name.
 StoredJson keep_aside(const fs::path& path, const std::string& reason)
 {
@@ -80,7 +92,7 @@ StoredJson keep_aside(const fs::path& path, const std::string& reason)
 
 }  // namespace
 
-StoredJson load_json(const fs::path& path, const Objection& objection)
+StoredJson load_json(const fs::path& path, const Objection& objection, int newest)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -97,6 +109,9 @@ StoredJson load_json(const fs::path& path, const Objection& objection)
 
     nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
     if (value.is_discarded()) return keep_aside(path, "it is no JSON");
+    if (is_later(value, newest))
+        return {nullptr, path.string() + " is of a later version of Kerf; it stays as it is and nothing is added",
+                false};
     const std::string reason = objection(value);
     if (!reason.empty()) return keep_aside(path, reason);
     return {std::move(value), {}, true};
@@ -128,13 +143,21 @@ std::string save_json(const fs::path& path, const nlohmann::json& value)
     return {};
 }
 
-FileLock::FileLock(const fs::path& path)
+FileLock::FileLock(const fs::path& path, const GivesUp& gives_up)
 {
     std::error_code ignored;
     fs::create_directories(path.parent_path(), ignored);
     descriptor_ = ::open(with_ending(path, ".lock").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) return;
-    while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    constexpr std::chrono::milliseconds kBetweenTries{10};
+    while (::flock(descriptor_, gives_up ? LOCK_EX | LOCK_NB : LOCK_EX) != 0) {
+        if (errno == EINTR) continue;
+        if (errno != EWOULDBLOCK) return;
+        if (gives_up()) {
+            is_held_elsewhere_ = true;
+            return;
+        }
+        std::this_thread::sleep_for(kBetweenTries);
     }
 }
 

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "viewer/game/giant_sizes.h"
-#include "viewer/game/stored_json.h"
 
 namespace kerf::game {
 namespace {
@@ -67,10 +66,12 @@ LoadedSettings load_settings(const std::filesystem::path& folder)
     return loaded;
 }
 
-std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings)
+std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings, const GivesUp& gives_up)
 {
     if (folder.empty()) return {};
-    const FileLock lock(file_in(folder));
+    const FileLock lock(file_in(folder), gives_up);
+    if (lock.is_held_elsewhere())
+        return file_in(folder).string() + " is held by another program: the settings are not stored";
     StoredJson stored = load_json(file_in(folder), objection_to);
     if (!stored.is_free) return stored.message;
     Json json = stored.value.is_null() ? Json::object() : std::move(stored.value);

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "viewer/game/stored_json.h"
+
 namespace kerf::game {
 
 /// What the program remembers from one start to the next.
@@ -34,6 +36,8 @@ struct LoadedSettings
 LoadedSettings load_settings(const std::filesystem::path& folder);
 
 /// Stores them, as save_json() does; keys that this version does not know stay. One sentence when that failed.
-std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings);
+/// @param gives_up  ends waiting for another program that writes
+std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings,
+                          const GivesUp& gives_up = {});
 
 }  // namespace kerf::game

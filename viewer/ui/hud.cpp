@@ -82,11 +82,10 @@ void show_hud(Canvas& canvas, const game::GameState& state, bool shows_hint)
         canvas.text({52.0f * u + canvas.measure(score, 72.0f).x, 40.0f * u}, {0.0f, 0.0f},
                     std::string("x").append(std::to_string(state.multiplier)), 40.0f,
                     colour_of(game::FruitKind::double_points));
-    const bool is_best = state.is_best && state.score > 0;
     if (state.best > 0)
         canvas.text({38.0f * u, 92.0f * u}, {0.0f, 0.0f},
-                    is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)), 22.0f,
-                    is_best ? kAccent : kDim);
+                    state.is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)), 22.0f,
+                    state.is_best ? kAccent : kDim);
     if (state.lives_at_start > 0) show_lives(canvas, state);
     if (state.seconds_left) show_clock(canvas, *state.seconds_left);
     show_specials(canvas, state);

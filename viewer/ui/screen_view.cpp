@@ -131,14 +131,13 @@ std::vector<Hotspot> show_over(Layout& layout, const Screens& screens, const Scr
     const game::GameState& state = *content.game;
     canvas.text({middle, card.low.y + 26.0f * u}, {0.5f, 0.0f}, why(state), 40.0f, kPaper);
     canvas.text({middle, card.low.y + 78.0f * u}, {0.5f, 0.0f}, std::to_string(state.score), 112.0f, kAccent);
-    const bool is_best = state.is_best && state.score > 0;
     if (state.fruit_cut == 0)
         canvas.text({middle, card.low.y + 194.0f * u}, {0.5f, 0.0f}, "Hold the left button and drag across the fruit",
                     22.0f, kPaper);
-    else
+    else if (state.best > 0)
         canvas.text({middle, card.low.y + 192.0f * u}, {0.5f, 0.0f},
-                    is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)), 26.0f,
-                    is_best ? kAccent : kDim);
+                    state.is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)),
+                    26.0f, state.is_best ? kAccent : kDim);
     const float top = card.low.y + 252.0f * u;
     const std::array<std::pair<const char*, std::int64_t>, 5> rows{{{"Fruit cut", state.fruit_cut},
                                                                     {"Missed", state.fruit_missed},

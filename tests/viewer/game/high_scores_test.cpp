@@ -93,7 +93,7 @@ TEST_F(HighScoresTest, KeepADamagedFileAsideAndGoOn)
     const Json good{{"format", "kerf-scores"}, {"version", 1}, {"modes", {{"zen", {{{"score", -1}}}}}}};
     for (const std::string& text :
          {std::string("{\"format\": \"kerf-sco"), std::string("[]"), std::string("{}"), good.dump(),
-          Json{{"format", "kerf-scores"}, {"version", 2}, {"modes", Json::object()}}.dump()}) {
+          Json{{"format", "kerf-scores"}, {"version", 0}, {"modes", Json::object()}}.dump()}) {
         write("scores.json", text);
         HighScores scores(folder_);
         EXPECT_NE(scores.take_message().find("scores.json.damaged-1"), std::string::npos) << text;
@@ -103,6 +103,19 @@ TEST_F(HighScoresTest, KeepADamagedFileAsideAndGoOn)
         EXPECT_EQ(HighScores(folder_).best(GameMode::zen), 10);
         std::filesystem::remove(folder_ / "scores.json.damaged-1");
     }
+}
+
+TEST_F(HighScoresTest, LeaveTheFileOfALaterVersionAlone)
+{
+    const std::string later = Json{{"format", "kerf-scores"}, {"version", 2}, {"modes", {{"zen", "?"}}}}.dump();
+    write("scores.json", later);
+    HighScores scores(folder_);
+    EXPECT_NE(scores.take_message().find("later version"), std::string::npos);
+    EXPECT_EQ(scores.add(GameMode::zen, score(10)), 0u);
+    EXPECT_NE(scores.take_message(), "") << "that this score is not stored";
+    EXPECT_EQ(scores.best(GameMode::zen), 10) << "until the program ends";
+    EXPECT_EQ(text_of("scores.json"), later);
+    EXPECT_FALSE(exists("scores.json.damaged-1"));
 }
 
 TEST_F(HighScoresTest, SayThatTheyCannotBeStored)
