@@ -42,10 +42,12 @@ std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
     return models.add(name, stone_asteroid(static_cast<std::uint64_t>(triangles), 5));
 }
 
-/// Boulder and fruit in turn, prepared for both.
-std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std::int64_t triangles)
+/// Boulder and fruit in turn, prepared for both. @param steps  counts DuelShow::kSteps
+std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std::int64_t triangles,
+                                                    std::atomic<int>& steps)
 {
     const std::size_t boulder = add_boulder(models, triangles);
+    ++steps;
     std::vector<duel::TimetableScene::Item> thrown;
     for (const std::string_view fruit : {"watermelon", "pineapple", "coconut", "orange"}) {
         thrown.push_back({boulder, kBoulderRadius});
@@ -54,7 +56,9 @@ std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std
     }
     for (const std::string& backend : opponents()) {
         for (const duel::TimetableScene::Item& item : thrown) models.prepare(item.model, backend);
+        ++steps;
         models.stock(boulder, backend);
+        ++steps;
     }
     return thrown;
 }
@@ -65,8 +69,10 @@ DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings&
     : models_(std::move(models)),
       settings_(settings),
       triangles_(triangles),
-      preparing_(
-          std::async(std::launch::async, [shelf = models_, triangles] { return prepare_all(*shelf, triangles); }))
+      prepared_(std::make_shared<std::atomic<int>>(0)),
+      preparing_(std::async(std::launch::async, [shelf = models_, triangles, steps = prepared_] {
+          return prepare_all(*shelf, triangles, *steps);
+      }))
 {
 }
 
@@ -112,10 +118,7 @@ std::array<duel::Score, 2> DuelShow::scores()
 
 void DuelShow::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits)
 {
-    if (!ready()) {
-        waited_ += ticks;
-        return;
-    }
+    if (!ready()) return;
     duel_->advance(ticks, events);
     if (waits)
         duel_->finish();
@@ -191,13 +194,10 @@ void DuelShow::write(ui::Canvas& canvas)
     canvas.fill({{0.5f * size.x - 1.5f * u, 0.0f}, {0.5f * size.x + 1.5f * u, size.y}}, ui::kInk, 0.9f);
     if (!duel_) {
         canvas.text({0.5f * size.x, 0.5f * size.y}, {0.5f, 0.5f},
-                    "Preparing a boulder of " + std::to_string(triangles_ / 1000).append(" 000 triangles for both"),
-                    30.0f, ui::kPaper);
-        const float share =
-            static_cast<float>(waited_ % sim::kTicksPerSecond) / static_cast<float>(sim::kTicksPerSecond);
+                    "Preparing a boulder of " + ui::number_text(triangles_) + " triangles for both", 30.0f, ui::kPaper);
         canvas.bar({{0.5f * size.x - 160.0f * u, 0.5f * size.y + 36.0f * u},
                     {0.5f * size.x + 160.0f * u, 0.5f * size.y + 48.0f * u}},
-                   share, ui::kAccent);
+                   static_cast<float>(progress()), ui::kAccent);
         return;
     }
     const sim::Tick left = std::max<sim::Tick>(duel::TimetableScene::kLength - now(), 0);

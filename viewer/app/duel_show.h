@@ -38,6 +38,9 @@ public:
     /// Waits for that.
     void wait_until_ready();
 
+    /// How far preparing is, 0 to 1, never falling.
+    double progress() const { return duel_ ? 1.0 : double(*prepared_) / kSteps; }
+
     sim::Tick now() const { return duel_ ? duel_->now() : 0; }
     /// Its time is up and both halves have caught up with the clock.
     bool is_over();
@@ -59,11 +62,14 @@ public:
     duel::Duel& duel() { return *duel_; }
 
 private:
+    /// In preparing: the boulder's shape, then for each back end its mesh and a copy of it.
+    static constexpr int kSteps = 5;
     void write_score(ui::Canvas& canvas, std::size_t half);
 
     std::shared_ptr<sim::ModelShelf> models_;
     sim::Settings settings_;
     std::int64_t triangles_;
+    std::shared_ptr<std::atomic<int>> prepared_;                      ///< of kSteps
     std::future<std::vector<duel::TimetableScene::Item>> preparing_;  ///< gives what is thrown
     std::atomic<bool> ends_ = false;
     std::thread stocking_;  ///< keeps copies of the boulder ready
@@ -71,7 +77,6 @@ private:
     std::array<std::unique_ptr<DrawnWorld>, 2> worlds_;
     std::array<effects::Effects, 2> effects_;
     std::array<std::span<const render::DrawnObject>, 2> objects_;  ///< as they were when the half was last idle
-    sim::Tick waited_ = 0;                                         ///< for the note that moves
 };
 
 }  // namespace kerf::app

@@ -7,6 +7,7 @@
 #include "viewer/game/giant_scene.h"
 #include "viewer/game/giant_sizes.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/ui/texts.h"
 
 // The part of the show that belongs to the scene `giant`: how large it is, what a cut takes, whether it was felt.
 
@@ -35,14 +36,6 @@ double giant_share(std::int64_t triangles)
 /// Of the time that a giant takes in all, what is over when its mesh is ready; the rest is its way onto the graphics
 /// card.
 constexpr double kMakingShare = 0.95;
-
-/// 1234567 -> "1 234 567".
-std::string grouped(std::int64_t number)
-{
-    std::string text = std::to_string(number);
-    for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, 1, ' ');
-    return text;
-}
 
 std::string with_unit(const char* label, double ms)
 {
@@ -95,7 +88,7 @@ void GameShow::write_giant(ui::Canvas& canvas)
         canvas.text({left, y}, {0.0f, 0.0f}, text, height, colour);
         y += 1.32f * height * u;
     };
-    line(grouped(giant_triangles(giant_share_)), 36.0f, ui::kPaper);
+    line(ui::number_text(giant_triangles(giant_share_)), 36.0f, ui::kPaper);
     line("triangles, cut by " + simulation_->backend(), 18.0f, ui::kDim);
     giant_slider_ = {{left, y + 4.0f * u}, {right, y + 20.0f * u}};
     canvas.bar(giant_slider_, static_cast<float>(giant_share_), ui::kAccent);

@@ -31,20 +31,19 @@ game::StoredSettings settings_for(const ShowSetup& setup, std::string& message)
     game::LoadedSettings loaded = game::load_settings(setup.user_folder);
     message = std::move(loaded.message);
     if (!setup.backend.empty()) loaded.settings.backend = setup.backend;
+    if (setup.fullscreen) loaded.settings.fullscreen = true;
     return loaded.settings;
 }
 
 }  // namespace
 
 GameShow::GameShow(const ShowSetup& setup, Painter& painter, sound::Speaker& speaker)
-    : setup_(setup),
-      painter_(painter),
-      speaker_(speaker),
-      scores_(setup.user_folder),
-      screens_({}, sim::backend_names())
+    : setup_(setup), painter_(painter), speaker_(speaker), files_(setup.user_folder), screens_({}, sim::backend_names())
 {
-    screens_.set_settings(settings_for(setup, message_));
-    if (std::string message = scores_.take_message(); !message.empty()) message_ = std::move(message);
+    std::string message;
+    screens_.set_settings(settings_for(setup, message));
+    stored_ = settings();
+    tell(std::move(message));
     game::add_fruit_models(*models_, setup.data_folder / "fruit");
     models_->add("asteroid", stone_asteroid(kSmallAsteroid, 3));
     fruit_models_ = models_->size();
@@ -53,13 +52,20 @@ GameShow::GameShow(const ShowSetup& setup, Painter& painter, sound::Speaker& spe
     start(setup.scene);
 }
 
+GameShow::~GameShow()
+{
+    keep_score();
+}
+
 void GameShow::start(const std::string& scene)
 {
+    keep_score();
     scene_ = scene;
     if (scene == "menu")
         screens_.show(ui::Screen::menu);
     else
         screens_.play(scene);
+    store_settings();
     duel_.reset();
     simulation_.reset();
     painter_.forget_world();
@@ -95,7 +101,7 @@ void GameShow::start(const std::string& scene)
         try {
             played =
                 game::make_scene(scene, models_,
-                                 {mode ? scores_.best(*mode) : 0,
+                                 {mode ? files_.best(*mode) : 0,
                                   setup_.fixed_step ? game::GiantArrival::at_once : game::GiantArrival::when_ready});
         } catch (const std::invalid_argument& error) {
             tell(error.what());
@@ -156,13 +162,14 @@ void GameShow::store_settings()
 {
     speaker_.set_volume(settings().volume);
     speaker_.set_muted(settings().mute);
-    if (std::string message = game::save_settings(setup_.user_folder, settings()); !message.empty())
-        tell(std::move(message));
+    if (settings() == stored_) return;
+    stored_ = settings();
+    files_.store(stored_);
 }
 
 void GameShow::tell(std::string message)
 {
-    message_ = std::move(message);
+    notice_.say(std::move(message));
 }
 
 bool GameShow::is_held() const
@@ -183,6 +190,15 @@ void GameShow::toggle_mute()
 {
     game::StoredSettings changed = settings();
     changed.mute = !changed.mute;
+    screens_.set_settings(changed);
+    store_settings();
+    tell(changed.mute ? "Sound off" : "Sound on");
+}
+
+void GameShow::set_fullscreen(bool on)
+{
+    game::StoredSettings changed = settings();
+    changed.fullscreen = on;
     screens_.set_settings(changed);
     store_settings();
 }
@@ -273,6 +289,8 @@ void GameShow::advance(double seconds)
     // In fixed steps the first tick waits for what a thread would make meanwhile: no frame of a player's.
     constexpr sim::Tick kMaking = 6;
     if (!setup_.fixed_step || (simulation_ && simulation_->now() > kMaking)) frames_.add(1e3 * seconds);
+    notice_.advance(setup_.fixed_step ? double(sim::kTicksPerFrame) * sim::kTickSeconds : seconds);
+    tell(files_.take_message());
     double scale = effects_.time_scale();
     if (simulation_) scale *= simulation_->scene().time_scale();
     clock_.set_time_scale(scale);
@@ -347,14 +365,21 @@ void GameShow::watch_game()
     if (is_new_player_) show_first_cut(*played);
     if (state.phase != game::GamePhase::over) return;
     if (!over_at_) {
+        keep_score();
         over_at_ = simulation_->now();
         speaker_.set_fuse(false);
-        latest_place_ =
-            scores_.add(state.mode, game::score_of(state, simulation_->backend(), simulation_->settings().seed));
-        if (std::string message = scores_.take_message(); !message.empty()) tell(std::move(message));
     }
     if (simulation_->now() - *over_at_ >= kEndShown && screens_.screen() == ui::Screen::play)
         screens_.show(ui::Screen::over);
+}
+
+/// Once a game: when it is over, or when it is left.
+void GameShow::keep_score()
+{
+    const game::GameScene* const played = simulation_ ? game::game_of(simulation_->scene()) : nullptr;
+    if (played == nullptr || over_at_) return;
+    const game::GameState& state = played->state();
+    latest_place_ = files_.add(state.mode, game::score_of(state, simulation_->backend(), simulation_->settings().seed));
 }
 
 void GameShow::watch_menu()
@@ -438,7 +463,7 @@ std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> GameShow::score_
     std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> lists;
     for (const game::GameMode mode : game::kGameModes) {
         std::vector<ui::ScoreLine> lines;
-        for (const game::HighScore& score : scores_.of(mode)) {
+        for (const game::HighScore& score : files_.scores_of(mode)) {
             const bool is_latest = latest_place_ && scene_ == name_of(mode) && lines.size() == *latest_place_;
             lines.push_back({score.score, score.date.substr(0, 10), is_latest});
         }
@@ -450,7 +475,7 @@ std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> GameShow::score_
 void GameShow::write(ui::Canvas& canvas)
 {
     ui::ScreenContent content;
-    content.message = message_;
+    content.message = notice_.text();
     if (screens_.screen() == ui::Screen::scores) content.scores = score_lists();
     if (duel_ && screens_.screen() == ui::Screen::over)
         for (const duel::Score& score : duel_->scores())

@@ -15,11 +15,12 @@
 #include "viewer/app/window.h"
 #include "viewer/effects/effects.h"
 #include "viewer/game/autopilot.h"
-#include "viewer/game/high_scores.h"
+#include "viewer/game/user_files.h"
 #include "viewer/sim/frame_clock.h"
 #include "viewer/sim/pointer_sampler.h"
 #include "viewer/sim/stocker.h"
 #include "viewer/sound/speaker.h"
+#include "viewer/ui/notice.h"
 #include "viewer/ui/screen_view.h"
 
 namespace kerf::app {
@@ -35,6 +36,7 @@ struct ShowSetup
     bool fixed_step = false;  ///< every frame is two ticks, nothing depends on the time of day or on a thread's speed
     std::int64_t boulder = DuelShow::kBoulder;  ///< triangles, of the duel
     std::int64_t giant = 0;                     ///< triangles, of the giant; 0: as stored
+    bool fullscreen = false;                    ///< on the whole screen, whatever is stored
 };
 
 /// The game: menu, modes, duel, pause, settings and scores, without a window. Whoever has one hands in what the player
@@ -44,6 +46,10 @@ class GameShow
 public:
     /// @throws io::FileError  the fruit cannot be read
     GameShow(const ShowSetup& setup, Painter& painter, sound::Speaker& speaker);
+    /// A game under way counts as far as it got.
+    ~GameShow();
+    GameShow(const GameShow&) = delete;
+    GameShow& operator=(const GameShow&) = delete;
 
     // What the player does.
 
@@ -52,6 +58,9 @@ public:
     void next_backend();
     void next_giant();
     void toggle_mute();
+    void set_fullscreen(bool on);
+    /// Says something on the picture for some seconds.
+    void tell(std::string message);
     /// Begins the game anew that has just ended; otherwise nothing happens.
     void play_again();
     /// The player looks elsewhere.
@@ -91,6 +100,9 @@ public:
     const sim::ModelShelf& models() const { return *models_; }
     /// Of the giant, for each back end.
     const CutTimes& cut_times() const { return cut_times_; }
+    /// What is said now; empty: nothing.
+    const std::string& message() const { return notice_.text(); }
+    const game::UserFiles& files() const { return files_; }
 
 private:
     void start(const std::string& scene);
@@ -108,7 +120,7 @@ private:
     void show_first_cut(const game::GameScene& played);
     void write_giant(ui::Canvas& canvas);
     void set_giant(double share);
-    void tell(std::string message);
+    void keep_score();
     std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> score_lists() const;
 
     ShowSetup setup_;
@@ -117,8 +129,9 @@ private:
     std::shared_ptr<sim::ModelShelf> models_ = std::make_shared<sim::ModelShelf>();
     sim::Stocker stocker_{models_};
     std::size_t fruit_models_ = 0;  ///< the first ones on the shelf: what the menu and the games show
-    game::HighScores scores_;
+    game::UserFiles files_;
     ui::Screens screens_;
+    game::StoredSettings stored_;  ///< the settings as they are on disk, or soon will be
     std::string scene_;
     std::uint64_t games_ = 0;
 
@@ -150,7 +163,7 @@ private:
     ui::Box2 giant_slider_;
     bool giant_sliding_ = false;
     std::vector<ui::Hotspot> hotspots_;
-    std::string message_;
+    ui::Notice notice_;
     bool has_ended_ = false;
 };
 

@@ -3,13 +3,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 #include "common/io/mesh_file.h"
 #include "viewer/app/exit_status.h"
+#include "viewer/app/picture_name.h"
 #include "viewer/game/user_folder.h"
 #include "viewer/sim/back_ends.h"
 
@@ -27,6 +26,7 @@ ShowSetup setup_of(const Options& options, const std::filesystem::path& user_fol
     if (!options.scene.empty()) setup.scene = options.scene;
     if (!options.backends.empty()) setup.backend = options.backends.front();
     setup.giant = options.giant;
+    setup.fullscreen = options.fullscreen;
     if (options.boulder > 0) setup.boulder = options.boulder;
     // Another game each time, unless somebody wants this one.
     setup.seed = options.seed.value_or(static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()));
@@ -46,7 +46,9 @@ GameWindow::GameWindow(const Options& options, const std::filesystem::path& user
     // What the command line said about the window goes before what is stored.
     applied_ = show_.settings();
     if (options.vsync) window_.set_vsync(applied_.vsync);
-    if (applied_.fullscreen && !options.fullscreen) window_.set_fullscreen(true);
+    if (!options.has_size && applied_.window_scale != 1.0) resize(applied_.window_scale);
+    if (applied_.fullscreen) set_fullscreen(true);
+    applied_ = show_.settings();
 }
 
 bool GameWindow::frame()
@@ -65,7 +67,7 @@ bool GameWindow::frame()
     if (const glm::ivec2 pixels = window_.framebuffer_size(); pixels.x > 0 && pixels.y > 0) {
         painter_.resize(pixels.x, pixels.y);
         show_.paint(options_.view);
-        interface_.use_game_letters(pixels.y);
+        interface_.use_game_letters(pixels.x, pixels.y);
         interface_.begin(pixels.x, pixels.y, std::max(seconds, 1e-4));
         ui::Canvas canvas(interface_.letters(), glm::vec2(pixels));
         show_.write(canvas);
@@ -116,31 +118,45 @@ void GameWindow::take_key(int key)
         case GLFW_KEY_R:
             return show_.play_again();
         case GLFW_KEY_F11:
-            return window_.set_fullscreen(!window_.fullscreen());
-        case GLFW_KEY_F12: {
-            std::array<char, 32> name{};
-            std::snprintf(name.data(), name.size(), "kerf_%03d.png", pictures_++);
-            try {
-                render::write_png(name.data(), painter_.target().read());
-            } catch (const io::FileError& error) {
-                std::cerr << "kerf-viewer: " << error.what() << "\n";
-            }
-            return;
-        }
+            return show_.set_fullscreen(!show_.settings().fullscreen);
+        case GLFW_KEY_F12:
+            return save_picture();
         default:
             return;
     }
 }
 
+void GameWindow::save_picture()
+{
+    const std::filesystem::path name = new_picture_name();
+    std::error_code ignored;
+    try {
+        render::write_png(name, painter_.target().read());
+        show_.tell("Saved " + std::filesystem::absolute(name, ignored).string());
+    } catch (const io::FileError& error) {
+        show_.tell(error.what());
+    }
+}
+
 void GameWindow::follow_settings()
 {
-    const game::StoredSettings& wanted = show_.settings();
+    const game::StoredSettings wanted = show_.settings();
     if (wanted.vsync != applied_.vsync) window_.set_vsync(wanted.vsync);
-    if (wanted.fullscreen != applied_.fullscreen) window_.set_fullscreen(wanted.fullscreen);
-    if (wanted.window_scale != applied_.window_scale && !window_.fullscreen())
-        window_.resize(static_cast<int>(std::lround(1280.0 * wanted.window_scale)),
-                       static_cast<int>(std::lround(720.0 * wanted.window_scale)));
-    applied_ = wanted;
+    if (wanted.window_scale != applied_.window_scale) resize(wanted.window_scale);
+    if (wanted.fullscreen != applied_.fullscreen) set_fullscreen(wanted.fullscreen);
+    applied_ = show_.settings();
+}
+
+/// Where there is no whole screen to be had, the settings say so.
+void GameWindow::set_fullscreen(bool on)
+{
+    window_.set_fullscreen(on);
+    if (window_.fullscreen() != on) show_.set_fullscreen(window_.fullscreen());
+}
+
+void GameWindow::resize(double scale)
+{
+    window_.resize(static_cast<int>(std::lround(1280.0 * scale)), static_cast<int>(std::lround(720.0 * scale)));
 }
 
 int run_game(const Options& options)

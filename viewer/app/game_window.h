@@ -29,6 +29,9 @@ private:
     void take_input();
     void take_key(int key);
     void follow_settings();
+    void set_fullscreen(bool on);
+    void resize(double scale);
+    void save_picture();
 
     Options options_;
     Window window_;
@@ -39,7 +42,6 @@ private:
     GameShow show_;
     game::StoredSettings applied_;  ///< to the window
     bool had_focus_ = false;
-    int pictures_ = 0;
     std::chrono::steady_clock::time_point last_frame_ = std::chrono::steady_clock::now();
 };
 

@@ -104,7 +104,8 @@ private:
     void finish_picture(std::int64_t frame)
     {
         if (interface_) {
-            if (game::game_of(simulation_.scene()) != nullptr) interface_->use_game_letters(options_.height);
+            if (game::game_of(simulation_.scene()) != nullptr)
+                interface_->use_game_letters(options_.width, options_.height);
             PanelState state{simulation_, painter_, statistics_, options_.view, {}};
             state.simulation_ms = times_.simulate_cpu_ms.back();
             const game::GameScene* const game = game::game_of(simulation_.scene());

@@ -90,7 +90,7 @@ int run_headless_game(const Options& options)
             continue;
         }
         show.paint(options.view);
-        interface.use_game_letters(options.height);
+        interface.use_game_letters(options.width, options.height);
         interface.begin(options.width, options.height, 1.0 / 60.0);
         ui::Canvas canvas(interface.letters(), {options.width, options.height});
         show.write(canvas);

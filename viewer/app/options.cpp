@@ -93,7 +93,7 @@ ParsedOptions parse_options(int argc, char** argv)
 
     CLI::App program("Throws models and lets you cut them with the mouse, with either back end.", "kerf-viewer");
     program.set_version_flag("--version", "kerf-viewer " KERF_VERSION);
-    program.add_option("FILE", options.files, "models to throw (default: the report's fifteen)");
+    program.add_option("FILE", options.files, "models to throw (default: the game's menu)");
     program.add_option("--data", options.data_folder, "folder that holds models/ and fruit/")->type_name("DIR");
     program.add_option("--scene", options.scene, "what happens")->check(CLI::IsMember(all_scenes()));
     program.add_option("--screen", options.screen, "of the game, for the last picture of --headless")
@@ -132,7 +132,7 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--zoom-at", zoom_at, "place of the stage to enlarge, metres from its middle")->type_name("X,Y");
     program.add_flag("--wireframe", options.view.wireframe, "show the triangles");
     program.add_flag("--proxies", options.view.proxies, "show the collision proxies");
-    program.add_flag("--panel", panel, "show the panel in pictures of --headless");
+    program.add_flag("--panel", panel, "show the panel over games and in pictures of --headless");
     program.add_flag("--no-panel", no_panel, "start without the panel");
     program.add_flag("--keys", options.view.help, "show the list of keys");
     program.add_option("--ui-scale", options.view.ui_scale, "size of texts (default: the screen's)")
@@ -175,6 +175,8 @@ ParsedOptions parse_options(int argc, char** argv)
     }
     if (lighting == "lambert") options.view.lighting = render::Lighting::lambert;
     options.vsync = !no_vsync;
+    options.has_size = !size.empty();
+    options.wants_panel = panel;
     options.view.panel = options.headless ? panel : !no_panel;
     return {options, kDone};
 }

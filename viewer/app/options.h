@@ -31,10 +31,12 @@ struct Options
     std::int64_t frames = 0;  ///< 0: without a screen as long as the script, with one until the window is closed
     int draw_every = 1;       ///< without a screen: pictures; 0: only the last, when somebody wants to see it
     int width = 1280, height = 720;
+    bool has_size = false;             ///< it was asked for
     std::filesystem::path screenshot;  ///< of the last frame
     std::filesystem::path record;      ///< folder for all frames
 
     ViewSettings view;
+    bool wants_panel = false;  ///< the panel was asked for
     bool vsync = true;
     bool fullscreen = false;
 };

@@ -1,15 +1,15 @@
 #include "viewer/app/player.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <utility>
 
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
+#include "viewer/app/game_overlay.h"
 #include "viewer/app/panel.h"
+#include "viewer/app/picture_name.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/camera.h"
@@ -62,6 +62,8 @@ Player::Player(const Options& options, const Session& session)
     if (!options.record.empty()) recording_.emplace(options.record);
     simulation_.push(session.script.events);
     if (!messages_.empty()) say(messages_.front());
+    // Who watches a game wants to see the game, unless he asked for the panel.
+    if (game::game_of(simulation_.scene()) != nullptr && !options.wants_panel) options_.view.panel = false;
 }
 
 bool Player::frame()
@@ -143,7 +145,10 @@ void Player::show()
     const glm::ivec2 pixels = window_.framebuffer_size();
     painter_.resize(pixels.x, pixels.y);
     painter_.sync(simulation_);
-    painter_.paint(simulation_, options_.view, fixed_step() ? 1.0 : clock_.fraction());
+    const game::GameScene* const game = game::game_of(simulation_.scene());
+    if (game != nullptr) effects_.follow(simulation_);
+    painter_.paint(simulation_, options_.view, fixed_step() ? 1.0 : clock_.fraction(),
+                   game != nullptr ? &effects_ : nullptr);
     times_.submit_cpu_ms.push_back(1e3 * submit.lap());
 
     if (Clock::now() > message_until_) message_.clear();
@@ -151,8 +156,11 @@ void Player::show()
     state.simulation_ms = simulate_cpu_ms_;
     state.paused = clock_.paused();
     state.slow_motion = clock_.slow_motion();
+    const glm::ivec2 units = window_.size();
+    if (game != nullptr) interface_.use_game_letters(units.x, units.y);
     interface_.begin();
     show_panel(state);
+    if (game != nullptr) show_game(interface_, units.x, units.y, *game, effects_);
     interface_.draw();
     for (const std::string& command : state.commands) simulation_.command(command);
 
@@ -258,17 +266,6 @@ void Player::switch_gesture()
     const sim::Gesture wanted = to_segment ? sim::Gesture::segment : sim::Gesture::blade;
     simulation_.command("gesture " + std::string(name_of(wanted)));
     say(to_segment ? "cuts on release, along the straight line" : "cuts while moving");
-}
-
-/// In the current folder; never the name of a picture that is there already.
-std::filesystem::path Player::new_picture_name()
-{
-    std::array<char, 32> name{};
-    std::error_code ignored;
-    do {
-        std::snprintf(name.data(), name.size(), "kerf_%03d.png", pictures_++);
-    } while (std::filesystem::exists(name.data(), ignored));
-    return name.data();
 }
 
 void Player::say(std::string message)

@@ -12,6 +12,7 @@
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/app/window.h"
+#include "viewer/effects/effects.h"
 #include "viewer/game/autopilot.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/sim/frame_clock.h"
@@ -61,7 +62,6 @@ private:
     void switch_lookup();
     void switch_proxy();
     void switch_gesture();
-    std::filesystem::path new_picture_name();
     void save_picture(const std::filesystem::path& path);
     bool fixed_step() const { return options_.frames > 0; }
 
@@ -77,6 +77,7 @@ private:
     std::vector<sim::PointerChange> pointer_;  ///< since the last tick
     game::Autopilot autopilot_;
     std::optional<render::Recording> recording_;
+    effects::Effects effects_;  ///< of a game
     FrameStatistics statistics_;
     FrameTimes times_;
     std::string last_baseline_ = "baseline";
@@ -85,7 +86,6 @@ private:
     std::chrono::steady_clock::time_point message_until_{};
     std::chrono::steady_clock::time_point last_frame_ = std::chrono::steady_clock::now();
     std::int64_t frame_ = 0;
-    int pictures_ = 0;
     bool paused_by_focus_ = false, had_focus_ = false;
     double simulate_cpu_ms_ = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <system_error>
@@ -85,10 +86,11 @@ UserInterface::~UserInterface()
     ImGui::DestroyContext();
 }
 
-void UserInterface::use_game_letters(int picture_height)
+void UserInterface::use_game_letters(int picture_width, int picture_height)
 {
-    if (ui::fits(letters_, picture_height)) return;
-    letters_ = ui::load_typeface(picture_height);
+    const int height = std::min(picture_height, picture_width * 9 / 16);
+    if (ui::fits(letters_, height)) return;
+    letters_ = ui::load_typeface(height);
     // Before the first frame there is no texture of letters yet: that frame makes it.
     if (!has_begun_) return;
     ImGui_ImplOpenGL3_DestroyFontsTexture();

@@ -17,8 +17,9 @@ public:
     UserInterface(const UserInterface&) = delete;
     UserInterface& operator=(const UserInterface&) = delete;
 
-    /// Loads the game's letters for pictures of this height, unless those that are there fit. Before begin().
-    void use_game_letters(int picture_height);
+    /// Loads the game's letters for pictures of this size, unless those that are there fit. Before begin(). What is
+    /// narrower than 16:9 has smaller letters, so that as much fits beside one another.
+    void use_game_letters(int picture_width, int picture_height);
     const ui::Typeface& letters() const { return letters_; }
 
     /// Starts a frame of the window.

@@ -118,7 +118,9 @@ void on_move(GLFWwindow* window, double x, double y)
 
 void on_key(GLFWwindow* window, int key, int, int action, int)
 {
-    if (action != GLFW_RELEASE) state_of(window).key_codes.push_back(key);
+    // Arrows move on while they are held; a command is given once.
+    const bool is_arrow = key == GLFW_KEY_UP || key == GLFW_KEY_DOWN || key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT;
+    if (action == GLFW_PRESS || (action == GLFW_REPEAT && is_arrow)) state_of(window).key_codes.push_back(key);
     if (action != GLFW_PRESS) return;
     if (const auto wanted = action_of(key)) state_of(window).keys.push_back(*wanted);
 }
@@ -217,7 +219,8 @@ float Window::content_scale() const
 
 void Window::resize(int width, int height)
 {
-    glfwSetWindowSize(handle(), width, height);
+    state_->size = {width, height};
+    if (!fullscreen()) glfwSetWindowSize(handle(), width, height);
 }
 
 void Window::minimise()

@@ -46,6 +46,7 @@ public:
     glm::ivec2 framebuffer_size() const;  ///< pixels; 0 while minimised
     bool has_focus() const;
     float content_scale() const;  ///< 1 at 96 dots per inch
+    /// On the whole screen: when it comes back from there.
     void resize(int width, int height);
     void minimise();
     void restore();
@@ -58,7 +59,7 @@ public:
     /// What happened since the last call, in order.
     std::vector<WindowPointer> take_pointer();
     std::vector<KeyAction> take_keys();
-    /// Key codes of GLFW, those that repeat included.
+    /// Key codes of GLFW, arrows repeat while they are held.
     std::vector<int> take_key_codes();
 
     struct State;  ///< what the call-backs of GLFW work on

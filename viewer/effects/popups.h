@@ -25,7 +25,7 @@ struct Popup
     float opacity() const;  ///< 0 to 1
 };
 
-/// At most kMost; the oldest make room.
+/// At most kMost; the oldest make room. What would cover another one appears above or below it.
 class Popups
 {
 public:

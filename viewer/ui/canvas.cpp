@@ -60,6 +60,8 @@ void Canvas::text(const glm::vec2& place, const glm::vec2& anchor, std::string_v
     const float rim = std::max(is_small ? 0.7f : 1.0f, (is_small ? 0.045f : 0.035f) * height * unit());
     const ImU32 ink = packed(kInk, (is_small ? 0.38f : 0.62f) * opacity), fill = packed(colour, opacity);
 
+    // Dark letters are for bright grounds.
+    const bool is_dark = colour.x + colour.y + colour.z < 0.6f;
     // Lines are centred on one another as the anchor says.
     float y = corner.y;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -70,9 +72,10 @@ void Canvas::text(const glm::vec2& place, const glm::vec2& anchor, std::string_v
         const auto draw = [&](const glm::vec2& offset, ImU32 tone) {
             list_->AddText(font, height * unit(), vec(start + offset), tone, line.data(), line.data() + line.size());
         };
-        for (const glm::vec2 side : {glm::vec2(-1, 0), glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(0, 1.6f),
-                                     glm::vec2(0.7f, 0.9f), glm::vec2(-0.7f, 0.9f)})
-            draw(rim * side, ink);
+        if (!is_dark)
+            for (const glm::vec2 side : {glm::vec2(-1, 0), glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(0, 1.6f),
+                                         glm::vec2(0.7f, 0.9f), glm::vec2(-0.7f, 0.9f)})
+                draw(rim * side, ink);
         draw({0.0f, 0.0f}, fill);
         y += height * unit();
         begin = end + 1;

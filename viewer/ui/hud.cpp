@@ -84,8 +84,8 @@ void show_hud(Canvas& canvas, const game::GameState& state, bool shows_hint)
                     colour_of(game::FruitKind::double_points));
     if (state.best > 0)
         canvas.text({38.0f * u, 92.0f * u}, {0.0f, 0.0f},
-                    state.is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)), 22.0f,
-                    state.is_best ? kAccent : kDim);
+                    state.is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)),
+                    22.0f, state.is_best ? kAccent : kDim);
     if (state.lives_at_start > 0) show_lives(canvas, state);
     if (state.seconds_left) show_clock(canvas, *state.seconds_left);
     show_specials(canvas, state);

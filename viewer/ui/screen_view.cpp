@@ -37,7 +37,7 @@ public:
         const glm::vec2 half = 0.5f * u_ * glm::vec2(width, 46.0f);
         const Box2 box{middle - half, middle + half};
         canvas_.fill(box, is_selected ? kAccent : kPaper, is_selected ? 0.92f : 0.10f, 10.0f * u_);
-        canvas_.text(middle, {0.5f, 0.54f}, label, 26.0f, is_selected ? glm::vec3(1.0f) : kPaper);
+        canvas_.text(middle, {0.5f, 0.54f}, label, 26.0f, is_selected ? kInk : kPaper);
         return {box, {}};
     }
 
@@ -66,9 +66,9 @@ std::vector<Hotspot> show_menu(Layout& layout, const Screens& screens)
         // Only the words can be clicked: on the fruit a press begins a swipe.
         const Box2 box{{title.x - wide, title.y - 24.0f * u}, {title.x + wide, title.y + 58.0f * u}};
         if (is_selected) canvas.fill(box, kAccent, 0.88f, 10.0f * u);
-        canvas.text(title, {0.5f, 0.5f}, modes()[i].title, 34.0f, is_selected ? glm::vec3(1.0f) : kPaper);
+        canvas.text(title, {0.5f, 0.5f}, modes()[i].title, 34.0f, is_selected ? kInk : kPaper);
         canvas.text(title + glm::vec2(0.0f, 36.0f * u), {0.5f, 0.5f}, modes()[i].promise, 17.0f,
-                    is_selected ? glm::vec3(1.0f) : kPaper);
+                    is_selected ? kInk : kPaper);
         hotspots.push_back({box, {}});
     }
     for (std::size_t i = modes().size(); i < screens.items().size(); ++i) {
@@ -76,8 +76,8 @@ std::vector<Hotspot> show_menu(Layout& layout, const Screens& screens)
         hotspots.push_back(layout.button({0.5f * size.x + place * 216.0f * u, size.y - 96.0f * u}, 200.0f,
                                          screens.items()[i].label, screens.selected() == i));
     }
-    canvas.text({0.5f * size.x, size.y - 26.0f * u}, {0.5f, 1.0f}, "or choose with the arrow keys and Enter", 18.0f,
-                kDim);
+    canvas.text({0.5f * size.x, size.y - 26.0f * u}, {0.5f, 1.0f}, "or choose with the arrow keys and Enter", 20.0f,
+                kPaper);
     return hotspots;
 }
 
@@ -92,8 +92,10 @@ std::vector<Hotspot> show_buttons(Layout& layout, const Screens& screens, const 
 
 std::vector<Hotspot> show_paused(Layout& layout, const Screens& screens)
 {
-    const Box2 card = layout.middle_card(420.0f, 380.0f);
+    const Box2 card = layout.middle_card(460.0f, 460.0f);
     const float u = layout.u(), middle = card.middle().x;
+    layout.canvas().text({middle, card.high.y - 22.0f * u}, {0.5f, 1.0f},
+                         "Esc or P: go on      M: sound\nF11: full screen      F12: save a picture", 20.0f, kPaper);
     layout.canvas().text({middle, card.low.y + 28.0f * u}, {0.5f, 0.0f}, "Paused", 60.0f, kPaper);
     return show_buttons(layout, screens, {middle, card.low.y + 142.0f * u}, 320.0f);
 }
@@ -222,7 +224,6 @@ std::vector<Hotspot> show_settings(Layout& layout, const Screens& screens)
 
 std::vector<Hotspot> show_scores(Layout& layout, const Screens& screens, const ScreenContent& content)
 {
-    constexpr std::size_t kShown = 8;
     const Box2 card = layout.middle_card(1020.0f, 580.0f);
     const float u = layout.u();
     Canvas& canvas = layout.canvas();
@@ -233,8 +234,8 @@ std::vector<Hotspot> show_scores(Layout& layout, const Screens& screens, const S
         const auto& [title, lines] = content.scores[m];
         canvas.text({middle, card.low.y + 112.0f * u}, {0.5f, 0.0f}, title, 32.0f, kAccent);
         if (lines.empty()) canvas.text({middle, card.low.y + 172.0f * u}, {0.5f, 0.0f}, "no game yet", 20.0f, kDim);
-        for (std::size_t i = 0; i < std::min(lines.size(), kShown); ++i) {
-            const float y = card.low.y + (178.0f + 38.0f * static_cast<float>(i)) * u;
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const float y = card.low.y + (172.0f + 34.0f * static_cast<float>(i)) * u;
             const glm::vec3 colour = lines[i].is_latest ? kAccent : kPaper;
             canvas.text({middle - 30.0f * u, y}, {1.0f, 0.5f}, std::to_string(lines[i].score), 26.0f, colour);
             canvas.text({middle - 8.0f * u, y}, {0.0f, 0.5f}, lines[i].date, 18.0f, kDim);

@@ -70,7 +70,7 @@ const std::vector<Mode>& modes()
         {"classic", "Classic", "3 misses or a bomb end it", "watermelon"},
         {"arcade", "Arcade", "60 s, bombs cost points", "banana"},
         {"zen", "Zen", "90 s of peace", "apple"},
-        {"giant", "Giant", "cut 4 million triangles", "asteroid"},
+        {"giant", "Giant", "up to 4 million triangles", "asteroid"},
         {"duel", "Duel", "two back ends, one swipe", "coconut"},
     };
     return all;
@@ -95,19 +95,30 @@ void Screens::set_settings(const game::StoredSettings& settings)
     list_items();
 }
 
+/// Among modes(); the first before anything was played.
+std::size_t Screens::last_played() const
+{
+    const Mode* const mode = find_mode(settings_.scene);
+    return mode == nullptr ? 0 : static_cast<std::size_t>(mode - modes().data());
+}
+
 void Screens::show(Screen screen)
 {
     if (screen == Screen::settings || screen == Screen::scores) {
-        if (screen_ != Screen::settings && screen_ != Screen::scores) before_ = screen_;
+        if (screen_ != Screen::settings && screen_ != Screen::scores) {
+            before_ = screen_;
+            selected_before_ = selected_;
+        }
     }
     screen_ = screen;
-    selected_ = 0;
+    selected_ = screen == Screen::menu ? last_played() : 0;
     list_items();
 }
 
 void Screens::play(std::string scene)
 {
     scene_ = std::move(scene);
+    if (find_mode(scene_) != nullptr) settings_.scene = scene_;
     show(Screen::play);
 }
 
@@ -299,6 +310,7 @@ std::optional<Request> Screens::back()
         case Screen::scores:
         case Screen::settings:
             show(before_);
+            selected_ = std::min(selected_before_, items_.empty() ? 0 : items_.size() - 1);
             return std::nullopt;
     }
     return std::nullopt;

@@ -87,7 +87,7 @@ public:
     Screen screen() const { return screen_; }
     /// Goes to a screen as the program sees fit: the game is over, the window lost its focus.
     void show(Screen screen);
-    /// A game of this scene has begun.
+    /// A game of this scene has begun: the settings remember it, and the menu will choose it.
     void play(std::string scene);
     const std::string& scene() const { return scene_; }
     /// A game is under way behind this screen and stands still.
@@ -112,12 +112,14 @@ private:
     std::optional<Request> adjust(int direction);
     void set_slider(std::size_t item, double share);
     void list_items();
+    std::size_t last_played() const;
 
     game::StoredSettings settings_;
     std::vector<std::string> backends_;
     Screen screen_ = Screen::menu;
-    Screen before_ = Screen::menu;  ///< where settings and scores were asked for
-    std::string scene_;             ///< that is played, or was
+    Screen before_ = Screen::menu;     ///< where settings and scores were asked for
+    std::size_t selected_before_ = 0;  ///< the line there that did
+    std::string scene_;                ///< that is played, or was
     std::vector<MenuItem> items_;
     std::size_t selected_ = 0;
 };

@@ -15,6 +15,14 @@ std::string clock_text(double seconds)
     return text.data();
 }
 
+std::string number_text(std::int64_t number)
+{
+    std::string text = std::to_string(number);
+    const std::size_t first = number < 0 ? 1 : 0;
+    for (std::size_t i = text.size(); i > first + 3;) text.insert(i -= 3, 1, ' ');
+    return text;
+}
+
 std::string milliseconds_text(double ms)
 {
     std::array<char, 32> text{};

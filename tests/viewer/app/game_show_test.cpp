@@ -49,7 +49,7 @@ protected:
             painter.resize(width, height);
             show.paint({});
         }
-        interface.use_game_letters(height);
+        interface.use_game_letters(width, height);
         interface.begin(width, height, 1.0 / 60.0);
         ui::Canvas canvas(interface.letters(), {width, height});
         show.write(canvas);
@@ -76,7 +76,8 @@ protected:
 
     void expect_texts_fit(GameShow& show, const std::string& what)
     {
-        for (const glm::ivec2 size : {glm::ivec2(1280, 720), glm::ivec2(3840, 2160)}) {
+        for (const glm::ivec2 size :
+             {glm::ivec2(1280, 720), glm::ivec2(3840, 2160), glm::ivec2(700, 1200), glm::ivec2(2560, 600)}) {
             const ui::Box2 reach = picture(show, size.x, size.y, false);
             EXPECT_LT(reach.low.x, reach.high.x) << what << " says nothing";
             const ui::Box2 whole{{0.0f, 0.0f}, glm::vec2(size)};
@@ -270,6 +271,37 @@ TEST_F(GameShowTest, SettingsAreThereInTheNextProgram)
     EXPECT_NEAR(show.settings().volume, 0.5, 1e-9);
     EXPECT_TRUE(show.settings().mute);
     EXPECT_TRUE(speaker.muted());
+}
+
+TEST_F(GameShowTest, AGameThatIsLeftKeepsItsScore)
+{
+    std::int64_t score = 0;
+    {
+        GameShow show(setup("classic"), painter, speaker);
+        game::Autopilot autopilot(1);
+        const auto state = [&] { return game::game_of(show.simulation()->scene())->state(); };
+        for (int i = 0; i < 1200 && state().score == 0; ++i) {
+            show.let_play(autopilot);
+            frames(show, 1);
+        }
+        score = state().score;
+        ASSERT_GT(score, 0);
+        show.press(MenuKey::back);
+        choose(show, "Menu");
+        EXPECT_EQ(show.files().best(game::GameMode::classic), score);
+        EXPECT_EQ(show.files().scores_of(game::GameMode::classic).size(), 1u);
+    }
+    EXPECT_EQ(game::HighScores(folder).best(game::GameMode::classic), score);
+}
+
+TEST_F(GameShowTest, SaysThatTheSoundIsOffForSomeSeconds)
+{
+    GameShow show(setup(), painter, speaker);
+    show.toggle_mute();
+    frames(show, 60);
+    EXPECT_EQ(show.message(), "Sound off");
+    frames(show, 400);
+    EXPECT_EQ(show.message(), "");
 }
 
 TEST_F(GameShowTest, AGameThatIsLostLeadsToItsBalanceAndFromThereToTheNext)

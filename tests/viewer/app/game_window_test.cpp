@@ -34,6 +34,7 @@ protected:
         options.data_folder = KERF_DATA_DIR;
         options.width = 320;
         options.height = 180;
+        options.has_size = true;
         options.vsync = false;
         options.seed = 1;
         return options;
@@ -93,6 +94,34 @@ TEST_F(GameWindowTest, FollowsItsSettings)
     press(GLFW_KEY_DOWN);
     press(GLFW_KEY_RIGHT);
     EXPECT_FALSE(game.window().vsync());
+}
+
+TEST_F(GameWindowTest, TheKeyAndTheSettingForTheWholeScreenAreOne)
+{
+    ASSERT_TRUE(game.frame());
+    press(GLFW_KEY_F11);
+    ASSERT_TRUE(game.frame());
+    EXPECT_TRUE(game.window().fullscreen());
+    EXPECT_TRUE(game.show().settings().fullscreen);
+    press(GLFW_KEY_F11);
+    ASSERT_TRUE(game.frame());
+    EXPECT_FALSE(game.window().fullscreen());
+    EXPECT_FALSE(game.show().settings().fullscreen);
+}
+
+TEST_F(GameWindowTest, AKeyThatIsHeldGivesItsCommandOnce)
+{
+    ASSERT_TRUE(game.frame());
+    GLFWwindow* const window = game.window().handle();
+    const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
+    glfwSetKeyCallback(window, pressed);
+    for (const int key : {GLFW_KEY_M, GLFW_KEY_DOWN}) {
+        pressed(window, key, 0, GLFW_PRESS, 0);
+        pressed(window, key, 0, GLFW_REPEAT, 0);
+        ASSERT_TRUE(game.frame());
+    }
+    EXPECT_TRUE(game.show().settings().mute);
+    EXPECT_EQ(game.show().screens().selected(), 2u) << "arrows move on";
 }
 
 TEST_F(GameWindowTest, SurvivesAnySizeAndBeingMinimised)

@@ -108,7 +108,31 @@ private:
     }
 };
 
+/// A game that the program plays itself.
+class PlayerOfAGameTest : public PlayerTest
+{
+protected:
+    PlayerOfAGameTest()
+        : PlayerTest([] {
+              app::Options chosen = small_window();
+              chosen.scene = "classic";
+              chosen.autopilot = true;
+              return chosen;
+          }())
+    {
+    }
+};
+
 }  // namespace
+
+TEST_F(PlayerOfAGameTest, ShowsTheGameInsteadOfThePanel)
+{
+    EXPECT_FALSE(player.view().panel);
+    frames(20);
+    player.act(app::KeyAction::panel);
+    EXPECT_TRUE(player.view().panel);
+    frames(2);
+}
 
 TEST_F(PlayerTest, SurvivesAnySizeOfItsWindow)
 {

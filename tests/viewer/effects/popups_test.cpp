@@ -34,4 +34,27 @@ TEST(Popups, AreBoundedAndEnd)
     EXPECT_TRUE(popups.all().empty());
 }
 
+TEST(Popups, DoNotCoverOneAnother)
+{
+    // As at the end of a swipe through three fruit: the points of the last one where the combo appears.
+    Popups popups;
+    for (const char* text : {"+1", "3 fruit combo\n+3", "Critical +5"}) {
+        Popup popup;
+        popup.text = text;
+        popup.size = text[0] == '3' ? 1.7f : 0.8f;
+        popups.add(popup);
+    }
+    ASSERT_EQ(popups.all().size(), 3u);
+    EXPECT_EQ(popups.all()[0].place.y, 0.0f) << "what stands alone stays where it was wanted";
+    const auto half_height = [](const Popup& popup) {
+        const bool has_two_lines = popup.text.find('\n') != std::string::npos;
+        return 0.5f * 8.0f * 34.0f / 720.0f * popup.size * (has_two_lines ? 2.0f : 1.0f);
+    };
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_GE(std::abs(popups.all()[i].place.y - popups.all()[j].place.y),
+                      half_height(popups.all()[i]) + half_height(popups.all()[j]))
+                << popups.all()[i].text << " and " << popups.all()[j].text;
+}
+
 }  // namespace kerf::test

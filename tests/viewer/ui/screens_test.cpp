@@ -102,6 +102,30 @@ TEST(Screens, EscapeNeverEndsTheProgramOrAGameByItself)
     EXPECT_EQ(s.screen(), Screen::play);
 }
 
+TEST(Screens, BackLeadsToTheLineThatWasChosen)
+{
+    Screens s = screens();
+    choose(s, "High scores");
+    s.press(MenuKey::back);
+    EXPECT_EQ(s.items()[s.selected()].label, "High scores");
+    s.play("zen");
+    s.show(Screen::over);
+    choose(s, "High scores");
+    s.press(MenuKey::accept);
+    EXPECT_EQ(s.items()[s.selected()].label, "High scores");
+}
+
+TEST(Screens, TheMenuChoosesWhatWasPlayedLast)
+{
+    Screens s = screens();
+    s.play("zen");
+    EXPECT_EQ(s.settings().scene, "zen");
+    s.show(Screen::menu);
+    EXPECT_EQ(s.items()[s.selected()].label, "Zen");
+    s.play("report");
+    EXPECT_EQ(s.settings().scene, "zen") << "the menu has no such line";
+}
+
 TEST(Screens, ArrowsGoRoundAndRound)
 {
     Screens s = screens();
