@@ -20,43 +20,20 @@ public:
     template <class Visit>
     void for_each_in(const Box& box, Visit&& visit) const
     {
-        if (nodes_.empty()) return;
-        std::uint32_t stack[kMaxDepth];
-        std::uint32_t depth = 0;
-        stack[depth++] = 0;
-        while (depth > 0) {
-            const Node& node = nodes_[stack[--depth]];
-            if (node.remaining == 0 || !overlap(node.box, box)) continue;
-            if (node.child != 0) {
-                stack[depth++] = node.child + 1;
-                stack[depth++] = node.child;
-                continue;
-            }
-            for (std::uint32_t i = node.first; i < node.last; ++i)
-                if (leaf_of_[order_[i]] != kRemoved && contains(box, points_[order_[i]])) visit(order_[i]);
-        }
+        search(
+            box, [](const Node&) { return false; },
+            [&](std::uint32_t index) {
+                visit(index);
+                return false;
+            });
     }
 
     /// Whether any remaining point lies in `box`, borders included.
     bool any_in(const Box& box) const
     {
-        if (nodes_.empty()) return false;
-        std::uint32_t stack[kMaxDepth];
-        std::uint32_t depth = 0;
-        stack[depth++] = 0;
-        while (depth > 0) {
-            const Node& node = nodes_[stack[--depth]];
-            if (node.remaining == 0 || !overlap(node.box, box)) continue;
-            if (contains(box, node.box.lo) && contains(box, node.box.hi)) return true;
-            if (node.child != 0) {
-                stack[depth++] = node.child + 1;
-                stack[depth++] = node.child;
-                continue;
-            }
-            for (std::uint32_t i = node.first; i < node.last; ++i)
-                if (leaf_of_[order_[i]] != kRemoved && contains(box, points_[order_[i]])) return true;
-        }
-        return false;
+        return search(
+            box, [&](const Node& node) { return contains(box, node.box.lo) && contains(box, node.box.hi); },
+            [](std::uint32_t) { return true; });
     }
 
     void remove(std::uint32_t index);
@@ -74,6 +51,31 @@ private:
         std::uint32_t child = 0;  ///< the first of two adjacent children; 0 for a leaf
         std::uint32_t parent = 0;
     };
+
+    /// Goes through what lies in `box` until `is_whole` (of a node with points left that the box meets) or `visit` (of
+    /// a point in the box) is true; whether one was.
+    template <class IsWhole, class Visit>
+    bool search(const Box& box, IsWhole is_whole, Visit visit) const
+    {
+        if (nodes_.empty()) return false;
+        std::uint32_t stack[kMaxDepth];
+        std::uint32_t depth = 0;
+        stack[depth++] = 0;
+        while (depth > 0) {
+            const Node& node = nodes_[stack[--depth]];
+            if (node.remaining == 0 || !overlap(node.box, box)) continue;
+            if (is_whole(node)) return true;
+            if (node.child != 0) {
+                stack[depth++] = node.child + 1;
+                stack[depth++] = node.child;
+                continue;
+            }
+            for (std::uint32_t i = node.first; i < node.last; ++i)
+                if (leaf_of_[order_[i]] != kRemoved && contains(box, points_[order_[i]]) && visit(order_[i]))
+                    return true;
+        }
+        return false;
+    }
 
     static bool overlap(const Box& a, const Box& b)
     {

@@ -20,10 +20,10 @@ public:
             Index first, last;  // positions in the ring
             Index link;         // what lies across the edge last -> first
         };
-        std::vector<Span> todo{{0, static_cast<Index>(ring_.size() - 1), kSeamLink + ring_.back()}};
-        while (!todo.empty()) {
-            const auto [first, last, link] = todo.back();
-            todo.pop_back();
+        std::vector<Span> spans{{0, static_cast<Index>(ring_.size() - 1), kSeamLink + ring_.back()}};
+        while (!spans.empty()) {
+            const auto [first, last, link] = spans.back();
+            spans.pop_back();
             const Index middle = middle_of(first, last);
             const Index t = static_cast<Index>(triangles_.size());
             triangles_.push_back({{ring_[first], ring_[middle], ring_[last]}, {kNone, kNone, link}});
@@ -34,7 +34,7 @@ public:
                 if (b == a + 1)
                     triangles_[t].link[edge] = kSeamLink + ring_[a];
                 else
-                    todo.push_back({a, b, 3 * t + edge});
+                    spans.push_back({a, b, 3 * t + edge});
             }
         }
     }
