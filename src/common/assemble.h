@@ -53,7 +53,7 @@ struct Assembled
 ///
 /// Orientation: a shell whose triangles agree keeps its orientation, unless it is an outermost shell of negative
 /// volume: that one is flipped together with what it contains. `sources` count the triangles of the soup. O(n log n)
-/// time, O(n) memory.
+/// time, O(n) memory. Throws std::bad_alloc when memory runs out.
 Assembled assemble(TriangleSoup soup);
 
 }  // namespace kerf

@@ -113,6 +113,23 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     return result;
 }
 
+namespace {
+
+/// Says so in a sentence, where there is memory for one.
+PrepareResult without_memory()
+{
+    PrepareResult result;
+    result.status = Status::out_of_memory;
+    try {
+        result.reason = "there is not enough memory to prepare the mesh";
+    } catch (const std::bad_alloc&) {
+        result.reason = "out of memory";  // as long as a string may be that needs none
+    }
+    return result;
+}
+
+}  // namespace
+
 PrepareResult Backend::prepare(IndexedMesh mesh) const
 {
     try {
@@ -121,9 +138,9 @@ PrepareResult Backend::prepare(IndexedMesh mesh) const
         const bool is_coarse = has_coarse_coordinates(shortest_edge(mesh.vertices, mesh.triangles), mesh.bounds());
         return {Status::cut, make(std::move(mesh)), {}, is_coarse};
     } catch (const std::bad_alloc&) {
-        return {Status::out_of_memory, nullptr, "there is not enough memory to prepare the mesh"};
+        return without_memory();
     } catch (const std::length_error&) {
-        return {Status::out_of_memory, nullptr, "there is not enough memory to prepare the mesh"};
+        return without_memory();
     }
 }
 

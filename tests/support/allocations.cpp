@@ -8,24 +8,30 @@
 namespace {
 
 std::size_t total = 0, largest = 0;
-std::uint64_t calls = 0;
+std::uint64_t calls = 0, reallocation_calls = 0;
 
 constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 std::uint64_t until_failure = kNever;
 bool has_failed = false, fails_for_good = false;
 
-/// Null when there is no memory, or when this allocation is to fail.
-void* counted(std::size_t size)
+/// Counts an allocation; false when it is to fail.
+bool may_allocate(std::size_t size)
 {
     if (until_failure != kNever && until_failure-- == 0) {
         until_failure = fails_for_good ? 0 : kNever;
         has_failed = true;
-        return nullptr;
+        return false;
     }
     ++calls;
     total += size;
     largest = std::max(largest, size);
-    return std::malloc(size > 0 ? size : 1);
+    return true;
+}
+
+/// Null when there is no memory, or when this allocation is to fail.
+void* counted(std::size_t size)
+{
+    return may_allocate(size) ? std::malloc(size > 0 ? size : 1) : nullptr;
 }
 
 }  // namespace
@@ -73,6 +79,16 @@ void operator delete[](void* p, std::size_t) noexcept
     std::free(p);
 }
 
+// The linker's names (--wrap=realloc): calls of realloc() go to the first, the second is the library's.
+extern "C" {
+void* __real_realloc(void* block, std::size_t size);
+void* __wrap_realloc(void* block, std::size_t size)
+{
+    ++reallocation_calls;
+    return may_allocate(size) ? __real_realloc(block, size) : nullptr;
+}
+}
+
 namespace kerf::test {
 
 std::size_t allocated_bytes()
@@ -82,6 +98,10 @@ std::size_t allocated_bytes()
 std::uint64_t allocations()
 {
     return calls;
+}
+std::uint64_t reallocations()
+{
+    return reallocation_calls;
 }
 std::size_t largest_allocation()
 {

@@ -3,16 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 
-// A program that links kerf_test_allocations has every operator new counted, and can let chosen ones fail. Not for
-// programs of several threads.
+// A program that links kerf_test_allocations has every operator new counted, and every realloc() of the code in it
+// (shared libraries' own are left alone), and can let chosen ones fail. Not for programs of several threads.
 
 namespace kerf::test {
 
-/// Bytes asked of operator new since the program started, and the largest single request since
+/// Bytes asked for since the program started, and the largest single request since
 /// reset_largest_allocation().
 std::size_t allocated_bytes();
-/// Calls of operator new since the program started.
+/// Calls since the program started; those of realloc() among them.
 std::uint64_t allocations();
+std::uint64_t reallocations();
 std::size_t largest_allocation();
 void reset_largest_allocation();
 
@@ -23,7 +24,7 @@ enum class Failure
 };
 
 /// While it lives, the allocation of that number from its construction on (0: the next one) fails: operator new throws
-/// std::bad_alloc, or gives null where it is asked not to throw. One at a time.
+/// std::bad_alloc, or gives null where it is asked not to throw, and so does realloc(). One at a time.
 class FailingAllocation
 {
 public:
