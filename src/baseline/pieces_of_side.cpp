@@ -36,6 +36,38 @@ private:
     std::span<const std::uint32_t> part_of_triangle_;
 };
 
+/// Fills in what decides to which piece a part belongs: its solid, a sample, its volume, whether it is flat.
+void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& plane, double noise)
+{
+    const IndexedMesh& mesh = builder.mesh;
+    const std::size_t count = side.parts.size();
+    // What whole shells need and what cut parts need: for the others it does no harm.
+    std::vector<MassMoments> moments(count);
+    std::vector<Box> boxes(count);
+    std::vector<bool> is_far(count, false);
+    for (const TriangleGroup& group : mesh.groups)
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
+            const std::uint32_t i = side.part_of_triangle[t];
+            SurfacePart& part = side.parts[i];
+            const std::array<glm::vec3, 3> p{mesh.vertices[mesh.triangles[t][0]].position,
+                                             mesh.vertices[mesh.triangles[t][1]].position,
+                                             mesh.vertices[mesh.triangles[t][2]].position};
+            if (boxes[i].empty()) part.sample = p[0];
+            part.solid = group.solid;
+            moments[i].add(glm::dvec3(part.sample), p[0], p[1], p[2]);
+            for (const glm::vec3& corner : p) {
+                boxes[i].add(corner);
+                const double distance = plane.signed_distance(corner);
+                is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);
+            }
+        }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        SurfacePart& part = side.parts[i];
+        part.volume6 = moments[i].volume6;
+        part.is_flat = part.is_cut ? !is_far[i] : has_no_volume(part.volume6, boxes[i], noise);
+    }
+}
+
 }  // namespace
 
 PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
@@ -73,28 +105,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         side.part_of_triangle[t] = first == t ? count++ : side.part_of_triangle[first];
     }
 
-    // What whole shells need and what cut parts need: for the others it does no harm.
     side.parts.resize(count);
-    std::vector<MassMoments> moments(count);
-    std::vector<Box> boxes(count);
-    std::vector<bool> is_far(count, false);
-    for (const TriangleGroup& group : mesh.groups)
-        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
-            const std::uint32_t i = side.part_of_triangle[t];
-            SurfacePart& part = side.parts[i];
-            const std::array<glm::vec3, 3> p{mesh.vertices[mesh.triangles[t][0]].position,
-                                             mesh.vertices[mesh.triangles[t][1]].position,
-                                             mesh.vertices[mesh.triangles[t][2]].position};
-            if (boxes[i].empty()) part.sample = p[0];
-            part.solid = group.solid;
-            moments[i].add(glm::dvec3(part.sample), p[0], p[1], p[2]);
-            for (const glm::vec3& corner : p) {
-                boxes[i].add(corner);
-                const double distance = plane.signed_distance(corner);
-                is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);
-            }
-        }
-
     const auto point_of = [&](std::uint32_t i) {
         const SectionPoint& point = section.points[i];
         return point.existing != kNone ? builder.point_of_existing(point.existing)
@@ -109,11 +120,9 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         side.part_of_edge[i] = part;
         if (part < side.parts.size()) side.parts[part].is_cut = true;
     }
-    for (std::uint32_t i = 0; i < count; ++i) {
-        SurfacePart& part = side.parts[i];
-        part.volume6 = moments[i].volume6;
-        part.is_flat = part.is_cut ? !is_far[i] : has_no_volume(part.volume6, boxes[i], noise);
-    }
+    // A side that hangs together has nothing to be grouped with: the usual case, in which one more loop over all
+    // triangles would cost as much as the flood.
+    if (count > 1 || !side.parts.front().is_cut) measure_parts(side, builder, plane, noise);
     return side;
 }
 

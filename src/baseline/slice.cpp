@@ -301,6 +301,8 @@ private:
             if (options_.build_caps)
                 path_of_cap = close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
             statistics.phases[Phase::cap] += watch.lap();
+            is_one_piece_[side] = std::all_of(piece.begin(), piece.end(), [](std::uint32_t p) { return p == 0; });
+            piece_of_triangle_[side].reserve(b.mesh.triangles.size());
             for (const std::uint32_t part : parts[side].part_of_triangle)
                 piece_of_triangle_[side].push_back(piece[part]);
             for (const std::uint32_t path : path_of_cap)
@@ -343,7 +345,7 @@ private:
             fragment.mesh.materials = materials_;
             std::vector<Fragment>& out = b.side() == Side::positive ? slices_.positive : slices_.negative;
             const auto side = static_cast<std::size_t>(b.side());
-            if (options_.split_components)
+            if (!is_one_piece_[side])
                 out = extract_pieces(fragment, piece_of_triangle_[side]);
             else if (some_snapped)
                 out = extract_pieces(fragment, std::vector<std::uint32_t>(fragment.mesh.triangles.size(), 0));
@@ -382,6 +384,7 @@ private:
     std::vector<SectionLoop> loops_;
     std::vector<Material> materials_;
     std::uint32_t added_cap_material_ = kDefaultCapMaterial;
+    std::array<bool, 2> is_one_piece_{true, true};                 ///< nothing has to be taken apart
     std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;  ///< caps included
     std::array<std::vector<SectionLoop>, 2> loops_of_side_;
     std::array<std::vector<std::uint32_t>, 2> piece_of_loop_;
