@@ -44,7 +44,8 @@ static_assert(effects::kWallZ == render::Wall::kZ, "juice ends on the wall that 
 
 render::StainSprite sprite_of(const effects::Stain& stain)
 {
-    return {stain.place, stain.size * stain.spread(), stain.run(), stain.colour, stain.opacity(), stain.shape};
+    return {stain.place,    stain.size * stain.spread(), stain.run(), stain.colour, stain.opacity(), stain.shape,
+            stain.wetness()};
 }
 
 render::FlyingSprite sprite_of(const effects::Drop& drop)
@@ -68,6 +69,10 @@ render::FlyingSprite sprite_of(const effects::Drop& drop)
         case effects::DropKind::smoke:
             sprite.kind = render::FlyingSprite::smoke;
             sprite.opacity = drop.left();
+            break;
+        case effects::DropKind::mist:
+            sprite.kind = render::FlyingSprite::mist;
+            sprite.opacity = 0.34f * drop.left() * drop.left();
             break;
     }
     return sprite;
@@ -104,8 +109,12 @@ void Painter::paint(const sim::Simulation& simulation, const ViewSettings& setti
     if (settings.proxies)
         for (const auto& body : simulation.bodies())
             render::append_proxy_lines(body->proxy().proxy(), glm::mat4(body->model_matrix(fraction)), lines);
-    const StagePicture stage{
-        world_->objects(simulation, fraction), blade != nullptr ? blade : &simulation.blade(), simulation.time(), effects, lines, whole()};
+    const StagePicture stage{world_->objects(simulation, fraction),
+                             blade != nullptr ? blade : &simulation.blade(),
+                             simulation.time(),
+                             effects,
+                             lines,
+                             whole()};
     paint(std::span(&stage, 1), settings);
 }
 

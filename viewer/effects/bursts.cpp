@@ -44,7 +44,7 @@ void add_splash(const Splash& splash, Drops& drops, Stains& stains)
 {
     Dice dice(splash.seed);
     const float strength = std::clamp(splash.strength, 0.0f, 1.5f);
-    const int count = static_cast<int>(95.0f * strength);
+    const int count = static_cast<int>(150.0f * strength);
     for (int i = 0; i < count; ++i) {
         const glm::vec3 rim = splash.outline.empty() ? splash.centre + splash.size * dice.direction()
                                                      : splash.outline[dice.below(splash.outline.size())];
@@ -56,12 +56,25 @@ void add_splash(const Splash& splash, Drops& drops, Stains& stains)
         drop.place = glm::mix(splash.centre, rim, depth);
         drop.velocity = 0.55f * splash.velocity + dice.between(0.8f, 4.2f) * depth * outwards +
                         side * dice.between(0.2f, 2.4f) * splash.normal + 1.3f * dice.direction();
-        // Few are large: mist and some heavy drops.
-        const float share = dice.between(0.0f, 1.0f);
-        drop.size = splash.size * (0.014f + 0.075f * share * share * share);
+        // Few are large, and those are slower.
+        const float share = dice.between(0.0f, 1.0f), heavy = share * share * share * share;
+        drop.size = splash.size * (0.009f + 0.066f * heavy);
+        drop.velocity *= 1.15f - 0.4f * heavy;
         drop.life = dice.between(0.7f, 1.6f);
         drop.colour = varied(dice, splash.colour);
         drops.add(drop);
+    }
+    for (int i = 0; i < static_cast<int>(7.0f * strength); ++i) {
+        Drop mist;
+        mist.kind = DropKind::mist;
+        const glm::vec3 rim = splash.outline.empty() ? splash.centre + splash.size * dice.direction()
+                                                     : splash.outline[dice.below(splash.outline.size())];
+        mist.place = glm::mix(splash.centre, rim, dice.between(0.3f, 0.9f));
+        mist.velocity = 0.4f * splash.velocity + dice.between(0.5f, 2.0f) * dice.direction();
+        mist.size = splash.size * dice.between(0.25f, 0.5f);
+        mist.life = dice.between(0.25f, 0.5f);
+        mist.colour = varied(dice, splash.colour);
+        drops.add(mist);
     }
     if (strength < 0.2f) return;
     Stain stain;

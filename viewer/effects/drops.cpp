@@ -26,6 +26,8 @@ Behaviour behaviour_of(DropKind kind)
             return {1.5f, 2.6f, 0.0f};
         case DropKind::smoke:
             return {-0.9f, 2.2f, 0.9f};
+        case DropKind::mist:
+            return {2.0f, 4.0f, 1.3f};
     }
     return {};
 }

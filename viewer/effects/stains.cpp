@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kSpreadTime = 0.07f;  // seconds
 constexpr float kFurthestRun = 1.7f;  // sizes
+constexpr float kSoaksIn = 3.2f;      // seconds until nothing shines
 
 float smooth(float x)
 {
@@ -32,6 +33,11 @@ float Stain::run() const
 float Stain::opacity() const
 {
     return 1.0f - smooth((age - Stains::kWet) / (Stains::kLife - Stains::kWet));
+}
+
+float Stain::wetness() const
+{
+    return 1.0f - smooth(age / kSoaksIn);
 }
 
 void Stains::add(const Stain& stain)

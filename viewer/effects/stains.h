@@ -21,6 +21,7 @@ struct Stain
     float spread() const;   ///< 0 to 1: how much of the size is reached
     float run() const;      ///< how far the longest drip has run down, in sizes
     float opacity() const;  ///< 1 to 0
+    float wetness() const;  ///< 1: new, 0: it has soaked in
 };
 
 /// The stains on the wall, at most kMost: the oldest make room.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "viewer/render/splat_shapes.h"
 #include "viewer/render/wall.h"
 
 namespace kerf::render {
@@ -34,11 +35,27 @@ void draw_sprites(const ShaderProgram& program, const GlVertexArray& array, cons
     glBindVertexArray(0);
 }
 
+GlTexture texture_of(const SplatShapes& shapes)
+{
+    GlTexture texture = GlTexture::create();
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, SplatShapes::kSide, SplatShapes::kSide, SplatShapes::kShapes, 0,
+                 GL_RGBA, GL_UNSIGNED_BYTE, shapes.texels.data());
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    return texture;
+}
+
 }  // namespace
 
 EffectsPass::EffectsPass()
-    : stain_({"frame.glsl", "stain.vert"}, {"frame.glsl", "tone.glsl", "noise.glsl", "stain.frag"}),
+    : stain_({"frame.glsl", "noise.glsl", "stain.vert"}, {"frame.glsl", "tone.glsl", "stain.frag"}),
       flying_({"frame.glsl", "flying.vert"}, {"frame.glsl", "tone.glsl", "noise.glsl", "flying.frag"}),
+      splats_(texture_of(make_splat_shapes())),
       stain_instances_(GlBuffer::create()),
       flying_instances_(GlBuffer::create()),
       stain_array_(GlVertexArray::create()),
@@ -48,7 +65,7 @@ EffectsPass::EffectsPass()
     glBindBuffer(GL_ARRAY_BUFFER, stain_instances_.id());
     instance_attribute(0, 4, sizeof(StainSprite), offsetof(StainSprite, place));
     instance_attribute(1, 4, sizeof(StainSprite), offsetof(StainSprite, colour));
-    instance_attribute(2, 1, sizeof(StainSprite), offsetof(StainSprite, shape));
+    instance_attribute(2, 2, sizeof(StainSprite), offsetof(StainSprite, shape));
 
     glBindVertexArray(flying_array_.id());
     glBindBuffer(GL_ARRAY_BUFFER, flying_instances_.id());
@@ -61,6 +78,11 @@ EffectsPass::EffectsPass()
     stain_.use();
     glUniform1f(stain_.uniform("wall_z"), Wall::kZ + kStainDepth);
     glUniform1f(stain_.uniform("light_radius"), Wall::kLightRadius);
+    glUniform1i(stain_.uniform("splats"), 0);
+    glUniform1f(stain_.uniform("reach"), SplatShapes::kReach);
+    glUniform1f(stain_.uniform("shapes"), static_cast<float>(SplatShapes::kShapes));
+    glUniform1f(stain_.uniform("edge"), SplatShapes::kEdge);
+    glUniform1f(stain_.uniform("most_slope"), SplatShapes::kMostSlope);
 }
 
 void EffectsPass::draw(std::span<const StainSprite> stains, std::span<const FlyingSprite> flying)
@@ -68,9 +90,14 @@ void EffectsPass::draw(std::span<const StainSprite> stains, std::span<const Flyi
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
+    // The wall is seen through a stain: the shader's second output says how much of each colour is left.
+    glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, splats_.id());
+    draw_sprites(stain_, stain_array_, stain_instances_, stains);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     // Colours come multiplied by their opacity: what glows has none, and adds up.
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_sprites(stain_, stain_array_, stain_instances_, stains);
     draw_sprites(flying_, flying_array_, flying_instances_, flying);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);

@@ -18,6 +18,7 @@ struct FlyingSprite
         juice,  ///< wet, lit, a little translucent
         spark,  ///< glows
         smoke,
+        mist,  ///< juice too fine to see its drops
     };
 
     glm::vec3 place{0.0f};    ///< world
@@ -36,7 +37,8 @@ struct StainSprite
     float run = 0.0f;        ///< how far the longest drip has run down, in sizes
     glm::vec3 colour{1.0f};  ///< linear
     float opacity = 1.0f;
-    float shape = 0.0f;  ///< 0 to 1
+    float shape = 0.0f;  ///< 0 to 1: which shape, turned which way
+    float wet = 1.0f;    ///< 1: it mirrors the lamp, 0: dry
 };
 
 /// Draws juice, sparks, smoke and stains over a picture right after SceneRenderer::draw(), with the FrameUniforms that
@@ -51,6 +53,7 @@ public:
 
 private:
     ShaderProgram stain_, flying_;
+    GlTexture splats_;
     GlBuffer stain_instances_, flying_instances_;
     GlVertexArray stain_array_, flying_array_;
 };

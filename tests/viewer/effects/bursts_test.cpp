@@ -57,6 +57,26 @@ TEST(Splash, LeavesFromTheSectionToBothSides)
     EXPECT_GT(down, 10);
 }
 
+TEST(Splash, IsDropsOfManySizesInALittleMist)
+{
+    Drops drops;
+    Stains stains;
+    add_splash(ball_cut(1), drops, stains);
+    float least = 1.0f, most = 0.0f;
+    std::size_t mist = 0;
+    for (const Drop& drop : drops.all()) {
+        if (drop.kind == effects::DropKind::mist) {
+            ++mist;
+            continue;
+        }
+        least = std::min(least, drop.size);
+        most = std::max(most, drop.size);
+    }
+    EXPECT_GT(most, 5.0f * least);
+    EXPECT_GT(mist, 0u);
+    EXPECT_LT(10 * mist, drops.all().size());
+}
+
 TEST(Splash, LeavesAStainBehindTheFruit)
 {
     Drops drops;

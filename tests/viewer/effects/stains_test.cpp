@@ -13,18 +13,22 @@ TEST(Stain, AppearsRunsDownAndDriesAway)
     EXPECT_EQ(stain.spread(), 0.0f);
     EXPECT_EQ(stain.run(), 0.0f);
     EXPECT_EQ(stain.opacity(), 1.0f);
-    float run = 0.0f, opacity = 1.0f;
+    EXPECT_EQ(stain.wetness(), 1.0f);
+    float run = 0.0f, opacity = 1.0f, wetness = 1.0f;
     for (int i = 1; i <= 60; ++i) {
         stain.age = 0.1f * static_cast<float>(i);
         EXPECT_EQ(stain.spread(), 1.0f);
         EXPECT_GE(stain.run(), run);
         EXPECT_LE(stain.opacity(), opacity);
+        EXPECT_LE(stain.wetness(), wetness);
+        wetness = stain.wetness();
         run = stain.run();
         opacity = stain.opacity();
     }
     EXPECT_GT(run, 0.3f);
     EXPECT_LT(run, 2.0f);
     EXPECT_LT(opacity, 1e-3f);
+    EXPECT_EQ(wetness, 0.0f);
 }
 
 TEST(Stains, AreGoneAfterTheirLife)

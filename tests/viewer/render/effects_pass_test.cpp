@@ -84,6 +84,31 @@ TEST_F(EffectsPassTest, AFadedStainIsNotSeen)
     EXPECT_EQ(changed_pixels(empty_picture(), picture_of({faded}, {})), 0u);
 }
 
+TEST_F(EffectsPassTest, TheWallIsSeenThroughAStain)
+{
+    const Picture before = empty_picture();
+    StainSprite thin = red_stain();
+    thin.opacity = 0.3f;
+    const Picture through = picture_of({thin}, {}), wet = picture_of({red_stain()}, {});
+    const auto green = [](const Picture& picture) { return int(picture.pixel(kWidth / 2, kHeight / 2)[1]); };
+    EXPECT_LT(green(through), green(before));
+    EXPECT_LT(green(wet), green(through));
+}
+
+TEST_F(EffectsPassTest, ADryStainDoesNotShine)
+{
+    StainSprite dry = red_stain();
+    dry.wet = 0.0f;
+    const auto brightest_green = [](const Picture& picture) {
+        int most = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+            if (picture.rgba[i] > 2 * picture.rgba[i + 1] || picture.rgba[i + 1] > 200)
+                most = std::max<int>(most, picture.rgba[i + 1]);
+        return most;
+    };
+    EXPECT_LT(brightest_green(picture_of({dry}, {})), brightest_green(picture_of({red_stain()}, {})));
+}
+
 TEST_F(EffectsPassTest, StainsOfDifferentShapeDiffer)
 {
     StainSprite other = red_stain();
@@ -94,7 +119,7 @@ TEST_F(EffectsPassTest, StainsOfDifferentShapeDiffer)
 TEST_F(EffectsPassTest, EveryKindIsSeenBeforeTheWallAndHiddenBehindIt)
 {
     const Picture before = empty_picture();
-    for (const auto kind : {FlyingSprite::juice, FlyingSprite::spark, FlyingSprite::smoke}) {
+    for (const auto kind : {FlyingSprite::juice, FlyingSprite::spark, FlyingSprite::smoke, FlyingSprite::mist}) {
         EXPECT_GT(changed_pixels(before, picture_of({}, {sprite(kind, 0.0f)})), 30u) << kind;
         EXPECT_EQ(changed_pixels(before, picture_of({}, {sprite(kind, -4.0f)})), 0u) << kind;
     }

@@ -3,6 +3,8 @@ in float opacity;
 flat in int kind;
 flat in vec3 base_colour;
 flat in float seed;
+flat in vec2 way;
+flat in float slimness;
 
 out vec4 colour;  // multiplied by its opacity
 
@@ -19,16 +21,28 @@ void main()
         float alpha = 0.6 * opacity * thick;
         vec3 light = base_colour * (0.6 + 0.5 * disc.y) * (frame.light_colour.rgb + frame.sky_colour.rgb);
         colour = vec4(alpha * toned(light), alpha);
+    } else if (kind == 3) {
+        float puff = noise(vec3(disc * 2.3, seed * 3.17));
+        float thin = (1.0 - square) * (1.0 - square) * mix(0.35, 1.0, puff);
+        float alpha = opacity * thin;
+        colour = vec4(alpha * toned(base_colour * (0.7 * frame.light_colour.rgb + frame.sky_colour.rgb)), alpha);
     } else {
-        vec3 n = vec3(disc, sqrt(1.0 - square));
+        // A drop: round at its head, drawn out to a thin tail.
+        float tail = mix(1.0, 0.16 + 0.84 * smoothstep(-1.0, 0.55, disc.x), slimness);
+        vec2 p = vec2(disc.x, disc.y / tail);
+        float r2 = dot(p, p);
+        if (r2 > 1.0) discard;
+        vec3 n = vec3(p.x * way + p.y * vec2(-way.y, way.x), sqrt(1.0 - r2));
         vec3 l = frame.to_light.xyz;
-        float lit = 0.45 + 0.55 * max(dot(n, l), 0.0);
-        // Light that goes through a drop leaves it on the far side.
-        float through = pow(max(dot(n.xy, -l.xy), 0.0), 2.0);
-        float shine = pow(max(dot(n, normalize(l + vec3(0.0, 0.0, 1.0))), 0.0), 40.0);
-        vec3 light = base_colour * (lit * frame.light_colour.rgb + frame.sky_colour.rgb);
-        light += base_colour * through * frame.light_colour.rgb + 1.8 * shine;
-        float alpha = opacity * smoothstep(1.0, 0.75, square) * 0.92;
-        colour = vec4(alpha * toned(light), alpha);
+        // Light from the lamp gathers on the far side of a drop; its rim shows what is darkest in the room.
+        float gathered = smoothstep(0.1, 0.8, dot(n.xy, -normalize(l.xy)));
+        float rim = smoothstep(0.35, 0.95, r2);
+        vec3 deep = base_colour * mix(base_colour, vec3(1.0), 0.35);
+        vec3 light = mix(base_colour, deep, 0.25 + 0.6 * rim) * (0.55 * frame.light_colour.rgb + frame.sky_colour.rgb);
+        light += base_colour * gathered * (1.0 - 0.5 * rim) * 0.8 * frame.light_colour.rgb;
+        float shine = pow(max(dot(n, normalize(l + vec3(0.0, 0.0, 1.0))), 0.0), 60.0);
+        float alpha = opacity * (1.0 - smoothstep(0.40, 1.0, r2)) * mix(0.62, 0.95, max(rim, gathered));
+        float bright = opacity * shine;
+        colour = vec4(alpha * toned(light) + 0.9 * bright, min(alpha + 0.6 * bright, 1.0));
     }
 }

@@ -1,65 +1,79 @@
 in vec2 from_middle;
 in vec2 on_wall;
 flat in vec4 base;
-flat in float shape;
+flat in float wet;
 flat in float run;
+flat in float layer;
+flat in vec2 turn;
+flat in float mirror;
+flat in vec4 drip_x;
+flat in vec4 drip_width;
+flat in vec4 drip_length;
 
+uniform sampler2DArray splats;
+uniform float reach;
+uniform float edge;         // the height at which juice begins
+uniform float most_slope;
 uniform float light_radius;
 
-out vec4 colour;  // multiplied by its opacity
+// The wall's light goes through the juice twice: it is multiplied, and what the juice itself sends is added.
+layout(location = 0, index = 0) out vec4 added;
+layout(location = 0, index = 1) out vec4 left;
 
-// A blob's thickness: 1 in its middle, 0 from its edge on.
-float blob(vec2 p, float radius)
+// Drips run down from the thick middle; their heads are drops. The same kernels as the splat shapes.
+float drips(vec2 p)
 {
-    return smoothstep(1.0, 0.55, length(p) / radius);
-}
-
-// Where juice lies, 0 to 1: a body with fingers, droplets that were thrown out, drips that run down.
-float thickness(vec2 p)
-{
-    float seed = 91.7 * shape;
-    float angle = atan(p.y, p.x);
-    vec2 turn = vec2(cos(angle), sin(angle));
-    float fingers = noise(vec3(2.6 * turn, seed));
-    float fine = noise(vec3(7.0 * turn, seed + 5.0));
-    float edge = 0.42 + 0.42 * fingers * fingers + 0.30 * smoothstep(0.55, 0.95, fine);
-    float t = smoothstep(edge, edge - 0.16, length(p));
-    for (int i = 0; i < 9; ++i) {
-        vec3 dice = vec3(float(i) * 3.7, seed, 1.5);
-        float where = 6.2832 * noise(dice * 1.7 + 0.5);
-        float far = 0.75 + 0.85 * noise(dice + 11.0);
-        float radius = 0.035 + 0.10 * noise(dice + 23.0) * noise(dice + 31.0);
-        t = max(t, blob(p - far * vec2(cos(where), sin(where)), radius));
-    }
-    for (int i = 0; i < 4; ++i) {
-        vec3 dice = vec3(float(i) * 5.3, seed, 7.5);
-        float x = mix(-0.42, 0.42, (float(i) + noise(dice)) / 4.0);
-        float far = run * (0.25 + 0.75 * noise(dice + 3.0));
-        float top = -0.15, bottom = -0.4 - far;
-        float down = clamp((top - p.y) / (top - bottom), 0.0, 1.0);
-        float width = mix(0.075, 0.035, down) * (0.7 + 0.6 * noise(dice + 17.0));
-        float wobble = 0.03 * (noise(vec3(p.y * 3.0, dice.xy)) - 0.5);
-        float body = p.y < top && p.y > bottom ? smoothstep(1.0, 0.5, abs(p.x - x - wobble) / width) : 0.0;
-        float tip = blob(p - vec2(x + wobble, bottom), 1.35 * width);
-        t = max(t, max(0.8 * body, tip));
-    }
-    return t;
+    vec4 bottom = -0.22 - drip_length * run;
+    vec4 top = vec4(-0.10);
+    vec4 down = clamp((top - p.y) / (top - bottom), 0.0, 1.0);
+    vec4 wander = 0.012 * sin(9.0 * p.y + 40.0 * drip_x);
+    vec4 dx = p.x - drip_x - wander;
+    vec4 beyond = p.y - clamp(vec4(p.y), bottom, top);
+    vec4 width = drip_width * mix(vec4(2.4), vec4(1.35), down);
+    vec4 trail = max(1.0 - (dx * dx + beyond * beyond) / (width * width), 0.0);
+    vec4 dy = (p.y - bottom) * mix(vec4(1.0), vec4(0.55), step(bottom, vec4(p.y)));
+    vec4 head_size = 2.5 * drip_width;
+    vec4 head = max(1.0 - (dx * dx + dy * dy) / (head_size * head_size), 0.0);
+    return dot(0.5 * trail * trail + 0.7 * head * head, vec4(1.0));
 }
 
 void main()
 {
-    float t = thickness(from_middle);
-    // Seen from above thick juice bulges: its rim catches the light of the lamp.
-    vec2 slope = vec2(dFdx(t), dFdy(t)) / max(fwidth(from_middle.x), 1e-5);
-    if (t <= 0.004 || base.a <= 0.0) discard;
-    vec3 n = normalize(vec3(-0.10 * slope, 1.0));
+    vec2 p = from_middle;
+    vec2 q = vec2(dot(p, turn), dot(p, vec2(-turn.y, turn.x)) * mirror);
+    vec3 splat = texture(splats, vec3(0.5 + 0.5 * q / reach, layer)).xyz;
+    float running = drips(p);
+    float height = min(splat.x + running, 1.0);
+    vec2 slope = (splat.yz - 128.0 / 255.0) * 2.0 * most_slope * vec2(1.0, mirror);
+    slope = vec2(dot(slope, vec2(turn.x, -turn.y)), dot(slope, turn.yx));
+    vec2 texel = vec2(dFdx(p.x), dFdy(p.y));
+    slope += vec2(dFdx(running) / texel.x, dFdy(running) / texel.y);
+
+    // Edges are a pixel soft, and a little more.
+    float soft = max(0.75 * fwidth(height), 0.03);
+    float covered = smoothstep(edge - soft, edge + soft, height);
+    if (covered <= 0.0 || base.a <= 0.0) discard;
+    float thick = clamp((height - edge) / (1.0 - edge), 0.0, 1.0);
+    // Juice dries from the edge, where its colour gathers.
+    float rim = exp(-9.0 * thick);
+    float density = base.a * covered * (mix(0.55, 1.35, thick) + mix(0.15, 0.75, 1.0 - wet) * rim);
+
+    vec3 absorbed = -log(clamp(base.rgb, 0.03, 0.97));
+    left = vec4(exp(-0.62 * density * absorbed), 1.0);
+
     float from_lamp = length((on_wall - vec2(-0.12, 0.16) * light_radius) / light_radius);
     float pool = 0.24 + 0.76 * exp(-1.05 * from_lamp * from_lamp);
+    vec3 n = normalize(vec3(-0.16 * slope, 1.0));
     vec3 l = frame.to_light.xyz;
-    float shine = pow(max(dot(n, normalize(l + vec3(0.0, 0.0, 1.0))), 0.0), 24.0);
-    vec3 body = base.rgb * mix(0.9, 0.5, t);
-    vec3 light = pool * (body * (0.55 * frame.light_colour.rgb * max(dot(n, l), 0.0) + 0.6 * frame.sky_colour.rgb));
-    light += pool * base.a * 0.22 * shine * t * (1.0 - t) * 4.0;
-    float alpha = base.a * smoothstep(0.0, 0.25, t) * mix(0.72, 0.88, t);
-    colour = vec4(alpha * toned(light), alpha);
+    float lamp = pool;
+    vec3 arriving = lamp * l.z * frame.light_colour.rgb + pool * frame.sky_colour.rgb;
+    // Pulp sends light back; where juice is thicker the colour is deeper.
+    vec3 pulp = base.rgb * mix(vec3(1.0), base.rgb, 0.45 * thick + 0.35 * rim);
+    vec3 light = 0.40 * (1.0 - exp(-1.5 * density)) * pulp * arriving;
+    // While it is wet the lamp and the ceiling are mirrored in its curved edges.
+    float shine = pow(max(dot(n, normalize(l + vec3(0.0, 0.0, 1.0))), 0.0), 110.0);
+    float ceiling = smoothstep(0.10, 0.55, n.y) * 0.10;
+    float gloss = wet * base.a * covered * smoothstep(0.0, 0.12, thick);
+    light += gloss * (0.55 * lamp * shine * frame.light_colour.rgb + pool * ceiling * frame.sky_colour.rgb);
+    added = vec4(toned(light), 0.0);
 }
