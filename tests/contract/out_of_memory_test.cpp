@@ -274,7 +274,8 @@ TEST_P(OutOfMemoryOf, WhileCuttingChangesNothing)
     for (const std::string& name : shapes_to_try()) {
         const IndexedMesh& mesh = test::closed_shape(name);
         if (is_slow() && mesh.triangles.size() > kSlowTriangles) continue;
-        const auto make = [&] { return Subject{backend_->prepare(mesh).object, nullptr}; };
+        const auto whole = backend_->prepare(mesh).object;
+        const auto make = [&] { return Subject{whole->clone(), nullptr}; };
         for (const NamedPlane& plane : test::planes_for(mesh, 1, 11)) {
             SCOPED_TRACE(name + ", " + plane.name);
             const Cut first{plane.plane, in_pieces()};
