@@ -64,6 +64,7 @@ TEST_P(Scale, ByPowersOfTwoGivesTheSameTrianglesAtOtherPlaces)
                 ASSERT_EQ(result.status, expected.status);
                 ASSERT_EQ(result.statistics.crossing_triangles, expected.statistics.crossing_triangles);
                 ASSERT_EQ(result.statistics.section_loops, expected.statistics.section_loops);
+                ASSERT_EQ(result.section_area, expected.section_area * double(factor) * double(factor));
                 for (const auto& [a, b] :
                      {std::pair{&expected.positive, &result.positive}, {&expected.negative, &result.negative}}) {
                     ASSERT_EQ(a->size(), b->size());
@@ -72,8 +73,10 @@ TEST_P(Scale, ByPowersOfTwoGivesTheSameTrianglesAtOtherPlaces)
                         ASSERT_EQ(p.triangles, q.triangles);
                         ASSERT_EQ(p.points, q.points);
                         ASSERT_EQ(p.sources, q.sources);
-                        for (std::size_t v = 0; v < p.vertices.size(); ++v)
+                        for (std::size_t v = 0; v < p.vertices.size(); ++v) {
                             ASSERT_EQ(p.vertices[v].position * factor, q.vertices[v].position);
+                            ASSERT_EQ(p.vertices[v].normal, q.vertices[v].normal);
+                        }
                     }
                 }
             }
