@@ -85,6 +85,7 @@ private:
         CutResult result;
         result.status = slices.status;
         result.section_area = slices.section_area;
+        result.caps_exceed_section = slices.caps_exceed_section;
         result.statistics = slices.statistics;
         if (slices.status == Status::missed) return result;
 

@@ -14,6 +14,23 @@ glm::vec3 section_centre(const Section& section)
     return centre + 0.0f;  // -0 does not occur in a mesh
 }
 
+FanFacts measure_fan(const Section& section, std::span<const SectionPath> paths, const glm::vec3& centre,
+                     const Plane& plane)
+{
+    FanFacts facts;
+    const glm::dvec3 apex(centre);
+    for (const SectionPath& path : paths) {
+        if (!path.closed) continue;
+        for (const std::uint32_t e : path.edges) {
+            const glm::dvec3 a(section.points[section.edges[e].from].position),
+                b(section.points[section.edges[e].to].position);
+            facts.excess -= std::min(0.0, glm::dot(plane.normal, glm::cross(a - apex, b - apex)));
+            facts.rim += glm::distance(a, b);
+        }
+    }
+    return facts;
+}
+
 namespace {
 
 bool has_point_at(const Section& section, const SectionPath& path, const glm::vec3& position)

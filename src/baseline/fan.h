@@ -12,6 +12,17 @@ namespace kerf::baseline {
 /// The mean of the section's points: where the report puts the centre of its fan.
 glm::vec3 section_centre(const Section& section);
 
+/// What a fan over the closed paths of a section covers too much.
+struct FanFacts
+{
+    double excess = 0.0;  ///< area of the triangles that are turned over, twice; mesh units squared
+    double rim = 0.0;     ///< length of the paths, mesh units
+};
+
+/// O(k).
+FanFacts measure_fan(const Section& section, std::span<const SectionPath> paths, const glm::vec3& centre,
+                     const Plane& plane);
+
 /// Closes one side with the report's fan (section 3.2.3): a triangle from the section's centre to each edge of each
 /// closed path, with vertices of their own whose normal is the plane's, flipped for the positive side, and planar uv.
 /// Each path gets its own copy of the centre, so that paths that bound different pieces share nothing. Where the centre

@@ -279,6 +279,10 @@ private:
         const std::uint32_t material = material_of_caps();
         const glm::vec3 centre = section_centre(section_);
         const double step = whole_.noise / kNoiseInUnits;
+        if (options_.build_caps) {
+            const FanFacts fan = measure_fan(section_, paths, centre, plane_);
+            slices_.caps_exceed_section = caps_exceed_section(fan.excess, slices_.section_area, fan.rim, step);
+        }
         if (!options_.split_components) {
             if (options_.build_caps)
                 for (SideBuilder& b : builders_)

@@ -15,6 +15,7 @@ struct Slices
     Status status = Status::missed;  ///< cut, open_section or missed
     std::vector<Fragment> positive, negative;
     double section_area = 0.0;
+    bool caps_exceed_section = false;
     CutStatistics statistics;
 };
 

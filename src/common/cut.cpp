@@ -1,6 +1,7 @@
 #include "common/cut.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -87,6 +88,11 @@ std::uint32_t add_cap_material(std::vector<Material>& materials)
 double PhaseTimes::total() const
 {
     return std::accumulate(ms.begin(), ms.end(), 0.0);
+}
+
+bool caps_exceed_section(double excess, double section_area, double section_length, double unit)
+{
+    return excess > std::max(kCapAgreement * std::abs(section_area), unit * section_length);
 }
 
 CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options)

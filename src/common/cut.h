@@ -65,9 +65,10 @@ struct CutStatistics
     std::uint64_t triangles = 0;           ///< of the object before the cut
     std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
     std::uint64_t crossing_surface = 0;    ///< those of them that are no caps: the same number for every back end
-    std::uint64_t section_loops = 0;       ///< closed loops of the section
-    std::uint64_t open_chains = 0;         ///< section polylines that end at the boundary of an open mesh
-    std::uint64_t nodes_visited = 0;       ///< tree nodes looked at
+    std::uint64_t section_loops = 0;  ///< closed loops of the section; where several edges of it leave one point, back
+                                      ///< ends may divide it into loops in different ways
+    std::uint64_t open_chains = 0;    ///< section polylines that end at the boundary of an open mesh
+    std::uint64_t nodes_visited = 0;  ///< tree nodes looked at
     std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
     std::uint64_t vertex_comparisons = 0;  ///< baseline: vertices compared while looking for duplicates
     std::uint64_t bytes_to_upload = 0;     ///< vertex and index bytes that the GPU does not have yet, both sides
@@ -187,8 +188,24 @@ struct CutResult
     std::vector<std::unique_ptr<Cuttable>> positive;  ///< fragments with signed_distance >= 0
     std::vector<std::unique_ptr<Cuttable>> negative;  ///< fragments with signed_distance < 0
     double section_area = 0.0;  ///< signed sum of the closed loops' areas, mesh units squared: what caps should cover
+    /// A warning, see caps_exceed_section(): caps are closed and have the section's signed area, but some triangles are
+    /// turned over and others lie on them. So where a section winds around something backwards (the surface runs
+    /// through itself inside out, or is open), where it crosses itself too often to be untangled, and the baseline's
+    /// fan where the section is not star-shaped. Never without caps.
+    bool caps_exceed_section = false;
     CutStatistics statistics;
 };
+
+/// Caps cover their section to this share of its area: what rounding cut points to float costs.
+inline constexpr double kCapAgreement = 1e-6;
+
+/// Whether caps cover so much more than their section that it is not rounding: more than kCapAgreement of it, and more
+/// than a unit in the last place along its outline.
+///
+/// @param excess          area of all cap triangles, each counted positive, less `section_area`; mesh units squared
+/// @param section_length  of the closed loops, mesh units
+/// @param unit            in the last place of the largest coordinate, mesh units
+bool caps_exceed_section(double excess, double section_area, double section_length, double unit);
 
 /// Cuts an object and consumes it; it comes back in `CutResult::object` when it was not cut. Never throws: running out
 /// of memory is a status. Same object, same plane, same bytes, on any number of runs.

@@ -18,6 +18,7 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
     axis_u_ = (dropped + 1) % 3;
     axis_v_ = (dropped + 2) % 3;
     if (plane.normal[dropped] < 0.0) std::swap(axis_u_, axis_v_);
+    excess_ = 0.0;
 
     std::vector<std::size_t> closed;
     for (std::size_t i = 0; i < scratch.loops.size(); ++i)
@@ -30,6 +31,7 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
         for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_group == group;) ++last;
         close_group({closed.data() + first, last - first}, group, scratch);
     }
+    excess_ /= size[dropped];
 }
 
 void CapPlanner::clear_outline()
@@ -127,15 +129,36 @@ void CapPlanner::close_outline(CutScratch& scratch)
 {
     if (starts_.empty()) return;
     starts_.push_back(static_cast<Index>(points_.size()));
-    const CapOutline outline{points_, positions_, starts_};
-    std::any_of(ways_.begin(), ways_.end(), [&](const auto& way) { return way->triangulate(outline, mesh_); });
+    const CapOutline outline{points_, positions_, starts_, axis_u_, axis_v_};
+    const auto way =
+        std::find_if(ways_.begin(), ways_.end(), [&](const auto& each) { return each->triangulate(outline, mesh_); });
     take_over(scratch);
+    // The first two turn no triangle over.
+    if (way - ways_.begin() >= 2) excess_ += 2.0 * turned_area(scratch);
+}
+
+double CapPlanner::turned_area(const CutScratch& scratch) const
+{
+    double twice = 0.0;
+    for (const CapTriangle& t : mesh_.triangles) {
+        const auto place = [&](std::size_t i) { return projected(scratch.loop_points[global_[t.corner[i]]]); };
+        const glm::dvec2 p = place(1) - place(0), q = place(2) - place(0);
+        twice -= std::min(0.0, p.x * q.y - p.y * q.x);
+    }
+    return 0.5 * twice;
 }
 
 void CapPlanner::take_over(CutScratch& scratch)
 {
     const Index offset = 3 * static_cast<Index>(scratch.caps.size());
     const std::size_t first = scratch.caps.size();
+    for (const CrossingPoint& crossing : mesh_.crossing_points) {
+        global_.push_back(static_cast<Index>(scratch.loop_points.size()));
+        scratch.loop_points.push_back(crossing.position);
+        const SeamIndex seam = scratch.loop_seams[global_[crossing.seam]];
+        scratch.loop_seams.push_back(seam);
+        scratch.share_point(global_.back());
+    }
     for (const CapTriangle& t : mesh_.triangles)
         scratch.caps.push_back(
             {{global_[t.corner[0]], global_[t.corner[1]], global_[t.corner[2]]}, {kNone, kNone, kNone}});
@@ -192,6 +215,18 @@ double section_area(const Plane& plane, const CutScratch& scratch)
         area += 0.5 * glm::dot(sum, plane.normal);
     }
     return area;
+}
+
+double section_length(const CutScratch& scratch)
+{
+    double length = 0.0;
+    for (const Loop& loop : scratch.loops) {
+        if (!loop.closed) continue;
+        const glm::vec3* p = &scratch.loop_points[loop.first];
+        for (std::size_t i = 0; i < loop.count; ++i)
+            length += glm::distance(glm::dvec3(p[i]), glm::dvec3(p[i + 1 < loop.count ? i + 1 : 0]));
+    }
+    return length;
 }
 
 }  // namespace kerf::halfedge

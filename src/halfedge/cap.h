@@ -11,9 +11,14 @@ class CapPlanner
 public:
     CapPlanner();
 
-    /// Fills `caps`, `group_caps`, `cap_order` and, where seams cancel, `cancelled` from the closed loops in `scratch`.
-    /// O(k) for one convex loop, otherwise O(k log k). May throw std::bad_alloc.
+    /// Fills `caps`, `group_caps`, `cap_order` and, where seams cancel, `cancelled` from the closed loops in `scratch`;
+    /// where loops cross, points are appended to `loop_points`. O(k) for one convex loop, otherwise O(k log k). May
+    /// throw std::bad_alloc.
     void plan(const Plane& plane, CutScratch& scratch);
+
+    /// By how much the caps of the last plan(), each triangle counted positive, have more area than the section; mesh
+    /// units squared. 0 but where the outline winds backwards or could not be untangled, and for rounding.
+    double excess() const { return excess_; }
 
 private:
     void close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch);
@@ -28,6 +33,8 @@ private:
     void close_outline(CutScratch& scratch);
     /// Appends `mesh_` to the caps.
     void take_over(CutScratch& scratch);
+    /// Area of the triangles in `mesh_` that are turned over, in the projection.
+    double turned_area(const CutScratch& scratch) const;
     /// Joins two edges: of cap triangles, or seams.
     static void connect(Index a, Index b, CutScratch& scratch);
     void order_spatially(const GroupCap& cap, CutScratch& scratch);
@@ -43,10 +50,14 @@ private:
     std::vector<Index> edge_;    ///< what leaves each local point: kSeamLink + point, or an edge of a cap triangle
     Box2 box_;                   ///< of the group's points
     CapMesh mesh_;
+    double excess_ = 0.0;
     std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;
 };
 
 /// Signed area of the closed loops, mesh units squared: positive where they run counter-clockwise around the normal.
 double section_area(const Plane& plane, const CutScratch& scratch);
+
+/// Length of the closed loops, mesh units. O(k).
+double section_length(const CutScratch& scratch);
 
 }  // namespace kerf::halfedge

@@ -17,14 +17,24 @@ struct CapOutline
     std::span<const glm::dvec2> points;
     std::span<const glm::vec3> positions;  ///< the same points in space: those that are one point are equal there too
     std::span<const Index> loop_starts;    ///< first point of each loop, and the number of points at the end
+    int axis_u = 0, axis_v = 1;            ///< which coordinates in space those in the projection are
 
     Index successor(Index i, Index loop) const { return i + 1 == loop_starts[loop + 1] ? loop_starts[loop] : i + 1; }
+};
+
+/// A point in the plane where edges of an outline cross: no point of the surface, but a corner of cap triangles.
+struct CrossingPoint
+{
+    glm::vec3 position;
+    Index seam;  ///< of one of the edges
 };
 
 /// Triangles over an outline. Corners are points of it, links are as in CapTriangle, by local numbers.
 struct CapMesh
 {
     std::vector<CapTriangle> triangles;
+    /// Numbered as corners behind the points of the outline.
+    std::vector<CrossingPoint> crossing_points;
     /// Seams that run forth and back over the same edge with no cap between them.
     std::vector<std::array<Index, 2>> cancelled;
     /// Points of which corners are named for another one at the same position, or that have corners which don't hang
@@ -34,13 +44,14 @@ struct CapMesh
     void clear()
     {
         triangles.clear();
+        crossing_points.clear();
         cancelled.clear();
         shared_points.clear();
     }
 };
 
-/// A way to close sections. It covers the section as often as the loops wind around it, uses all points and adds none.
-/// Every seam is linked by exactly one triangle, or cancelled.
+/// A way to close sections. It covers the section as often as the loops wind around it, uses all points and adds none
+/// but crossing points. Every seam is linked by exactly one triangle, or cancelled.
 class CapTriangulator
 {
 public:
@@ -62,10 +73,10 @@ std::unique_ptr<CapTriangulator> make_clipping_triangulator();
 /// flooding from outside (CGAL). Refuses outlines that cross or touch themselves inside an edge. O(k log k).
 std::unique_ptr<CapTriangulator> make_constrained_triangulator();
 
-/// Outlines that touch or cross themselves, by rounding or in earnest: an edge that meets a point, or crosses an edge
-/// beside it, is led over that point by a triangle with (almost) no area; then as the constrained triangulator. Covers
-/// what the outline winds around up to these triangles. Refuses outlines that cross themselves all over.
-/// O(k log k + meetings).
+/// Outlines that touch or cross themselves: an edge that meets a point, or crosses an edge beside it, is led over that
+/// point by a triangle with (almost) no area; where edges cross in earnest, farther than rounding from their ends, both
+/// are led over a new point. Then as the constrained triangulator. Covers what the outline winds around up to these
+/// triangles. Refuses outlines that cross themselves all over. O((k + meetings) log k).
 std::unique_ptr<CapTriangulator> make_untangling_triangulator();
 
 /// Any outline at all: each loop is halved by its order alone, wherever its points lie. Triangles may overlap and be

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -12,7 +13,12 @@
 // triangle without (much) area is put on it, and its two other edges take its place in the outline. What is left has no
 // point inside an edge and no crossings. The idea is that of snap
 // rounding (Hobby 1999, "Practical segment intersection with finite precision output"), with the outline's own points
-// in the place of pixels: no tolerance is needed, because only edges that do meet are touched, and no point is added.
+// in the place of pixels: only edges that do meet are touched, and no point is added.
+//
+// Where a surface runs through itself edges cross far from all points, and a triangle over one of those would cover
+// what it should not. There a point is added where they cross, and both edges are led over it: the seam keeps its
+// edges, the triangles on them have no more area than rounding that point gives them, and what lies behind them is free
+// of crossings.
 //
 // A loop that comes back to a point falls apart there. If all parts run counter-clockwise each is covered on its own,
 // which is quick; holes need the constrained triangulation.
@@ -26,9 +32,10 @@ constexpr int kMostRounds = 32;
 /// What parts may cover that run clockwise, as a share of all others: such a part is no hole but a loop that rounding
 /// has turned over, and turning its cover over as well costs less than anyone asks for.
 constexpr double kTurnedShare = 1e-8;
-/// Work that an outline of n points may cost before it is given up, per round and in all: a section with so many
-/// meetings crosses itself in earnest.
+/// Work that an outline of n points may cost before it is given up, per round and in all.
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
+/// Edges that crossings may make in all, over those: some tens of milliseconds.
+constexpr std::size_t kMostCrossed = 32768;
 
 /// Twice the signed area; the sign is right, see cap_halving.cpp.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -45,14 +52,14 @@ public:
         start(outline);
         for (int round = 0; round < kMostRounds; ++round) {
             // Many edges side by side are no reason to give up as long as none has been seen to meet another.
-            if (!find_meetings()) return round == 0 && cover_with(*constrained_, outline, cap);
-            if (edges_.size() > kMostEdges * outline.points.size() + kSmallOutline) return false;
+            if (!find_meetings()) return round == 0 && cover_with(*constrained_, cap);
+            if (edges_.size() > kMostEdges * outline.points.size() + kMostCrossed) return false;
             if (!leads_.empty()) {
                 lead_over(cap);
                 continue;
             }
-            name_shared_points(cap);
-            return cover_parts(outline, cap) || cover_with(*constrained_, outline, cap);
+            name_points(cap);
+            return cover_parts(cap) || cover_with(*constrained_, cap);
         }
         return false;
     }
@@ -81,6 +88,13 @@ private:
     void start(const CapOutline& outline)
     {
         const std::size_t n = outline.points.size();
+        outline_ = outline;
+        crossings_.clear();
+        point_at_.clear();
+        float largest_coordinate = 0.0f;
+        for (const glm::vec3& p : outline.positions)
+            for (int axis = 0; axis < 3; ++axis) largest_coordinate = std::max(largest_coordinate, std::abs(p[axis]));
+        noise_ = plane_noise(largest_coordinate);
         places_.assign(outline.points.begin(), outline.points.end());
         order_.resize(n);
         for (Index i = 0; i < n; ++i) order_[i] = i;
@@ -169,8 +183,42 @@ private:
             {std::abs(a_of_f) / f_length, {f, a}},
             {std::abs(b_of_f) / f_length, {f, b}},
         }};
-        const auto& [edge, point] = std::min_element(ends.begin(), ends.end())->second;
-        lead(edge, point);
+        const auto& nearest = *std::min_element(ends.begin(), ends.end());
+        const auto& [edge, point] = nearest.second;
+        if (nearest.first <= noise_) {
+            lead(edge, point);
+        } else {
+            const Index crossing = crossing_point(e, a_of_f / (a_of_f - b_of_f));
+            for (const Index crossed : {e, f}) lead(crossed, crossing);
+        }
+    }
+
+    /// The point in `edge`, at that share of its length: one that is there already, or a new one. It is farther from
+    /// all ends than rounding moves it.
+    Index crossing_point(Index edge, double share)
+    {
+        const auto [from, to, link] = edges_[edge];
+        const glm::dvec3 a(position(from)), b(position(to));
+        const glm::vec3 p = glm::vec3(a + share * (b - a)) + 0.0f;  // -0 does not occur in a mesh
+        const glm::dvec2 place(p[outline_.axis_u], p[outline_.axis_v]);
+        const auto key = [](const glm::dvec2& q) { return std::array{q.x, q.y}; };
+        if (point_at_.empty())
+            for (const Index i : order_) point_at_.try_emplace(key(outline_.points[i]), first_at_[i]);
+        const Index added = static_cast<Index>(places_.size());
+        const auto [entry, is_new] = point_at_.try_emplace(key(place), added);
+        if (is_new) {
+            const std::size_t n = outline_.points.size();
+            crossings_.push_back({p, from < n ? from : crossings_[from - n].seam});
+            places_.push_back(place);
+            first_at_.push_back(added);
+        }
+        return entry->second;
+    }
+
+    const glm::vec3& position(Index point) const
+    {
+        const std::size_t n = outline_.positions.size();
+        return point < n ? outline_.positions[point] : crossings_[point - n].position;
     }
 
     /// Of a point on the line of an edge: whether it lies between its ends.
@@ -198,23 +246,45 @@ private:
         for (Index e = 0; e < edges_.size(); ++e) {
             // No loop is empty.
             if (starts_[loop] == e) starts_[loop++] = static_cast<Index>(next_edges_.size());
-            Edge rest = edges_[e];
-            for (; next != leads_.end() && next->edge == e; ++next) {
-                const Index t = static_cast<Index>(cap.triangles.size());
-                cap.triangles.push_back({{rest.from, rest.to, next->point}, {kNone, kNone, kNone}});
-                connect(3 * t, rest.link, cap);
-                next_edges_.push_back({rest.from, next->point, 3 * t + 2});
-                rest.from = next->point;
-                rest.link = 3 * t + 1;
-            }
-            next_edges_.push_back(rest);
+            route_.assign(1, edges_[e].from);
+            for (; next != leads_.end() && next->edge == e; ++next) route_.push_back(next->point);
+            route_.push_back(edges_[e].to);
+            lead_along_route(edges_[e].link, cap);
         }
         starts_.back() = static_cast<Index>(next_edges_.size());
         edges_.swap(next_edges_);
     }
 
-    void name_shared_points(CapMesh& cap)
+    /// Fills what lies between an edge and the points of `route_` with triangles, by halving it: they are as short as
+    /// can be, and so have as little area as can be.
+    void lead_along_route(Index link, CapMesh& cap)
     {
+        struct Span
+        {
+            std::size_t first, last;
+            Index link;
+        };
+        std::vector<Span> spans{{0, route_.size() - 1, link}};
+        while (!spans.empty()) {
+            const auto [first, last, edge] = spans.back();
+            spans.pop_back();
+            if (last == first + 1) {
+                next_edges_.push_back({route_[first], route_[last], edge});
+                continue;
+            }
+            const std::size_t middle = first + (last - first) / 2;
+            const Index t = static_cast<Index>(cap.triangles.size());
+            cap.triangles.push_back({{route_[first], route_[last], route_[middle]}, {kNone, kNone, kNone}});
+            connect(3 * t, edge, cap);
+            // The first half is taken from the stack first.
+            spans.push_back({middle, last, 3 * t + 1});
+            spans.push_back({first, middle, 3 * t + 2});
+        }
+    }
+
+    void name_points(CapMesh& cap)
+    {
+        cap.crossing_points = crossings_;
         visits_.assign(places_.size(), 0);
         for (const Edge& e : edges_) ++visits_[e.from];
         for (Index i = 0; i < places_.size(); ++i)
@@ -223,9 +293,9 @@ private:
 
     /// Covers each part of the outline on its own. False, and nothing is covered, when one of them is a hole or too
     /// difficult.
-    bool cover_parts(const CapOutline& outline, CapMesh& cap)
+    bool cover_parts(CapMesh& cap)
     {
-        split_into_parts(outline);
+        split_into_parts();
         double upright = 0.0, turned = 0.0;
         for (std::size_t part = 0; part + 1 < part_starts_.size(); ++part) {
             const double area = area_of_part(part);
@@ -237,7 +307,7 @@ private:
             const std::span<const Edge> edges(parts_.data() + part_starts_[part],
                                               part_starts_[part + 1] - part_starts_[part]);
             const std::array<Index, 2> ends{0, static_cast<Index>(edges.size())};
-            set_points(edges, outline);
+            set_points(edges);
             // A mirrored loop runs the other way round, and the cover's edges run as the loop's all the same.
             if (area_of_part(part) < 0.0)
                 for (glm::dvec2& p : points_) std::swap(p.x, p.y);
@@ -255,12 +325,12 @@ private:
 
     /// Fills `parts_` with the loops that the outline falls into where it comes back to a point, and `folds_` with the
     /// edges that run forth and straight back.
-    void split_into_parts(const CapOutline& outline)
+    void split_into_parts()
     {
         parts_.clear();
         part_starts_.assign(1, 0);
         folds_.clear();
-        on_path_.assign(outline.points.size(), kNone);
+        on_path_.assign(places_.size(), kNone);
         for (std::size_t loop = 0; loop + 1 < starts_.size(); ++loop) {
             path_.clear();
             for (Index e = starts_[loop]; e < starts_[loop + 1]; ++e) {
@@ -292,21 +362,21 @@ private:
         return 0.5 * twice;
     }
 
-    bool cover_with(CapTriangulator& way, const CapOutline& outline, CapMesh& cap)
+    bool cover_with(CapTriangulator& way, CapMesh& cap)
     {
-        set_points(edges_, outline);
+        set_points(edges_);
         if (!way.triangulate({points_, positions_, starts_}, inner_)) return false;
         take_over(edges_, cap);
         return true;
     }
 
-    void set_points(std::span<const Edge> edges, const CapOutline& outline)
+    void set_points(std::span<const Edge> edges)
     {
         points_.clear();
         positions_.clear();
         for (const Edge& e : edges) {
             points_.push_back(places_[e.from]);
-            positions_.push_back(outline.positions[e.from]);
+            positions_.push_back(position(e.from));
         }
     }
 
@@ -338,12 +408,17 @@ private:
 
     std::unique_ptr<CapTriangulator> convex_ = make_convex_triangulator(), clipping_ = make_clipping_triangulator(),
                                      constrained_ = make_constrained_triangulator();
-    std::vector<glm::dvec2> places_;  ///< of the points; no two positions at one place
-    std::vector<Index> first_at_;     ///< the first point at the position of each
+    CapOutline outline_;
+    double noise_ = 0.0;                               ///< what rounding can do to points, mesh units
+    std::vector<CrossingPoint> crossings_;             ///< numbered behind the points of the outline
+    std::map<std::array<double, 2>, Index> point_at_;  ///< by place; filled when edges cross in earnest
+    std::vector<glm::dvec2> places_;                   ///< of the points; no two positions at one place
+    std::vector<Index> first_at_;                      ///< the first point at the position of each
     std::vector<Index> order_;
     std::vector<Edge> edges_, next_edges_;  ///< loop by loop
     std::vector<Index> starts_;             ///< first edge of each loop, and their number at the end
     std::vector<Lead> leads_;
+    std::vector<Index> route_;  ///< the points of an edge that is led over some
     RunBoxes boxes_;
     std::vector<Edge> path_, parts_;
     std::vector<Index> part_starts_, on_path_, visits_;

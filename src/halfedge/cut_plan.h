@@ -230,6 +230,8 @@ struct CutScratch
     /// vertices by going around them; anywhere else a cut point is one vertex on each side.
     std::vector<std::uint8_t> shared_cut;
     bool any_shared = false;  ///< some point of the outline is shared
+    /// Loop by loop, and behind them, once caps are planned, the points where loops cross: those are points of caps
+    /// alone, each with a seam near by.
     std::vector<Index> loop_seams;
     std::vector<glm::vec3> loop_points;
     std::vector<Loop> loops;

@@ -86,7 +86,12 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     }
     group_loops(s);
     clock.done(Phase::components);
-    if (options.build_caps) s.cap_planner->plan(plane, s);
+    if (options.build_caps) {
+        s.cap_planner->plan(plane, s);
+        if (const double excess = s.cap_planner->excess(); excess > 0.0)
+            result.caps_exceed_section =
+                caps_exceed_section(excess, result.section_area, section_length(s), u.noise / kNoiseInUnits);
+    }
     clock.done(Phase::cap);
     hand_out_caps(s);
     if (options.split_components) divide_bundles(s);

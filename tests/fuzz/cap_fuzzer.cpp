@@ -75,6 +75,13 @@ double cross(const glm::dvec2& a, const glm::dvec2& b)
     return a.x * b.y - a.y * b.x;
 }
 
+/// Where a corner lies: a point of the outline, or where edges of it cross.
+glm::dvec2 place_of(const Outline& outline, const CapMesh& cap, Index corner)
+{
+    const std::size_t n = outline.points.size();
+    return corner < n ? outline.points[corner] : glm::dvec2(cap.crossing_points[corner - n].position);
+}
+
 struct Areas
 {
     double loops = 0, cap = 0, absolute = 0;
@@ -85,7 +92,7 @@ Areas areas_of(const Outline& outline, const CapMesh& cap)
 {
     Areas areas;
     const glm::dvec2 origin = outline.points.front();
-    const auto place = [&](Index i) { return outline.points[i] - origin; };
+    const auto place = [&](Index i) { return place_of(outline, cap, i) - origin; };
     for (Index l = 0; l + 1 < outline.starts.size(); ++l)
         for (Index i = outline.starts[l]; i < outline.starts[l + 1]; ++i) {
             const glm::dvec2 a = place(i), b = place(outline.view().successor(i, l));
@@ -109,13 +116,17 @@ void require_linked(const Outline& outline, const CapMesh& cap, const std::strin
     std::vector<Index> successor(outline.points.size());
     for (Index l = 0; l + 1 < outline.starts.size(); ++l)
         for (Index i = outline.starts[l]; i < outline.starts[l + 1]; ++i) successor[i] = outline.view().successor(i, l);
-    const auto at = [&](Index i) -> const glm::vec3& { return outline.positions[i]; };
+    const auto at = [&](Index i) -> const glm::vec3& {
+        const std::size_t n = outline.positions.size();
+        return i < n ? outline.positions[i] : cap.crossing_points[i - n].position;
+    };
 
     std::vector<int> uses(outline.points.size(), 0);
     for (Index t = 0; t < cap.triangles.size(); ++t)
         for (Index i = 0; i < 3; ++i) {
             const Index from = cap.triangles[t].corner[i], to = cap.triangles[t].corner[(i + 1) % 3];
-            require(from < outline.points.size(), way + ": corners are points of the outline");
+            require(from < outline.points.size() + cap.crossing_points.size(),
+                    way + ": corners are points of the outline or of crossings");
             require(at(from) != at(to), way + ": no triangle has two corners at one position");
             const Index link = cap.triangles[t].link[i];
             require(link != kNone, way + ": every edge is linked");
@@ -132,6 +143,8 @@ void require_linked(const Outline& outline, const CapMesh& cap, const std::strin
                         way + ": linked edges run against one another");
             }
         }
+    for (const halfedge::CrossingPoint& p : cap.crossing_points)
+        require(p.seam < outline.points.size(), way + ": a crossing lies on a seam");
     for (const auto& [a, b] : cap.cancelled) {
         require(a < uses.size() && b < uses.size(), way + ": cancelled seams are those of the outline");
         ++uses[a];

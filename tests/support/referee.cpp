@@ -107,6 +107,67 @@ double area(const IndexedMesh& mesh, TriangleKind kind)
     return static_cast<double>(sum);
 }
 
+double cap_area_in_plane(const IndexedMesh& mesh, const glm::dvec3& normal)
+{
+    double twice = 0;
+    for (const TriangleGroup& group : mesh.groups) {
+        if (group.kind != TriangleKind::cap) continue;
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
+            const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[mesh.triangles[t][i]].position); };
+            twice += std::abs(glm::dot(normal, glm::cross(corner(1) - corner(0), corner(2) - corner(0))));
+        }
+    }
+    return twice / 2;
+}
+
+double wound_area(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+{
+    const glm::dvec3 u = glm::normalize(
+                         glm::cross(normal, std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
+                     v = glm::cross(normal, u);
+    struct Edge
+    {
+        double x0, y0, x1, y1;
+        int direction;
+        double at(double x) const { return y0 + (y1 - y0) * (x - x0) / (x1 - x0); }
+    };
+    std::vector<Edge> edges;
+    std::vector<double> xs;
+    for (const SectionLoop& loop : loops) {
+        if (!loop.closed) continue;
+        for (std::size_t i = 0; i < loop.points.size(); ++i) {
+            const glm::dvec3 p(loop.points[i]), q(loop.points[(i + 1) % loop.points.size()]);
+            const double px = glm::dot(u, p), qx = glm::dot(u, q), py = glm::dot(v, p), qy = glm::dot(v, q);
+            xs.push_back(px);
+            if (px < qx) edges.push_back({px, py, qx, qy, 1});
+            if (qx < px) edges.push_back({qx, qy, px, py, -1});
+        }
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const Edge &a = edges[i], &b = edges[j];
+            const double left = std::max(a.x0, b.x0), right = std::min(a.x1, b.x1);
+            if (!(left < right)) continue;
+            const double before = a.at(left) - b.at(left), behind = a.at(right) - b.at(right);
+            if (before * behind < 0) xs.push_back(left + (right - left) * before / (before - behind));
+        }
+    std::sort(xs.begin(), xs.end());
+    double area = 0;
+    for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+        const double middle = (xs[i] + xs[i + 1]) / 2;
+        std::vector<std::pair<double, int>> crossed;
+        for (const Edge& e : edges)
+            if (e.x0 <= xs[i] && xs[i + 1] <= e.x1) crossed.emplace_back(e.at(middle), e.direction);
+        std::sort(crossed.begin(), crossed.end());
+        int winding = 0;
+        for (std::size_t k = 0; k + 1 < crossed.size(); ++k) {
+            winding += crossed[k].second;
+            area += std::abs(winding) * (crossed[k + 1].first - crossed[k].first) * (xs[i + 1] - xs[i]);
+        }
+    }
+    return area;
+}
+
 double overhang(const IndexedMesh& mesh, const Plane& plane, bool positive_side)
 {
     double worst = -INFINITY;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,13 @@ double area(const IndexedMesh& mesh, TriangleKind kind);
 /// Largest distance, in mesh units, that a vertex of the mesh lies on the wrong side of the plane; 0 or less when none
 /// does.
 double overhang(const IndexedMesh& mesh, const Plane& plane, bool positive_side);
+
+/// Area of the caps in the plane with this unit normal, each triangle counted positive.
+double cap_area_in_plane(const IndexedMesh& mesh, const glm::dvec3& normal);
+
+/// Area of the plane with this unit normal that closed loops wind around, counted as often as they do, backwards or
+/// not: what caps cannot help covering. By strips between all ends and crossings of edges, O(k^3 log k).
+double wound_area(std::span<const SectionLoop> loops, const glm::dvec3& normal);
 
 /// Parts connected by shared edges (point ids).
 std::size_t edge_components(const IndexedMesh& mesh);

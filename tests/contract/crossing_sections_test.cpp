@@ -1,0 +1,244 @@
+// Sections of surfaces that run through themselves: caps are closed and cover what loops wind around, as often as they
+// do; where that is more than the section's area, because loops wind backwards, the result says so. For every back end.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <numbers>
+
+#include "common/cut.h"
+#include "support/backends.h"
+#include "support/fixtures.h"
+#include "support/referee.h"
+
+namespace kerf {
+namespace {
+
+using test::Random;
+
+using Polygon = std::vector<glm::dvec2>;
+
+/// A prism over any polygon, from y = -1 to y = 1: it runs through itself where the polygon crosses itself.
+IndexedMesh prism_over(const Polygon& polygon)
+{
+    TriangleSoup soup;
+    const auto n = static_cast<std::uint32_t>(polygon.size());
+    glm::dvec2 mean{0};
+    for (const glm::dvec2& p : polygon) mean += p / double(n);
+    const auto add = [&](const glm::dvec2& p, float y) {
+        soup.vertices.push_back({glm::vec3(p.x, y, p.y) + 0.0f, {0, 1, 0}, {0, 0}});
+    };
+    for (const float y : {-1.0f, 1.0f})
+        for (const glm::dvec2& p : polygon) add(p, y);
+    // Off the middle, so that no triangle of the ends is one of the sides.
+    add(mean + glm::dvec2(0.0123, 0.0071), -1.0f);
+    add(mean + glm::dvec2(0.0123, 0.0071), 1.0f);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t j = (i + 1) % n;
+        for (const Triangle& t : {Triangle{i, i + n, j + n}, {i, j + n, j}, {2 * n, i, j}, {2 * n + 1, j + n, i + n}})
+            soup.triangles.push_back(t);
+    }
+    return test::assembled(std::move(soup));
+}
+
+/// The star polygon {points / turns}, which winds around its middle that many times.
+Polygon star(std::uint32_t points, std::uint32_t turns)
+{
+    Polygon polygon;
+    for (std::uint32_t i = 0; i < points; ++i) {
+        const double angle = 2 * std::numbers::pi * turns * i / points;
+        polygon.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    return polygon;
+}
+
+Polygon scribble(Random& random)
+{
+    Polygon polygon;
+    const std::uint32_t points = 4 + random.below(12);
+    for (std::uint32_t i = 0; i < points; ++i) polygon.emplace_back(random.uniform(), random.uniform());
+    return polygon;
+}
+
+Plane some_plane(Random& random)
+{
+    const glm::dvec3 tilt = random.direction();
+    return *Plane::through({0, 0.4 * random.uniform() - 0.2, 0}, glm::dvec3(0.1 * tilt.x, 1, 0.1 * tilt.z));
+}
+
+struct Areas
+{
+    double cap = 0, wound = 0;
+    double rounding = 0;  ///< what a unit in the last place along the outline does, and the sum over it
+};
+
+/// Of one side: the other one's are the same.
+Areas areas_of(const CutResult& result, const Plane& plane)
+{
+    const Cuttable& fragment = *result.negative.front();
+    Areas areas;
+    areas.cap = referee::cap_area_in_plane(fragment.to_indexed_mesh(), plane.normal);
+    areas.wound = referee::wound_area(fragment.section_loops(), plane.normal);
+    double length = 0;
+    for (const SectionLoop& loop : fragment.section_loops())
+        for (std::size_t i = 0; i < loop.points.size(); ++i)
+            length += glm::distance(loop.points[i], loop.points[(i + 1) % loop.points.size()]);
+    areas.rounding = plane_noise(fragment.bounds().largest_coordinate()) / kNoiseInUnits * length;
+    return areas;
+}
+
+class CrossingSections : public testing::TestWithParam<test::NamedBackend>
+{
+protected:
+    CutResult cut_of(const IndexedMesh& mesh, const Plane& plane, const CutOptions& options = {}) const
+    {
+        return cut(std::move(backend_->prepare(mesh).object), plane, options);
+    }
+    bool triangulates() const { return GetParam().name == "halfedge"; }
+
+    std::unique_ptr<Backend> backend_ = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(All, CrossingSections, testing::ValuesIn(test::backends()),
+                         [](const auto& back_end) { return back_end.param.name; });
+
+void expect_closed(const std::vector<std::unique_ptr<Cuttable>>& side)
+{
+    for (const auto& fragment : side) {
+        const IndexedMesh mesh = fragment->to_indexed_mesh();
+        EXPECT_EQ(check(mesh), "");
+        EXPECT_EQ(referee::open_edges(mesh), 0u);
+        EXPECT_EQ(referee::open_edges_by_position(mesh), 0u);
+        EXPECT_EQ(referee::triangles_with_equal_corners(mesh), 0u);
+    }
+}
+
+TEST_P(CrossingSections, StarsAreCoveredAsOftenAsTheyWind)
+{
+    for (const std::uint32_t points : {5u, 7u, 9u, 13u, 31u}) {
+        const IndexedMesh mesh = prism_over(star(points, points / 2));
+        const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
+        const CutResult result = cut_of(mesh, plane);
+        ASSERT_EQ(result.status, Status::cut);
+        expect_closed(result.positive);
+        expect_closed(result.negative);
+        const Areas areas = areas_of(result, plane);
+        EXPECT_NEAR(areas.wound, result.section_area, 1e-6 * result.section_area);
+        EXPECT_NEAR(areas.cap, result.section_area, 1e-6 * result.section_area) << points;
+        EXPECT_FALSE(result.caps_exceed_section) << points;
+    }
+}
+
+TEST_P(CrossingSections, BackwardLobesAreSaid)
+{
+    // A bow tie of nearly equal lobes: the section's area is their difference, and both are covered.
+    const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
+    const CutResult result = cut_of(prism_over({{0, 0}, {2, 2.1}, {2, 0}, {0, 2}}), plane);
+    ASSERT_EQ(result.status, Status::cut);
+    const Areas areas = areas_of(result, plane);
+    EXPECT_GT(areas.wound, 10 * result.section_area);
+    EXPECT_TRUE(result.caps_exceed_section);
+    if (triangulates()) {
+        EXPECT_NEAR(areas.cap, areas.wound, 1e-6 * areas.wound);
+    }
+}
+
+TEST_P(CrossingSections, WithoutCapsNothingIsSaidOfThem)
+{
+    CutOptions options;
+    options.build_caps = false;
+    const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
+    EXPECT_FALSE(cut_of(prism_over({{0, 0}, {2, 2.1}, {2, 0}, {0, 2}}), plane, options).caps_exceed_section);
+}
+
+TEST_P(CrossingSections, CapsExceedTheSectionExactlyWhereTheResultSaysSo)
+{
+    Random random(11);
+    std::size_t said = 0, unsaid = 0;
+    for (int run = 0; run < 150; ++run) {
+        const IndexedMesh mesh = prism_over(run % 3 == 0 ? star(5 + 2 * random.below(6), 2) : scribble(random));
+        const Plane plane = some_plane(random);
+        const CutResult result = cut_of(mesh, plane);
+        if (result.status != Status::cut) continue;
+        const Areas areas = areas_of(result, plane);
+        const double excess = areas.cap - result.section_area;
+        const double tolerance = std::max(kCapAgreement * std::abs(result.section_area), areas.rounding);
+        if (excess > 2 * tolerance) {
+            EXPECT_TRUE(result.caps_exceed_section) << run;
+        } else if (excess < tolerance / 2) {
+            EXPECT_FALSE(result.caps_exceed_section) << run;
+        }
+        ++(result.caps_exceed_section ? said : unsaid);
+        if (triangulates()) {
+            EXPECT_NEAR(areas.cap, areas.wound, 1e-6 * areas.wound + 4 * areas.rounding) << run;
+        }
+    }
+    EXPECT_GT(said, 20u);
+    EXPECT_GT(unsaid, 20u);
+}
+
+TEST_P(CrossingSections, PiecesAndFurtherCutsAreClosed)
+{
+    Random random(3);
+    CutOptions options;
+    for (int run = 0; run < 40; ++run) {
+        options.split_components = run % 2 == 1;
+        const IndexedMesh mesh = prism_over(run % 4 < 2 ? star(5 + 2 * random.below(8), 2) : scribble(random));
+        std::vector<std::unique_ptr<Cuttable>> objects;
+        objects.push_back(std::move(backend_->prepare(mesh).object));
+        for (int generation = 0; generation < 3; ++generation) {
+            const Plane plane = *Plane::through({0.5, 0, 0.5}, random.direction());
+            std::vector<std::unique_ptr<Cuttable>> next;
+            for (auto& object : objects) {
+                CutResult result = cut(std::move(object), plane, options);
+                ASSERT_TRUE(result.status == Status::cut || result.status == Status::missed);
+                expect_closed(result.positive);
+                expect_closed(result.negative);
+                if (result.object) next.push_back(std::move(result.object));
+                for (auto* side : {&result.positive, &result.negative})
+                    std::move(side->begin(), side->end(), std::back_inserter(next));
+            }
+            objects = std::move(next);
+            double volume = 0;
+            for (const auto& object : objects) volume += referee::volume(object->to_indexed_mesh());
+            EXPECT_NEAR(volume, referee::volume(mesh), 1e-5);
+        }
+    }
+}
+
+TEST_P(CrossingSections, ManyMoreCrossingsThanPointsAreSaidOrCovered)
+{
+    // 11 000 crossings of 151 edges are untangled; a quarter of a million of 701 are not.
+    for (const std::uint32_t points : {151u, 701u}) {
+        const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
+        const CutResult result = cut_of(prism_over(star(points, points / 2)), plane);
+        ASSERT_EQ(result.status, Status::cut);
+        expect_closed(result.negative);
+        const double cap = referee::cap_area_in_plane(result.negative.front()->to_indexed_mesh(), plane.normal);
+        EXPECT_EQ(result.caps_exceed_section, cap > 1.01 * result.section_area) << points << " " << cap;
+        EXPECT_EQ(result.caps_exceed_section, triangulates() && points == 701u) << cap << " " << result.section_area;
+    }
+}
+
+TEST_P(CrossingSections, SimpleSectionsAreCoveredOnceOrTheResultSaysSo)
+{
+    for (const test::NamedMesh& shape : test::closed_shapes())
+        for (const test::NamedPlane& named : test::planes_for(shape.mesh, 4, 5)) {
+            const CutResult result = cut_of(shape.mesh, named.plane);
+            if (result.status != Status::cut) continue;
+            const Areas areas = areas_of(result, named.plane);
+            const double tolerance = 1e-6 * result.section_area + areas.rounding;
+            if (!result.caps_exceed_section) {
+                EXPECT_NEAR(areas.cap, result.section_area, 2 * tolerance) << shape.name << ", " << named.name;
+            }
+            if (triangulates()) {
+                EXPECT_FALSE(result.caps_exceed_section) << shape.name << ", " << named.name;
+                EXPECT_NEAR(areas.cap, areas.wound, 2 * tolerance) << shape.name << ", " << named.name;
+            }
+        }
+}
+
+}  // namespace
+}  // namespace kerf
