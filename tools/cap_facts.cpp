@@ -102,7 +102,8 @@ double overlap_area(const FlatCap& cap)
         if (twice_signed_area(cap, t) < 0.0) std::swap(loop.points[1], loop.points[2]);
         loops.push_back(std::move(loop));
     }
-    return measure_winding(loops, {0.0, 0.0, 1.0}).multiple;
+    const std::optional<WindingFacts> winding = measure_winding(loops, {0.0, 0.0, 1.0});
+    return winding ? winding->multiple : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace kerf::tools

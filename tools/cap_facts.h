@@ -34,7 +34,8 @@ double least_angle(const FlatCap& cap);
 /// Caps of more triangles are not searched for overlaps, which costs the square of their number and more.
 inline constexpr std::size_t kMostForOverlap = 400;
 
-/// Area that more than one triangle covers, mesh units squared; not a number above kMostForOverlap. Up to the error of
+/// Area that more than one triangle covers, mesh units squared; not a number above kMostForOverlap, or where triangles
+/// cross too often to be looked through. Up to the error of
 /// rounding corners, along edges.
 double overlap_area(const FlatCap& cap);
 

@@ -35,7 +35,7 @@ struct CompareCommandOptions
 struct Tally
 {
     std::uint64_t rows = 0, cut = 0, missed = 0, surfaces_differ = 0, failed = 0;
-    std::uint64_t fans_wrong = 0, caps_wrong = 0, crossed_sections = 0;
+    std::uint64_t fans_wrong = 0, caps_wrong = 0, crossed_sections = 0, unjudged_sections = 0;
     double worst_fan = 0.0;  ///< excess relative to the section; sections without area don't count
     double worst_cap = 0.0;  ///< where the section does not intersect itself
     std::uint64_t baseline_open_edges = 0, halfedge_open_edges = 0;
@@ -76,11 +76,13 @@ void Tally::add(const ComparisonRow& row)
     }
     ++cut;
     if (!row.surfaces_equal()) ++surfaces_differ;
-    if (!row.fan_fits) {
+    if (!row.fan_fits && row.section_is_judged) {
         ++fans_wrong;
         worst_fan = worse(worst_fan, relative_to_section(row.baseline.cap_excess, row));
     }
-    if (row.section_intersects_itself && !row.cap_fits)
+    if (!row.section_is_judged)
+        ++unjudged_sections;
+    else if (row.section_intersects_itself && !row.cap_fits)
         ++crossed_sections;
     else {
         if (!row.cap_fits) ++caps_wrong;
@@ -106,6 +108,7 @@ void Tally::add(const Tally& other)
     fans_wrong += other.fans_wrong;
     caps_wrong += other.caps_wrong;
     crossed_sections += other.crossed_sections;
+    unjudged_sections += other.unjudged_sections;
     worst_fan = worse(worst_fan, other.worst_fan);
     worst_cap = worse(worst_cap, other.worst_cap);
     baseline_open_edges += other.baseline_open_edges;
@@ -131,6 +134,7 @@ std::string cap_text(bool fits, double excess, const ComparisonRow& row)
 {
     if (row.loops == 0) return "-";
     if (fits) return "right";
+    if (!row.section_is_judged) return "not judged";
     if (row.section_is_speck) return "no area";
     return formatted("%+.3g %%", 100.0 * relative_to_section(excess, row));
 }
@@ -165,6 +169,7 @@ std::string row_text(const ComparisonRow& row)
             cap.c_str(), open.c_str(), equal.c_str(), std::max(row.baseline.volume_error, row.halfedge.volume_error),
             row.baseline.ms, row.halfedge.ms);
         if (row.section_intersects_itself) text += "  the section intersects itself";
+        if (!row.section_is_judged) text += "  the section crosses itself too often to be judged";
     } else {
         text += std::string(name_of(row.halfedge.status));
     }
@@ -191,11 +196,15 @@ std::string tally_text(const std::string& name, const Tally& tally)
     text += ", half-edge cap in " + grouped(tally.caps_wrong) + formatted(" (worst %+.1e)", tally.worst_cap);
     if (tally.crossed_sections > 0)
         text += ", not judged in " + grouped(tally.crossed_sections) + " whose section intersects itself";
+    if (tally.unjudged_sections > 0)
+        text +=
+            ", not judged in " + grouped(tally.unjudged_sections) + " whose section crosses itself too often to tell";
     text += "; open edges " + pair_text(tally.baseline_open_edges, tally.halfedge_open_edges) + "; equal corners " +
             pair_text(tally.baseline_degenerate, tally.halfedge_degenerate);
     text += formatted("; volume error %.1e/%.1e", tally.baseline_volume_error, tally.halfedge_volume_error);
     text += formatted("; median ms %.4g/%.4g", median(tally.baseline_ms), median(tally.halfedge_ms));
-    return text + "; " + (tally.failed == 0 ? "agree" : counted(tally.failed, "row") + " FAILED") + "\n";
+    if (tally.failed > 0) return text + "; " + counted(tally.failed, "row") + " FAILED\n";
+    return text + (tally.crossed_sections + tally.unjudged_sections > 0 ? "; agree where judged\n" : "; agree\n");
 }
 
 Json back_end_json(const BackEndRow& facts)
@@ -205,6 +214,7 @@ Json back_end_json(const BackEndRow& facts)
             {"triangles", {{"positive", facts.triangles[0]}, {"negative", facts.triangles[1]}}},
             {"cap_area", {{"positive", facts.cap_area[0]}, {"negative", facts.cap_area[1]}}},
             {"cap_excess", facts.cap_excess},
+            {"caps_exceed_section", facts.says_caps_exceed},
             {"open_edges", facts.open_edges},
             {"equal_corners", facts.degenerate_triangles},
             {"volume_error", facts.volume_error},
@@ -252,7 +262,7 @@ Json row_json(const ComparisonRow& row)
             {"positive", difference_json(row.surface[0])},
             {"negative", difference_json(row.surface[1])},
             {"section_area", row.section_area},
-            {"section_intersects_itself", row.section_intersects_itself},
+            {"section_intersects_itself", row.section_is_judged ? Json(row.section_intersects_itself) : Json()},
             {"covered_area", row.covered_area},
             {"earlier_caps_fit", row.earlier_caps_fit},
             {"fan_fits", row.fan_fits},
@@ -274,6 +284,7 @@ Json tally_json(const Tally& tally)
             {"caps_wrong", tally.caps_wrong},
             {"worst_cap", tally.worst_cap},
             {"sections_that_intersect_themselves", tally.crossed_sections},
+            {"sections_not_judged", tally.unjudged_sections},
             {"open_edges", {{"baseline", tally.baseline_open_edges}, {"halfedge", tally.halfedge_open_edges}}},
             {"equal_corners", {{"baseline", tally.baseline_degenerate}, {"halfedge", tally.halfedge_degenerate}}},
             {"volume_error", {{"baseline", tally.baseline_volume_error}, {"halfedge", tally.halfedge_volume_error}}},

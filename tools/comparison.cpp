@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -159,6 +160,7 @@ private:
         halves.result = cut(std::move(object), row.plane.plane, options);
         facts.ms = watch.lap();
         facts.status = halves.result.status;
+        facts.says_caps_exceed = halves.result.caps_exceed_section;
         facts.crossing = halves.result.statistics.crossing_triangles;
         if (facts.status == Status::out_of_memory)
             throw std::runtime_error("there is not enough memory to compare the back ends");
@@ -267,18 +269,37 @@ private:
             row.cap_fits = std::abs(row.halfedge.cap_excess) <= tolerance;
         };
         measure_caps();
+        judge_warning(row, "baseline", row.baseline, other);
+        judge_warning(row, "halfedge", row.halfedge, section);
         if (!row.cap_fits) {
             // Where loops wind backwards, around holes of an open mesh, caps cover that, too.
-            const WindingFacts winding = measure_winding(loops, normal);
-            row.section_intersects_itself = winding.backward > tolerance || winding.multiple > tolerance;
-            target += 2.0 * winding.backward;
-            measure_caps();
+            const std::optional<WindingFacts> winding = measure_winding(loops, normal);
+            row.section_is_judged = winding.has_value();
+            if (winding) {
+                row.section_intersects_itself = winding->backward > tolerance || winding->multiple > tolerance;
+                target += 2.0 * winding->backward;
+                measure_caps();
+            }
         }
         row.covered_area = target;
         row.judged_area = tolerance / kAgreement;
         row.section_is_speck = std::abs(target) <= tolerance;
-        if (!row.cap_fits && !row.section_intersects_itself)
+        if (!row.cap_fits && row.section_is_judged && !row.section_intersects_itself)
             row.failures.push_back("half-edge cap area off by " + rounded(row.halfedge.cap_excess));
+    }
+
+    /// A result must say that its caps cover more than its section where they do, and nowhere else; either is right
+    /// close to the limit.
+    void judge_warning(ComparisonRow& row, const std::string& name, const BackEndRow& facts,
+                       const SectionFacts& section) const
+    {
+        const double tolerance = std::max(kAgreement * std::abs(section.area), unit_ * section.length);
+        const auto [least, most] = std::minmax(facts.cap_area[0], facts.cap_area[1]);
+        if (facts.says_caps_exceed && most - section.area < 0.5 * tolerance)
+            row.failures.push_back(name + " says that its caps exceed the section, by " + rounded(most - section.area));
+        if (!facts.says_caps_exceed && least - section.area > 2.0 * tolerance)
+            row.failures.push_back(name + " does not say that its caps exceed the section by " +
+                                   rounded(least - section.area));
     }
 
     void judge_back_end(ComparisonRow& row, const std::string& name, BackEndRow& facts, Halves& halves, double volume)
@@ -289,7 +310,7 @@ private:
         if (!(facts.overhang <= kNoiseInUnits * unit_)) fail("is on the wrong side by " + rounded(facts.overhang));
         if (!summary_.closed) return;
         if (facts.open_edges > 0) fail("has " + counted(facts.open_edges, "open edge"));
-        const double scale = std::abs(summary_.volume);
+        const double scale = summary_.judged_volume;
         double sum = 0.0;
         for (std::size_t side = 0; side < 2; ++side) {
             const double part = volume_of(halves.mesh[side]);
@@ -342,6 +363,7 @@ ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backe
             summary.failures.push_back(std::string(name) + " changes the surface when it prepares");
     }
     const double unit = plane_noise(mesh.bounds().largest_coordinate()) / kNoiseInUnits;
+    summary.judged_volume = std::abs(summary.volume) + unit * area_of(mesh) / kAgreement;
     Comparison comparison(options, take_row, summary, unit, first_cap);
     for (std::uint64_t i = options.first_plane; i < options.first_plane + options.planes; ++i)
         comparison.run(*a, *b, surface, summary.volume, i);

@@ -28,7 +28,8 @@ struct ComparisonOptions
 };
 
 /// Volumes and areas must agree to this, relative to the whole, and the half-edge cap with its section: what rounding
-/// cut points to float costs (docs/cutting-rules.md).
+/// cut points to float costs (docs/cutting-rules.md). Volumes may be off by a unit in the last place times the surface
+/// besides, which is more far from the origin and where shells cancel.
 inline constexpr double kAgreement = 1e-6;
 
 /// What one back end made of one cut.
@@ -38,8 +39,9 @@ struct BackEndRow
     std::uint64_t crossing = 0;
     std::uint64_t open_edges = 0;              ///< both fragments; of the caps' making when the object was closed
     std::uint64_t degenerate_triangles = 0;    ///< two corners at one position; both fragments
-    double volume_error = 0.0;                 ///< relative to the loaded mesh's volume: sum of the fragments, and what
-                                               ///< mass_properties() says of each
+    double volume_error = 0.0;                 ///< relative to ComparedMesh::judged_volume: sum of the fragments, and
+                                               ///< what mass_properties() says of each
+    bool says_caps_exceed = false;             ///< CutResult::caps_exceed_section
     double overhang = 0.0;                     ///< how far a fragment reaches to the wrong side, mesh units
     std::array<std::uint64_t, 2> triangles{};  ///< of the fragments: + and - side
     std::array<double, 2> cap_area{};          ///< of this cut's cap, each triangle counted positive: + and - side
@@ -66,6 +68,8 @@ struct ComparisonRow
     /// Loops wind around something backwards or more than once: the surface intersects itself or is open, and the
     /// half-edge cap's area is not judged. Looked at only when it is not the section's.
     bool section_intersects_itself = false;
+    bool section_is_judged =
+        true;  ///< false: it crosses itself too often to tell, and neither is the cap's area judged
     double covered_area =
         0.0;  ///< what caps should cover: the section's area, and what it winds around backwards twice
     /// What the error of the half-edge cap is relative to: the section's area, or where that is less the area that a
@@ -91,6 +95,9 @@ struct ComparedMesh
     std::uint64_t triangles = 0;
     bool closed = false;
     double volume = 0.0;
+    /// What volume errors are relative to: the volume, and what a unit in the last place times the surface is
+    /// kAgreement of; more than 0 where shells cancel.
+    double judged_volume = 0.0;
     double baseline_prepare_ms = 0.0, halfedge_prepare_ms = 0.0;
     std::vector<std::string> failures;  ///< of preparing
     std::uint64_t rows = 0, failed_rows = 0;

@@ -1,6 +1,5 @@
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -65,6 +64,7 @@ struct CutReport
     bool has_coarse_coordinates = false;
     CutStatistics statistics;
     double section_area = 0.0;
+    bool caps_exceed_section = false;
     double prepare_ms = 0.0, cut_ms = 0.0;
     SideReport positive, negative;
 };
@@ -132,6 +132,7 @@ CutReport perform(const CutCommandOptions& options)
     report.status = result.status;
     report.statistics = result.statistics;
     report.section_area = result.section_area;
+    report.caps_exceed_section = result.caps_exceed_section;
     if (result.status == Status::missed) return report;
     if (result.status == Status::out_of_memory)
         throw std::runtime_error(options.file + ": there is not enough memory to cut it");
@@ -143,15 +144,6 @@ CutReport perform(const CutCommandOptions& options)
     report.negative = add_side(files, options, "negative", result.negative);
     files.commit();
     return report;
-}
-
-/// A closed section whose caps do not have its area: the fan of a section that is not star-shaped, or the cap of one
-/// that intersects itself.
-bool cap_is_off(const CutReport& report, const FragmentFacts& side)
-{
-    constexpr double kTolerance = 1e-6;  // relative to the section: caps are rounded to float
-    return report.capped && report.status == Status::cut &&
-           std::abs(side.cap_area - report.section_area) > kTolerance * std::abs(report.section_area);
 }
 
 Json side_json(const SideReport& side)
@@ -172,12 +164,15 @@ Json report_json(const CutReport& report)
     Json phases = Json::object();
     for (std::size_t i = 0; i < kPhaseCount; ++i)
         phases[std::string(name_of(static_cast<Phase>(i)))] = statistics.phases.ms[i];
+    Json warnings = Json::array();
+    if (report.has_coarse_coordinates) warnings.push_back("coarse_coordinates");
+    if (report.caps_exceed_section) warnings.push_back("caps_exceed_section");
     Json json{{"file", report.file},
               {"backend", report.backend},
               {"status", std::string(name_of(report.status))},
               {"plane", {{"normal", vector_json(report.plane.normal)}, {"offset", report.plane.offset}}},
               {"repairs", report.repairs.describe()},
-              {"warnings", report.has_coarse_coordinates ? Json{"coarse_coordinates"} : Json::array()},
+              {"warnings", std::move(warnings)},
               {"counts",
                {{"triangles", statistics.triangles},
                 {"crossing", statistics.crossing_triangles},
@@ -223,9 +218,10 @@ std::string report_text(const CutReport& report)
                 " of the section ended at its boundary, without a cap\n";
     for (const auto& [name, side] : {std::pair{"positive", &report.positive}, {"negative", &report.negative}}) {
         text += side_text(name, *side);
-        if (const FragmentFacts total = side->total(); cap_is_off(report, total))
-            text += "  its cap has area " + rounded(total.cap_area) + ", which is not the section's" +
-                    (report.closes_with_fan ? ": the fan does not fit\n" : "\n");
+        if (report.caps_exceed_section)
+            text += "  its cap has area " + rounded(side->total().cap_area) + ", which is not the section's" +
+                    (report.closes_with_fan ? ": the fan does not fit\n"
+                                            : ": the section winds backwards or crosses itself too often\n");
     }
     text += report.backend + ": prepare " + rounded(report.prepare_ms) + " ms, cut " + rounded(report.cut_ms) + " ms";
     std::string phases;
@@ -295,6 +291,13 @@ void add_cut_command(CLI::App& program)
     command->add_flag("--components", options->components, "Write the connected pieces of each side one by one");
     command->add_option("--out", options->prefix, "Beginning of the names of the files to write")
         ->type_name("PREFIX")
+        ->check(CLI::Validator(
+            [](const std::string& prefix) {
+                const bool has_name = !std::filesystem::path(prefix).filename().empty();
+                return has_name ? std::string()
+                                : "'" + prefix + "' names no file; put the beginning of a name at its end";
+            },
+            ""))
         ->required();
     command->add_option("--format", options->format, "Format of the files: obj, ply, stl or glb")
         ->check(CLI::IsMember(io::writable_formats()).description(""))

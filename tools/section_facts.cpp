@@ -71,7 +71,7 @@ SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec
     return facts;
 }
 
-WindingFacts measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+std::optional<WindingFacts> measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal)
 {
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
@@ -79,12 +79,15 @@ WindingFacts measure_winding(std::span<const SectionLoop> loops, const glm::dvec
     if (normal[dropped] < 0.0) std::swap(u, v);
 
     const std::vector<Segment> segments = project(loops, u, v);
+    std::uint64_t looks_left = kMostWindingLooks;
     std::vector<double> xs;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         xs.push_back(segments[i].a.x);
         xs.push_back(segments[i].b.x);
-        for (std::size_t j = i + 1; j < segments.size() && segments[j].a.x < segments[i].b.x; ++j)
+        for (std::size_t j = i + 1; j < segments.size() && segments[j].a.x < segments[i].b.x; ++j) {
+            if (--looks_left == 0) return std::nullopt;
             if (const double x = crossing(segments[i], segments[j]); !std::isnan(x)) xs.push_back(x);
+        }
     }
     std::sort(xs.begin(), xs.end());
     xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
@@ -98,6 +101,8 @@ WindingFacts measure_winding(std::span<const SectionLoop> loops, const glm::dvec
         std::erase_if(active, [&](const Segment* s) { return s->b.x <= left; });
         for (; next < segments.size() && segments[next].a.x <= left; ++next)
             if (segments[next].b.x > left) active.push_back(&segments[next]);
+        if (looks_left <= active.size()) return std::nullopt;
+        looks_left -= active.size();
         std::sort(active.begin(), active.end(),
                   [&](const Segment* s, const Segment* t) { return s->at(middle) < t->at(middle); });
         int winding = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "common/cut.h"
@@ -25,8 +27,13 @@ struct WindingFacts
     double multiple = 0.0;  ///< area with a winding number above 1
 };
 
+/// Looks at edges that measure_winding() takes before it gives up: about a second.
+inline constexpr std::uint64_t kMostWindingLooks = 20'000'000;
+
 /// By slabs between the ends and crossings of edges (Bentley and Ottmann, "Algorithms for reporting and counting
-/// geometric intersections", 1979, without their tree). O(k^2 log k) at worst for k edges.
-WindingFacts measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal);
+/// geometric intersections", 1979, without their tree), each of which costs a look at every edge in it: nothing when
+/// that takes more than kMostWindingLooks, as k edges do that cross themselves k^2 times. O(k) memory besides the
+/// crossings.
+std::optional<WindingFacts> measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal);
 
 }  // namespace kerf::tools

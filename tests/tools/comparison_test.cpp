@@ -285,7 +285,7 @@ TEST(SectionFacts, TellWhatWindsBackwardsOrTwice)
     const glm::dvec3 up{0, 0, 1};
     const SectionLoop square = loop({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), hole = loop({{1, 1}, {1, 2}, {2, 2}, {2, 1}}),
                       shifted = loop({{3, 3}, {7, 3}, {7, 7}, {3, 7}}), bow = loop({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
-    const auto facts = [&](const std::vector<SectionLoop>& loops) { return measure_winding(loops, up); };
+    const auto facts = [&](const std::vector<SectionLoop>& loops) { return measure_winding(loops, up).value(); };
     EXPECT_NEAR(facts({square, hole}).backward, 0.0, 1e-12);
     EXPECT_NEAR(facts({square, hole}).multiple, 0.0, 1e-12);
     EXPECT_NEAR(facts({hole}).backward, 1.0, 1e-12);
@@ -294,8 +294,94 @@ TEST(SectionFacts, TellWhatWindsBackwardsOrTwice)
     // A slanted plane: areas are those in the plane.
     SectionLoop slanted = hole;
     for (glm::vec3& p : slanted.points) p.z = p.x;
-    EXPECT_NEAR(measure_winding(std::vector{slanted}, glm::normalize(glm::dvec3(-1, 0, 1))).backward, std::sqrt(2.0),
+    EXPECT_NEAR(measure_winding(std::vector{slanted}, glm::normalize(glm::dvec3(-1, 0, 1)))->backward, std::sqrt(2.0),
                 1e-12);
+}
+
+/// {n / 2}: every edge crosses nearly every other one.
+SectionLoop star(int points)
+{
+    SectionLoop made;
+    for (int i = 0; i < points; ++i) {
+        const double angle = 2 * std::acos(-1.0) * i * (points / 2) / points;
+        made.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    return made;
+}
+
+TEST(SectionFacts, GiveUpWhereEdgesCrossTooOften)
+{
+    const glm::dvec3 up{0, 0, 1};
+    EXPECT_TRUE(measure_winding(std::vector{star(101)}, up).has_value());
+    EXPECT_FALSE(measure_winding(std::vector{star(2001)}, up).has_value());
+}
+
+/// A closed prism over a star.
+TriangleSoup star_prism(int points)
+{
+    TriangleSoup soup;
+    const SectionLoop loop = star(points);
+    const auto n = static_cast<std::uint32_t>(points);
+    for (const float y : {-1.0f, 1.0f})
+        for (const glm::vec3& p : loop.points) soup.vertices.push_back({{p.x, y, p.y}, {0, 1, 0}, {0, 0}});
+    for (const float y : {-1.0f, 1.0f}) soup.vertices.push_back({{0, y, 0}, {0, 1, 0}, {0, 0}});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t j = (i + 1) % n;
+        for (const Triangle& t : {Triangle{i, i + n, j + n}, {i, j + n, j}, {2 * n, i, j}, {2 * n + 1, j + n, i + n}})
+            soup.triangles.push_back(t);
+    }
+    return soup;
+}
+
+TEST(Comparison, SaysWhatItCouldNotJudge)
+{
+    // The caps cover too much, and whether they must is more than it can tell.
+    ComparisonOptions options;
+    options.planes = 1;
+    options.first_plane = 1;
+    std::vector<ComparisonRow> rows;
+    const auto spoil = [](IndexedMesh& m) { m.vertices[m.triangles[cap_of(m).first][0]].position.x += 3.0f; };
+    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    compare_mesh(assembled(star_prism(2001)), *baseline, LyingBackend(spoil), options,
+                 [&](const ComparisonRow& row) { rows.push_back(row); });
+    ASSERT_EQ(rows.size(), 1u);
+    ASSERT_TRUE(rows[0].was_cut());
+    EXPECT_FALSE(rows[0].cap_fits);
+    EXPECT_FALSE(rows[0].section_is_judged);
+}
+
+TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
+{
+    // Two balls in one another, inside and outside: no volume to be relative to.
+    TriangleSoup soup = ball();
+    const std::size_t count = soup.triangles.size();
+    const auto vertices = static_cast<std::uint32_t>(soup.vertices.size());
+    for (std::uint32_t v = 0; v < vertices; ++v) soup.vertices.push_back(Vertex(soup.vertices[v]));
+    for (std::size_t t = 0; t < count; ++t) {
+        const auto [a, b, c] = soup.triangles[t];
+        soup.triangles.push_back({a + vertices, c + vertices, b + vertices});
+    }
+    IndexedMesh mesh = assembled(std::move(soup));
+    ComparisonOptions options;
+    options.planes = 12;
+    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    Outcome outcome;
+    const ComparedMesh compared = compare_mesh(mesh, *baseline, *baseline, options,
+                                               [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
+    EXPECT_GT(outcome.cuts(), 8u);
+    EXPECT_EQ(outcome.rows_that_say("volume error"), 0u);
+    EXPECT_TRUE(compared.closed);
+    EXPECT_LT(std::abs(compared.volume), 1e-9);
+    EXPECT_GT(compared.judged_volume, 0.1);
+}
+
+TEST(Comparison, FindsAWarningThatIsMissing)
+{
+    // The fan's centre outside the section, and nothing said of it.
+    const Outcome outcome = compare_with(
+        [](IndexedMesh& m) { m.vertices[m.triangles[cap_of(m).first][0]].position += glm::vec3(9.0f, 9.0f, 9.0f); },
+        ball());
+    EXPECT_GT(outcome.rows_that_say("halfedge does not say that its caps exceed the section by"), 0u);
 }
 
 TEST(OpenEdges, AreEdgesWithoutAReverse)

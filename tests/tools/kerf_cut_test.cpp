@@ -205,6 +205,36 @@ TEST_F(KerfCut, KeepsTheOldFilesWhenNewOnesCannotBeWritten)
     EXPECT_EQ(written(), std::vector<std::string>{"a.positive.stl"});
 }
 
+/// A prism over a bow tie: one of its lobes is inside out, and no cap has the area of the section.
+constexpr const char* kBowTie =
+    "v 0 -1 0\nv 2 -1 2.1\nv 2 -1 0\nv 0 -1 2\nv 0 1 0\nv 2 1 2.1\nv 2 1 0\nv 0 1 2\nv 1 -1 0.9\nv 1 1 0.9\n"
+    "f 1 5 6\nf 1 6 2\nf 9 1 2\nf 10 6 5\nf 2 6 7\nf 2 7 3\nf 9 2 3\nf 10 7 6\n"
+    "f 3 7 8\nf 3 8 4\nf 9 3 4\nf 10 8 7\nf 4 8 5\nf 4 5 1\nf 9 4 1\nf 10 5 8\n";
+
+TEST_F(KerfCut, WarnsWhereCapsCoverMoreThanTheSection)
+{
+    write("bow.obj", kBowTie);
+    make("icosphere", 80);
+    for (const std::string backend : {"baseline", "halfedge"}) {
+        const std::string options = " --normal 0.01,1,0.02 --out a --backend " + backend;
+        EXPECT_EQ(kerf_json("cut bow.obj" + options)["warnings"], Json{"caps_exceed_section"}) << backend;
+        EXPECT_NE(kerf("cut bow.obj" + options).out.find("which is not the section's"), std::string::npos) << backend;
+        EXPECT_EQ(kerf_json("cut bow.obj --no-cap" + options)["warnings"], Json::array()) << backend;
+        EXPECT_EQ(kerf_json("cut in.ply" + options)["warnings"], Json::array()) << backend;
+    }
+}
+
+TEST_F(KerfCut, RefusesAPrefixThatNamesNoFile)
+{
+    make("icosphere", 80);
+    for (const std::string prefix : {"''", "./", "gone/"}) {
+        const Outcome outcome = kerf("cut in.ply --normal 0,1,1 --out " + prefix);
+        EXPECT_EQ(outcome.status, 2) << prefix;
+        EXPECT_NE(outcome.err.find("names no file"), std::string::npos) << outcome.err;
+    }
+    EXPECT_TRUE(written().empty());
+}
+
 TEST_F(KerfCut, RefusesFilesThatCannotBeUsedInOneLine)
 {
     write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
