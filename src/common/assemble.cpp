@@ -21,30 +21,32 @@ constexpr std::size_t kLargestIndex = std::numeric_limits<std::uint32_t>::max();
 /// Empty, or one sentence that names the first thing that is wrong.
 std::string find_error(const TriangleSoup& soup)
 {
-    if (soup.triangles.empty()) return "the mesh has no triangles";
+    if (soup.triangles.empty()) return "the mesh has no triangles; give it one at least";
     if (soup.triangles.size() > kLargestIndex / 3 || soup.vertices.size() >= kLargestIndex)
-        return "the mesh has more than 2^32 corners";
+        return "the mesh has more than 2^32 corners; divide it into several";
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
         const glm::vec3& p = soup.vertices[v].position;
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            return "vertex " + std::to_string(v) + " has a coordinate that is not finite";
+            return "vertex " + std::to_string(v) +
+                   " has a coordinate that is not finite; give it a number, or take it and its triangles out";
     }
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
         for (const std::uint32_t v : soup.triangles[t])
             if (v >= soup.vertices.size())
                 return "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
-                       ", but there are only " + std::to_string(soup.vertices.size());
+                       ", but there are only " + std::to_string(soup.vertices.size()) + ", counted from 0";
     if (!soup.triangle_materials.empty() && soup.triangle_materials.size() != soup.triangles.size())
-        return "there is not one material for each triangle";
+        return "there is not one material for each triangle; name one for each, or none at all";
     const std::size_t material_count = std::max<std::size_t>(1, soup.materials.size());
     for (std::size_t t = 0; t < soup.triangle_materials.size(); ++t)
         if (soup.triangle_materials[t] >= material_count)
             return "triangle " + std::to_string(t) + " refers to material " +
                    std::to_string(soup.triangle_materials[t]) + ", but there are only " +
-                   std::to_string(material_count);
+                   std::to_string(material_count) + ", counted from 0";
     for (const VertexStream& stream : soup.streams)
         if (stream.width == 0 || stream.values.size() != soup.vertices.size() * stream.width)
-            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) + " values per vertex";
+            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) +
+                   " values per vertex; complete it or leave it out";
     return {};
 }
 
@@ -169,7 +171,10 @@ Assembled assemble(TriangleSoup soup)
     const Weld weld = weld_positions(soup.vertices);
     Kept kept = drop_faults(soup, weld, repairs);
     if (kept.corners.empty()) {
-        result.error = "every triangle of the mesh is degenerate";
+        result.error =
+            "every triangle of the mesh is degenerate: two corners of each are at one position; store it with more "
+            "digits, "
+            "or nearer to the origin";
         return result;
     }
     Buffer<glm::vec3> positions(weld.point_count);

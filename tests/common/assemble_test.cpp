@@ -40,30 +40,32 @@ TEST(Assemble, LeavesACleanMeshAlone)
 
 TEST(Assemble, NamesTheReasonWhenThereIsNoMesh)
 {
-    EXPECT_EQ(assemble({}).error, "the mesh has no triangles");
+    EXPECT_EQ(assemble({}).error, "the mesh has no triangles; give it one at least");
 
     TriangleSoup mesh = tetrahedron();
     mesh.vertices[2].position.y = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(assemble(mesh).error, "vertex 2 has a coordinate that is not finite");
+    EXPECT_EQ(assemble(mesh).error,
+              "vertex 2 has a coordinate that is not finite; give it a number, or take it and its triangles out");
 
     mesh = tetrahedron();
     mesh.triangles[3][1] = 4;
-    EXPECT_EQ(assemble(mesh).error, "triangle 3 refers to vertex 4, but there are only 4");
+    EXPECT_EQ(assemble(mesh).error, "triangle 3 refers to vertex 4, but there are only 4, counted from 0");
 
     mesh = tetrahedron();
     mesh.triangle_materials = {0, 0, 1, 0};
-    EXPECT_EQ(assemble(mesh).error, "triangle 2 refers to material 1, but there are only 1");
+    EXPECT_EQ(assemble(mesh).error, "triangle 2 refers to material 1, but there are only 1, counted from 0");
 
     mesh = tetrahedron();
     mesh.triangle_materials = {0, 0, 0};
-    EXPECT_EQ(assemble(mesh).error, "there is not one material for each triangle");
+    EXPECT_EQ(assemble(mesh).error, "there is not one material for each triangle; name one for each, or none at all");
 
     mesh = tetrahedron();
     mesh.streams.push_back({"colour", 3, Buffer<float>(11, 0.0f)});
-    EXPECT_EQ(assemble(mesh).error, "stream 'colour' does not have 3 values per vertex");
+    EXPECT_EQ(assemble(mesh).error, "stream 'colour' does not have 3 values per vertex; complete it or leave it out");
 
     EXPECT_EQ(assemble(soup({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {{0, 1, 2}})).error,
-              "every triangle of the mesh is degenerate");
+              "every triangle of the mesh is degenerate: two corners of each are at one position; store it with more "
+              "digits, or nearer to the origin");
 }
 
 TEST(Assemble, WeldsPositionsThatDifferInTheSignOfZero)
@@ -297,7 +299,7 @@ RC_GTEST_PROP(Assemble, KeepsItsPromisesForAnyTriangles, ())
                                   static_cast<std::uint32_t>(number(60))});
     const Assembled result = assemble(soup);
     if (!result.error.empty()) {
-        RC_ASSERT(result.error == "every triangle of the mesh is degenerate");
+        RC_ASSERT(result.error.starts_with("every triangle of the mesh is degenerate: "));
         return;
     }
     expect_faithful(soup, result);

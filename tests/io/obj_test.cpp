@@ -128,7 +128,9 @@ TEST_F(ObjTest, FillsInNormalsThatOnlySomeCornersLack)
 TEST_F(ObjTest, NamesTheLineThatIsWrong)
 {
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 4\n"), "line 4: vertex 4 is out of range"));
+    EXPECT_TRUE(
+        contains(error_of("a.obj", head + "f 1 2 4\n"),
+                 "line 4: vertex 4 is out of range: there are 3 so far; count from 1, and put them before the faces"));
     EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 0\n"), "line 4"));
     EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 -4\n"), "line 4"));
     EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 99999999999999999999\n"), "line 4"));
@@ -136,8 +138,10 @@ TEST_F(ObjTest, NamesTheLineThatIsWrong)
     EXPECT_TRUE(contains(error_of("a.obj", head + "f 1//1 2//1 3//1\n"), "normal 1 is out of range"));
     EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2\n"), "fewer than three corners"));
     EXPECT_TRUE(contains(error_of("a.obj", "v 0 0\nf 1 1 1\n"), "line 1: a coordinate is missing"));
-    EXPECT_TRUE(contains(error_of("a.obj", "v 0 nan 0\n"), "not finite"));
-    EXPECT_TRUE(contains(error_of("a.obj", "v 0 1e99 0\n"), "too large"));
+    EXPECT_TRUE(
+        contains(error_of("a.obj", "v 0 nan 0\n"),
+                 "line 1: a coordinate is 'nan', which is not finite; write a number, or take it and its faces out"));
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 1e99 0\n"), "too large for single precision; scale the mesh down"));
     EXPECT_TRUE(contains(error_of("a.obj", head), "no triangles"));
 }
 

@@ -61,7 +61,7 @@ TEST_F(StlTest, SaysWhatIsWrong)
     EXPECT_TRUE(contains(error_of("a.stl", "solid a\nfacade\n"), "'facade' stands where a facet should begin"));
     std::string with_nan = binary(1, 1, "x");
     with_nan.replace(96, 4, "\xFF\xFF\xFF\xFF");
-    EXPECT_TRUE(contains(error_of("a.stl", with_nan), "not finite"));
+    EXPECT_TRUE(contains(error_of("a.stl", with_nan), "not finite; give it a number, or take it and its faces out"));
 }
 
 TEST_F(StlTest, WritesBinaryThatKeepsPositionsAndOrder)

@@ -122,7 +122,7 @@ TEST(TextScanner, NamesFileAndLineInErrors)
         scanner.number("a coordinate");
         FAIL();
     } catch (const FileError& error) {
-        EXPECT_STREQ(error.what(), "file.txt: line 3: a coordinate is 'x', which is not a number");
+        EXPECT_STREQ(error.what(), "file.txt: line 3: a coordinate is 'x', which is not a number; write one");
     }
 }
 

@@ -190,7 +190,7 @@ private:
         json.resize((json.size() + 3) / 4 * 4, ' ');
         constexpr std::size_t kHeaders = 12 + 8 + 8;
         if (kHeaders + json.size() + binary_.size() > std::numeric_limits<std::uint32_t>::max())
-            fail(file.path(), "the mesh is too large for a GLB file, which ends at 4 GB");
+            fail(file.path(), "the mesh is too large for a GLB file, which ends at 4 GB; write ply instead");
         std::string header = "glTF";
         store_little(header, std::uint32_t{2});
         store_little(header, static_cast<std::uint32_t>(kHeaders + json.size() + binary_.size()));

@@ -52,7 +52,7 @@ std::string_view GltfBuffers::bytes_of(const std::string& uri, const std::string
 std::string GltfBuffers::decode(std::string_view uri, const std::string& where) const
 {
     const std::size_t mark = uri.find(kBase64);
-    if (mark == std::string_view::npos) fail(path_, where + " has data that are not base64");
+    if (mark == std::string_view::npos) fail(path_, where + " has data that are not base64; export it again");
     std::string_view digits = uri.substr(mark + kBase64.size());
     while (digits.ends_with('=')) digits.remove_suffix(1);
     std::string bytes;
@@ -60,7 +60,9 @@ std::string GltfBuffers::decode(std::string_view uri, const std::string& where) 
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < digits.size(); ++i) {
         const std::uint8_t value = kDigitValues[static_cast<unsigned char>(digits[i])];
-        if (value == 64) fail(path_, where + " has data that are not base64: digit " + std::to_string(i) + " is none");
+        if (value == 64)
+            fail(path_,
+                 where + " has data that are not base64: digit " + std::to_string(i) + " is none; export it again");
         bits = bits << 6 | value;
         // Every digit but the first of four completes a byte.
         if (i % 4 != 0) bytes.push_back(static_cast<char>(bits >> (6 - 2 * (i % 4)) & 0xFFu));
@@ -80,7 +82,8 @@ std::string GltfBuffers::read_beside(std::string_view uri, const std::string& wh
     if (type == std::filesystem::file_type::not_found)
         fail(path_, where + " names " + in_quotes(*name) + ", which is not there; put it beside the file");
     if (type != std::filesystem::file_type::regular)
-        fail(path_, where + " names " + in_quotes(*name) + ", which is not a regular file");
+        fail(path_,
+             where + " names " + in_quotes(*name) + ", which is not a regular file; put the buffer in its place");
     std::string bytes = read_bytes(*beside);
     beside_ += bytes.size();
     return bytes;

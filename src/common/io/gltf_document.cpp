@@ -56,7 +56,11 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& reason) const { fail(path_, reason); }
+    /// With the remedy, unless the reason has one of its own.
+    [[noreturn]] void refuse(const std::string& reason) const
+    {
+        fail(path_, reason.find("; ") != std::string::npos ? reason : reason + "; export it again as glTF 2.0");
+    }
 
     GltfJson parse_json() const
     {
@@ -235,7 +239,8 @@ private:
             const std::uint64_t element = component_size(component) * a.width;
             if (element == 0) refuse(where + " has a type that glTF does not know");
             if (a.count == 0) refuse(where + " is empty");
-            if (accessor.contains("sparse")) refuse(where + " is sparse, which is not supported");
+            if (accessor.contains("sparse"))
+                refuse(where + " is sparse, which is not supported; export it without sparse accessors");
             const std::uint64_t view = number(accessor, "bufferView", where);
             if (view >= views_.size()) refuse(where + " names a buffer view that does not exist");
             const std::uint64_t offset = number_if(accessor, "byteOffset", where).value_or(0);
@@ -353,7 +358,8 @@ private:
             for (const std::uint64_t mesh : work_of_mesh_) work += mesh;
         const std::uint64_t most =
             std::max(kAlwaysAllowed, kMostCopies * (bytes_.size() + document_.buffers.bytes_beside()));
-        if (work > most) refuse("its nodes repeat its meshes so often that they would not fit into memory");
+        if (work > most)
+            refuse("its nodes repeat its meshes so often that they would not fit into memory; export fewer copies");
     }
 
     /// Vertices and indices below a root.

@@ -259,13 +259,15 @@ private:
         const GltfAccessor* indices =
             found != primitive.end() ? &document_.accessors[found->get<std::size_t>()] : nullptr;
         const std::uint64_t count = indices != nullptr ? indices->count : vertices;
-        if (count > std::numeric_limits<std::uint32_t>::max()) fail(path_, where + " has more than 2^32 corners");
+        if (count > std::numeric_limits<std::uint32_t>::max())
+            fail(path_, where + " has more than 2^32 corners; divide it into several");
         corners_.reserve(count);
         for (std::uint64_t i = 0; i < count; ++i) {
             corners_.push_back(indices != nullptr ? index_at(*indices, i) : static_cast<std::uint32_t>(i));
             if (corners_.back() >= vertices)
                 fail(path_, "corner " + std::to_string(i) + " of " + where + " names vertex " +
-                                std::to_string(corners_.back()) + ", but there are only " + std::to_string(vertices));
+                                std::to_string(corners_.back()) + ", but there are only " + std::to_string(vertices) +
+                                "; export it again");
         }
     }
 

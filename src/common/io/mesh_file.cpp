@@ -37,7 +37,7 @@ Reader reader_for(const fs::path& path)
     if (extension == "ply") return read_ply;
     if (extension == "stl") return read_stl;
     if (extension == "gltf" || extension == "glb") return read_gltf;
-    fail(path, "the extension is not one of obj, ply, stl, off, gltf, glb");
+    fail(path, "the extension is not one of obj, ply, stl, off, gltf, glb; convert the file to one of these");
 }
 
 }  // namespace
@@ -61,18 +61,19 @@ std::string read_bytes(const fs::path& path)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) fail(path, "there is no such file");
+    if (status.type() == fs::file_type::not_found) fail(path, "there is no such file; look at its name and folder");
     if (error) fail(path, "it cannot be read (" + error.message() + ")");
     // A device or a pipe has no size to hold a claim against, and may never end.
-    if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file");
+    if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name a mesh file");
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(path, "it cannot be read (" + error.message() + ")");
 
     std::ifstream file(path, std::ios::binary);
-    if (!file) fail(path, "it cannot be opened for reading");
+    if (!file) fail(path, "it cannot be opened for reading; allow that first");
     std::string bytes(static_cast<std::size_t>(size), '\0');
     file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (file.bad() || static_cast<std::uintmax_t>(file.gcount()) != size) fail(path, "it cannot be read to its end");
+    if (file.bad() || static_cast<std::uintmax_t>(file.gcount()) != size)
+        fail(path, "it cannot be read to its end; copy it again");
     return bytes;
 }
 
@@ -81,12 +82,12 @@ TriangleSoup read_soup(const fs::path& path)
     try {
         const Reader reader = reader_for(path);
         const std::string bytes = read_bytes(path);
-        if (bytes.empty()) fail(path, "it is empty");
+        if (bytes.empty()) fail(path, "it is empty; export it again");
         return reader(path, bytes);
     } catch (const std::bad_alloc&) {
-        fail(path, "there is not enough memory to read it");
+        fail(path, "there is not enough memory to read it; divide it or free some");
     } catch (const std::length_error&) {
-        fail(path, "there is not enough memory to read it");
+        fail(path, "there is not enough memory to read it; divide it or free some");
     }
 }
 
@@ -128,11 +129,11 @@ void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
             files.emplace_back(path);
             write_glb(files.back(), mesh);
         } else {
-            fail(path, "the extension is not one of obj, ply, stl, glb");
+            fail(path, "the extension is not one of obj, ply, stl, glb; choose one of these");
         }
         files.back().finish();
     } catch (const std::bad_alloc&) {
-        fail(path, "there is not enough memory to write it");
+        fail(path, "there is not enough memory to write it; free some");
     }
 }
 

@@ -97,7 +97,7 @@ private:
         face_.clear();
         for (std::string_view word = line_.word(); !word.empty(); word = line_.word())
             face_.push_back(vertex_of(read_corner(word)));
-        if (face_.size() < 3) line_.fail("a face has fewer than three corners");
+        if (face_.size() < 3) line_.fail("a face has fewer than three corners; give it more or take it out");
         builder_.add_face(face_);
     }
 
@@ -124,7 +124,7 @@ private:
         const std::int64_t index = line_.to_integer(word, "the index of a " + what);
         if (index == 0 || index > count || index < -count)
             line_.fail(what + " " + std::to_string(index) + " is out of range: there are " + std::to_string(count) +
-                       " so far");
+                       " so far; count from 1, and put them before the faces");
         return index > 0 ? index - 1 : count + index;
     }
 

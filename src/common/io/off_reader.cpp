@@ -35,7 +35,7 @@ public:
 private:
     void read_header()
     {
-        if (!line_.next_line()) line_.fail("there is nothing but comments");
+        if (!line_.next_line()) line_.fail("there is nothing but comments; export it again");
         std::string_view word = line_.word();
         // The keyword may be left out.
         if (const bool has_keyword = std::isalpha(static_cast<unsigned char>(word.front())) != 0 || word == "4OFF";
@@ -43,7 +43,7 @@ private:
             word = read_keyword(word);
             if (word.empty() && line_.next_line()) word = line_.word();
         }
-        if (word == "BINARY") line_.fail("binary OFF is not supported");
+        if (word == "BINARY") line_.fail("binary OFF is not supported; export it as text or as ply");
         vertex_count_ = to_count(word, "the number of vertices");
         face_count_ = to_count(line_.word_of_any_line(), "the number of faces");
         // The number of edges may be missing; nobody needs it.
@@ -52,7 +52,7 @@ private:
         const std::uint64_t room = (line_.bytes_left() + 1) / 2;
         if (vertex_count_ > room / 3 || face_count_ > room)
             line_.fail(std::to_string(vertex_count_) + " vertices and " + std::to_string(face_count_) +
-                       " faces are more than the file has room for");
+                       " faces are more than the file has room for; mend the counts or export it again");
         builder_.soup.vertices.reserve(vertex_count_);
         builder_.soup.triangles.reserve(std::min(face_count_, room / 4));
     }
@@ -74,17 +74,18 @@ private:
             word.remove_prefix(1);
         }
         if (word == "4OFF" || word == "nOFF" || word == "4nOFF")
-            line_.fail(in_quotes(whole) + " has coordinates that are not three-dimensional");
+            line_.fail(in_quotes(whole) + " has coordinates that are not three-dimensional; export it as OFF");
         if (word.starts_with("OFF") && word.size() > 3 && std::isdigit(static_cast<unsigned char>(word[3])) != 0)
             return word.substr(3);
-        if (word != "OFF") line_.fail("it begins with " + in_quotes(whole) + " instead of OFF");
+        if (word != "OFF")
+            line_.fail("it begins with " + in_quotes(whole) + " instead of OFF; export it again or mend its extension");
         return line_.word();
     }
 
     std::uint64_t to_count(std::string_view word, std::string_view what)
     {
         const std::int64_t count = line_.to_integer(word, what);
-        if (count < 0) line_.fail(std::string(what) + " is negative");
+        if (count < 0) line_.fail(std::string(what) + " is negative; mend it or export the file again");
         return static_cast<std::uint64_t>(count);
     }
 
@@ -92,7 +93,7 @@ private:
     {
         if (!line_.next_line())
             line_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(vertex_count_) +
-                       " vertices");
+                       " vertices; export it again");
         Vertex v{{}, kNoNormal, {}};
         for (int axis = 0; axis < 3; ++axis) v.position[axis] = line_.number("a coordinate");
         if (has_normal_)
@@ -115,7 +116,8 @@ private:
         const std::size_t uv = has_uv_ ? 2 : 0;
         const std::size_t channels = count - std::min(count, uv);
         if (count < uv || (has_colour_ ? channels != 3 && channels != 4 : channels != 0))
-            line_.fail("a vertex has " + std::to_string(count) + " numbers for colour and texture");
+            line_.fail("a vertex has " + std::to_string(count) +
+                       " numbers for colour and texture; mend it or leave them out");
         if (has_uv_) v.uv = {numbers[channels], numbers[channels + 1]};
         if (!has_colour_) return;
         for (std::size_t i = 0; i < 4; ++i)
@@ -125,16 +127,18 @@ private:
     void read_face(std::uint64_t i)
     {
         if (!line_.next_line())
-            line_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(face_count_) + " faces");
+            line_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(face_count_) +
+                       " faces; export it again");
         const std::uint64_t count = to_count(line_.word(), "the number of corners");
         if (count > (line_.bytes_left() + 1) / 2)
-            line_.fail("a face with " + std::to_string(count) + " corners is more than the file has room for");
+            line_.fail("a face with " + std::to_string(count) +
+                       " corners is more than the file has room for; mend the count or export it again");
         face_.clear();
         for (std::uint64_t k = 0; k < count; ++k) {
             const std::int64_t index = line_.integer("a vertex index");
             if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_)
                 line_.fail("vertex " + std::to_string(index) + " is out of range: there are " +
-                           std::to_string(vertex_count_) + ", counted from 0");
+                           std::to_string(vertex_count_) + ", counted from 0; mend the face or take it out");
             face_.push_back(static_cast<std::uint32_t>(index));
         }
         builder_.add_face(face_);

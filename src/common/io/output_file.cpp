@@ -33,7 +33,8 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path))
 {
     std::error_code error;
     const fs::file_status status = fs::status(path_, error);
-    if (fs::exists(status) && !fs::is_regular_file(status)) fail(path_, "it exists and is not a regular file");
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        fail(path_, "it exists and is not a regular file; choose another name");
     const fs::path temporary = temporary_beside(path_);
     file_.reset(std::fopen(temporary.c_str(), "wbx"));
     if (!file_ && errno == ENOENT) fail(path_, "it cannot be written: its folder does not exist; make that first");
@@ -67,7 +68,7 @@ void OutputFile::commit()
 {
     std::error_code error;
     fs::rename(temporary_, path_, error);
-    if (error) fail(path_, "it cannot be written (" + error.message() + ")");
+    if (error) fail(path_, "it cannot be written (" + error.message() + "); choose another place");
     forget_unfinished(unfinished_);
     temporary_.clear();
 }
@@ -80,7 +81,7 @@ void OutputFile::withdraw() noexcept
 
 void OutputFile::fail_to_write() const
 {
-    fail(path_, std::string("it cannot be written (") + std::strerror(errno) + ")");
+    fail(path_, std::string("it cannot be written (") + std::strerror(errno) + "); choose another place");
 }
 
 }  // namespace kerf::io

@@ -33,7 +33,7 @@ PlyType to_type(const TextScanner& line, std::string_view word)
     }};
     for (const auto& [name, type] : kNames)
         if (name == word) return type;
-    line.fail(in_quotes(word) + " is not a type of property");
+    line.fail(in_quotes(word) + " is not a type of property; the types of PLY are char to double and int8 to float64");
 }
 
 PlyFormat to_format(const TextScanner& line, std::string_view word)
@@ -41,7 +41,8 @@ PlyFormat to_format(const TextScanner& line, std::string_view word)
     if (word == "ascii") return PlyFormat::ascii;
     if (word == "binary_little_endian") return PlyFormat::little_endian;
     if (word == "binary_big_endian") return PlyFormat::big_endian;
-    line.fail(in_quotes(word) + " is not a format of PLY files");
+    line.fail(in_quotes(word) +
+              " is not a format of PLY files; those are ascii, binary_little_endian and binary_big_endian 1.0");
 }
 
 PlyProperty read_property(TextScanner& line)
@@ -51,12 +52,13 @@ PlyProperty read_property(TextScanner& line)
     if (word == "list") {
         property.is_list = true;
         property.count_type = to_type(line, line.word());
-        if (!is_integer(property.count_type)) line.fail("the length of a list is not an integer");
+        if (!is_integer(property.count_type))
+            line.fail("the length of a list is not an integer; give it an integer type");
         word = line.word();
     }
     property.type = to_type(line, word);
     property.name = line.word();
-    if (property.name.empty()) line.fail("a property has no name");
+    if (property.name.empty()) line.fail("a property has no name; give it one");
     return property;
 }
 
@@ -77,7 +79,7 @@ void check_room(const TextScanner& line, const PlyHeader& header)
         const std::uint64_t size = least_size(element, header.format);
         if (size > 0 && element.count > room / size)
             line.fail("element " + in_quotes(element.name) + " is said to occur " + std::to_string(element.count) +
-                      " times, which is more than the file has room for");
+                      " times, which is more than the file has room for; mend the count or export it again");
         room -= element.count * size;
     }
 }
@@ -112,10 +114,11 @@ PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view by
 {
     TextScanner line(path, bytes, TextScanner::Syntax{});
     PlyHeader header;
-    if (!line.next_line() || line.word() != "ply") line.fail("it does not begin with 'ply'");
+    if (!line.next_line() || line.word() != "ply")
+        line.fail("it does not begin with 'ply'; export it again or mend its extension");
     bool has_format = false;
     for (;;) {
-        if (!line.next_line()) line.fail("the file ends inside the header");
+        if (!line.next_line()) line.fail("the file ends inside the header; export it again");
         const std::string_view keyword = line.word();
         if (keyword == "end_header") break;
         if (keyword == "format") {
@@ -125,17 +128,20 @@ PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view by
             PlyElement element;
             element.name = line.word();
             const std::int64_t count = line.integer("the number of " + in_quotes(element.name));
-            if (count < 0) line.fail("the number of " + in_quotes(element.name) + " is negative");
+            if (count < 0)
+                line.fail("the number of " + in_quotes(element.name) +
+                          " is negative; mend it or export the file again");
             element.count = static_cast<std::uint64_t>(count);
             header.elements.push_back(std::move(element));
         } else if (keyword == "property") {
-            if (header.elements.empty()) line.fail("a property comes before the first element");
+            if (header.elements.empty()) line.fail("a property comes before the first element; put it behind one");
             header.elements.back().properties.push_back(read_property(line));
         } else if (keyword != "comment" && keyword != "obj_info") {
-            line.fail(in_quotes(keyword) + " is not a keyword of PLY headers");
+            line.fail(in_quotes(keyword) +
+                      " is not a keyword of PLY headers; take the line out or export the file again");
         }
     }
-    if (!has_format) line.fail("the header does not name the format");
+    if (!has_format) line.fail("the header does not name the format; add a line such as 'format ascii 1.0'");
     line.end_line();
     check_room(line, header);
     header.size = bytes.size() - line.bytes_left();

@@ -33,7 +33,7 @@ public:
     void skip(PlyType, std::uint64_t count)
     {
         for (std::uint64_t i = 0; i < count; ++i)
-            if (words_.word_of_any_line().empty()) fail("a number is missing");
+            if (words_.word_of_any_line().empty()) fail("a number is missing; export it again");
     }
     [[noreturn]] void fail(const std::string& reason) const { words_.fail(reason); }
 
@@ -84,12 +84,12 @@ public:
             case PlyType::float64:
                 break;
         }
-        fail("an index is not an integer");
+        fail("an index is not an integer; give indices an integer type");
     }
 
     void skip(PlyType type, std::uint64_t count)
     {
-        if (count > (bytes_.size() - at_) / size_of(type)) fail("it is truncated");
+        if (count > (bytes_.size() - at_) / size_of(type)) fail("it is truncated; export it again");
         at_ += static_cast<std::size_t>(count) * size_of(type);
     }
 
@@ -101,7 +101,7 @@ public:
 private:
     const char* take(std::size_t size)
     {
-        if (bytes_.size() - at_ < size) fail("it is truncated");
+        if (bytes_.size() - at_ < size) fail("it is truncated; export it again");
         const char* place = bytes_.data() + at_;
         at_ += size;
         return place;
@@ -129,7 +129,7 @@ public:
         bool has_vertices = false;
         for (const PlyElement& element : header_.elements) {
             if (element.name == "vertex") {
-                if (std::exchange(has_vertices, true)) fail(path_, "it has more than one element 'vertex'");
+                if (std::exchange(has_vertices, true)) fail(path_, "it has more than one element 'vertex'; join them");
                 read_vertices(element);
             } else if (element.name == "face") {
                 read_faces(element);
@@ -149,7 +149,7 @@ private:
     void read_vertices(const PlyElement& element)
     {
         const PlyVertexLayout layout = ply_vertex_layout(element);
-        if (!layout.has_position) fail(path_, "its vertices have no x, y and z");
+        if (!layout.has_position) fail(path_, "its vertices have no x, y and z; name their coordinates so");
         builder_.soup.vertices.reserve(element.count);
         for (const PlyStream& stream : layout.streams) {
             builder_.soup.streams.push_back({stream.name, stream.width, {}});
@@ -224,12 +224,12 @@ private:
     void read_indices(const PlyProperty& property, std::int64_t least)
     {
         const std::int64_t count = source_.integer(property.count_type);
-        if (count < 0) source_.fail("a list of indices has a negative length");
+        if (count < 0) source_.fail("a list of indices has a negative length; export it again");
         for (std::int64_t k = 0; k < count; ++k) {
             const std::int64_t index = source_.integer(property.type);
             if (index < least || (index >= 0 && static_cast<std::uint64_t>(index) >= vertex_count_))
                 source_.fail("vertex " + std::to_string(index) + " is out of range: there are " +
-                             std::to_string(vertex_count_) + ", counted from 0");
+                             std::to_string(vertex_count_) + ", counted from 0; mend the face or take it out");
             corners_.push_back(index < 0 ? kRestart : static_cast<std::uint32_t>(index));
         }
     }
@@ -251,7 +251,7 @@ private:
     void skip_list(const PlyProperty& property)
     {
         const std::int64_t count = source_.integer(property.count_type);
-        if (count < 0) source_.fail("a list has a negative length");
+        if (count < 0) source_.fail("a list has a negative length; export it again");
         source_.skip(property.type, static_cast<std::uint64_t>(count));
     }
 

@@ -18,7 +18,7 @@ LoadedMesh read_mesh(const std::filesystem::path& path)
         loaded.repairs = assembled.repairs;
         return loaded;
     } catch (const std::bad_alloc&) {
-        fail(path, "there is not enough memory to prepare it");
+        fail(path, "there is not enough memory to prepare it; divide it or free some");
     }
 }
 

@@ -33,6 +33,8 @@ glm::vec3 unit_or_none(const glm::vec3& n)
     return std::abs(length - 1.0) > kUnitTolerance ? glm::vec3(wide / length) : n;
 }
 
+constexpr const char* kMendNumber = "; give it a number, or take it and its faces out";
+
 glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     const glm::dvec3 e = glm::dvec3(b) - glm::dvec3(a), f = glm::dvec3(c) - glm::dvec3(a);
@@ -43,7 +45,8 @@ glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& 
 
 std::uint32_t SoupBuilder::add_vertex(const Vertex& vertex)
 {
-    if (soup.vertices.size() >= kMostVertices) fail(path_, "the mesh has more than 2^32 vertices");
+    if (soup.vertices.size() >= kMostVertices)
+        fail(path_, "the mesh has more than 2^32 vertices; divide it into several");
     soup.vertices.push_back(vertex);
     return static_cast<std::uint32_t>(soup.vertices.size() - 1);
 }
@@ -54,11 +57,13 @@ void SoupBuilder::add_face(std::span<const std::uint32_t> corners)
     for (const std::uint32_t corner : corners)
         if (corner >= soup.vertices.size())
             fail(path_, "face " + std::to_string(soup.triangles.size()) + " names vertex " + std::to_string(corner) +
-                            ", but there are only " + std::to_string(soup.vertices.size()));
+                            ", but there are only " + std::to_string(soup.vertices.size()) +
+                            ", counted from 0; mend the face or take it out");
     if (soup.triangles.size() + (corners.size() - 2) > kMostTriangles)
-        fail(path_, "the mesh has more than 2^32 corners");
+        fail(path_, "the mesh has more than 2^32 corners; divide it into several");
     if (!triangulate_polygon(corners, soup.vertices, soup.triangles))
-        fail(path_, "a face has " + std::to_string(corners.size()) + " corners and is not convex, which is too long");
+        fail(path_, "a face has " + std::to_string(corners.size()) +
+                        " corners and is not convex, which is too long; divide it");
     if (material_ != kNone) soup.triangle_materials.resize(soup.triangles.size(), material_);
 }
 
@@ -77,7 +82,7 @@ void SoupBuilder::use_material(const std::string& name)
 
 TriangleSoup SoupBuilder::finish()
 {
-    if (soup.triangles.empty()) fail(path_, "there are no triangles in it");
+    if (soup.triangles.empty()) fail(path_, "there are no triangles in it; export it with faces");
     finish_vertices();
     return std::move(soup);
 }
@@ -87,9 +92,10 @@ void SoupBuilder::finish_vertices()
     std::uint64_t missing = 0;
     for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
         Vertex& v = soup.vertices[i];
-        if (!is_finite(v.position)) fail(path_, "vertex " + std::to_string(i) + " has a coordinate that is not finite");
+        if (!is_finite(v.position))
+            fail(path_, "vertex " + std::to_string(i) + " has a coordinate that is not finite" + kMendNumber);
         if (!std::isfinite(v.uv.x) || !std::isfinite(v.uv.y))
-            fail(path_, "vertex " + std::to_string(i) + " has a texture coordinate that is not finite");
+            fail(path_, "vertex " + std::to_string(i) + " has a texture coordinate that is not finite" + kMendNumber);
         v.position += 0.0f;  // -0 becomes +0, so that equal positions have equal bits
         v.normal = unit_or_none(v.normal);
         missing += v.normal == kNoNormal;

@@ -47,12 +47,13 @@ bool is_text(std::string_view bytes)
 /// Facet normals are not read: they say nothing that the corners do not, and are often wrong.
 TriangleSoup read_binary(const std::filesystem::path& path, std::string_view bytes)
 {
-    if (bytes.size() < kHeaderBytes) fail(path, "it is neither a text nor a binary STL file, or its header is cut off");
+    if (bytes.size() < kHeaderBytes)
+        fail(path, "it is neither a text nor a binary STL file, or its header is cut off; export it again");
     const std::uint64_t count = binary_count(bytes);
     if ((bytes.size() - kHeaderBytes) / kTriangleBytes < count)
         fail(path, "it is truncated: its header promises " + std::to_string(count) +
                        " triangles, but there is room for " +
-                       std::to_string((bytes.size() - kHeaderBytes) / kTriangleBytes));
+                       std::to_string((bytes.size() - kHeaderBytes) / kTriangleBytes) + "; export it again");
     SoupBuilder builder(path);
     builder.soup.vertices.reserve(count * 3);
     builder.soup.triangles.reserve(count);
@@ -83,7 +84,8 @@ public:
         for (;;) {
             const std::string_view word = words_.word_of_any_line();
             if (word.empty()) break;
-            if (!is_word(word, "solid")) words_.fail(in_quotes(word) + " stands where a solid should begin");
+            if (!is_word(word, "solid"))
+                words_.fail(in_quotes(word) + " stands where a solid should begin; export it again");
             words_.rest();
             read_solid();
         }
@@ -99,8 +101,9 @@ private:
                 words_.rest();
                 return;
             }
-            if (word.empty()) words_.fail("the file ends inside a solid");
-            if (!is_word(word, "facet")) words_.fail(in_quotes(word) + " stands where a facet should begin");
+            if (word.empty()) words_.fail("the file ends inside a solid; export it again");
+            if (!is_word(word, "facet"))
+                words_.fail(in_quotes(word) + " stands where a facet should begin; export it again");
             read_facet();
         }
     }
@@ -115,14 +118,15 @@ private:
         for (;;) {
             const std::string_view word = words_.word_of_any_line();
             if (is_word(word, "endloop")) break;
-            if (word.empty()) words_.fail("the file ends inside a facet");
-            if (!is_word(word, "vertex")) words_.fail(in_quotes(word) + " stands where a vertex should be");
+            if (word.empty()) words_.fail("the file ends inside a facet; export it again");
+            if (!is_word(word, "vertex"))
+                words_.fail(in_quotes(word) + " stands where a vertex should be; export it again");
             Vertex v{{}, kNoNormal, {}};
             for (int axis = 0; axis < 3; ++axis)
                 v.position[axis] = words_.to_number(words_.word_of_any_line(), "a coordinate");
             corners_.push_back(builder_.add_vertex(v));
         }
-        if (corners_.size() < 3) words_.fail("a facet has fewer than three vertices");
+        if (corners_.size() < 3) words_.fail("a facet has fewer than three vertices; give it three or take it out");
         builder_.add_face(corners_);
         expect("endfacet");
     }
@@ -130,9 +134,9 @@ private:
     void expect(std::string_view keyword)
     {
         const std::string_view word = words_.word_of_any_line();
-        if (word.empty()) words_.fail("the file ends where '" + std::string(keyword) + "' should be");
+        if (word.empty()) words_.fail("the file ends where '" + std::string(keyword) + "' should be; export it again");
         if (!is_word(word, keyword))
-            words_.fail(in_quotes(word) + " stands where '" + std::string(keyword) + "' should be");
+            words_.fail(in_quotes(word) + " stands where '" + std::string(keyword) + "' should be; export it again");
     }
 
     TextScanner words_;

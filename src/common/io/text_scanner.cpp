@@ -139,29 +139,31 @@ std::string_view TextScanner::rest()
 
 float TextScanner::to_number(std::string_view text, std::string_view what) const
 {
-    if (text.empty()) fail(std::string(what) + " is missing");
+    if (text.empty()) fail(std::string(what) + " is missing; add it or take the line out");
     float value = 0.0f;
     switch (parse_float(text, value)) {
         case NumberError::none:
             break;
         case NumberError::not_a_number:
-            fail(std::string(what) + " is " + in_quotes(text) + ", which is not a number");
+            fail(std::string(what) + " is " + in_quotes(text) + ", which is not a number; write one");
         case NumberError::not_finite:
-            fail(std::string(what) + " is " + in_quotes(text) + ", which is not finite");
+            fail(std::string(what) + " is " + in_quotes(text) +
+                 ", which is not finite; write a number, or take it and its faces out");
         case NumberError::too_large:
-            fail(std::string(what) + " is " + in_quotes(text) + ", which is too large for single precision");
+            fail(std::string(what) + " is " + in_quotes(text) +
+                 ", which is too large for single precision; scale the mesh down");
     }
     return value;
 }
 
 std::int64_t TextScanner::to_integer(std::string_view text, std::string_view what) const
 {
-    if (text.empty()) fail(std::string(what) + " is missing");
+    if (text.empty()) fail(std::string(what) + " is missing; add it or take the line out");
     const std::string_view digits = text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size())
-        fail(std::string(what) + " is " + in_quotes(text) + ", which is not an integer that fits");
+        fail(std::string(what) + " is " + in_quotes(text) + ", which is not an integer that fits; write one");
     return value;
 }
 
