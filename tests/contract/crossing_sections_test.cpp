@@ -128,6 +128,8 @@ TEST_P(CrossingSections, StarsAreCoveredAsOftenAsTheyWind)
         EXPECT_NEAR(areas.wound, result.section_area, 1e-6 * result.section_area);
         EXPECT_NEAR(areas.cap, result.section_area, 1e-6 * result.section_area) << points;
         EXPECT_FALSE(result.caps_exceed_section) << points;
+        for (const auto* side : {&result.positive, &result.negative})
+            EXPECT_EQ(cut(side->front()->clone(), plane).status, Status::missed);
     }
 }
 
