@@ -455,12 +455,15 @@ private:
                 mesh_.set_point(vertex, wanted != kNone ? mesh_.point(wanted) : cap_corner(plan_.orbit_start_[i]));
             }
             before = wanted;
-            Index outgoing = plan_.orbit_start_[i];
+            Index leaving = kNone, arriving = kNone;
             for_each_outgoing(mesh_, plan_.orbit_start_[i], [&](Index h) {
                 mesh_.set_to(h ^ 1u, vertex);
-                if (mesh_.is_boundary(h)) outgoing = h;
+                if (mesh_.is_boundary(h)) leaving = h;
+                if (mesh_.is_boundary(h ^ 1u)) arriving = h ^ 1u;
             });
-            mesh_.set_halfedge_of_vertex(vertex, outgoing);
+            mesh_.set_halfedge_of_vertex(vertex, leaving != kNone ? leaving : plan_.orbit_start_[i]);
+            // Where loops and chains meet at the boundary caps may put other boundary edges together than before.
+            if (leaving != kNone && arriving != kNone) mesh_.link(arriving, leaving);
         }
     }
 

@@ -84,7 +84,7 @@ void require_sound(const Fragments& side, const Plane& plane, bool is_positive, 
         require(referee::open_edges(mesh) == 0, who + ": a closed mesh has closed fragments");
         require(referee::open_edges_by_position(mesh) == 0, who + ": ... by position as well");
         const double volume = referee::volume(mesh), area = referee::area(mesh);
-        const double extent = glm::length(mesh.bounds().hi - mesh.bounds().lo);
+        const double extent = glm::length(glm::dvec3(mesh.bounds().hi) - glm::dvec3(mesh.bounds().lo));
         const MassProperties mass = fragment->mass_properties();
         require(std::abs(mass.volume - volume) <= 1e-9 * area * extent + scale.noise * area,
                 who + ": the volume is that of the mesh");
