@@ -12,6 +12,7 @@ if(KERF_WERROR)
 endif()
 if(KERF_SANITIZE)
   target_compile_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/cmake/sanitize-ignore.txt>
     # GCC's manual: sanitizers cause false positives of this warning (here in OpenMesh's headers).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})

@@ -5,6 +5,7 @@ import argparse
 import hashlib
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 
@@ -45,6 +46,12 @@ def minimised(name, finding):
     return smaller if smaller.exists() else finding
 
 
+def processor_seconds():
+    """Of all programs run so far."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def reason(log):
     """What was wrong, in one line of the fuzzer's log."""
     for mark in ("broken promise:", "runtime error:", "ERROR: AddressSanitizer", "ERROR: libFuzzer", "what():"):
@@ -68,13 +75,16 @@ def fuzz(name, longest, seconds):
                HERE / "seeds" / name]
     print(f"{name}: {seconds} s", flush=True)
     log_path = FINDINGS / f"{name}.log"
+    before = processor_seconds()
     with log_path.open("wb") as log:
         status = subprocess.run(command, env=environment(), stdout=log, stderr=log, check=False).returncode
     log = log_path.read_text(errors="replace")
     executed = [line.split()[-1] for line in log.splitlines() if "number_of_executed_units" in line]
     new = sorted(set(findings.iterdir()) - known)
     if status == 0:
-        print(f"{name}: clean after {executed[-1] if executed else '?'} inputs")
+        # A machine that does much else gives a fuzzer far less than the time on the clock.
+        print(f"{name}: clean after {executed[-1] if executed else '?'} inputs, "
+              f"{processor_seconds() - before:.0f} s of processor time", flush=True)
         return True
     print(f"{name}: {reason(log)}\n  the log: {log_path}")
     for finding in new:
