@@ -5,7 +5,8 @@
 #include "viewer/sim/script.h"
 
 // Whole games from recorded input, from the first tick to the last: a few seconds of swipes, then nobody plays on. The
-// seeds are chosen so that the back ends agree on the score; where pieces touch, their positions part in the last digit.
+// seeds are chosen so that the back ends agree on the score; where pieces touch, their positions part in the last
+// digit.
 
 namespace kerf::game {
 namespace {
@@ -75,5 +76,72 @@ INSTANTIATE_TEST_SUITE_P(Modes, ScriptedGame,
                                          Outcome{GameMode::arcade, 75.0, 71, 31, 6, 0, 2, GameEnd::time},
                                          Outcome{GameMode::zen, 90.5, 26, 13, 1, 1, 0, GameEnd::time}),
                          [](const auto& each) { return std::string(name_of(each.param.mode)); });
+
+namespace {
+
+struct LongGame
+{
+    const char* script;  // says the back end that it was recorded with
+    std::int64_t score, fruit_cut, criticals;
+};
+
+void PrintTo(const LongGame& game, std::ostream* out)
+{
+    *out << game.script;
+}
+
+class LongScriptedGame : public testing::TestWithParam<LongGame>
+{
+protected:
+    // Plays the recording until the game is over, at the latest after half a minute.
+    static test::Game play(const sim::Script& script, const std::string& backend)
+    {
+        test::Game game(GameMode::classic, script.seed.value(), backend);
+        game.simulation().push(script.events);
+        game.play_until([&] { return game.is_over(); }, 30 * sim::kTicksPerSecond);
+        return game;
+    }
+
+    const sim::Script script_ = sim::read_script(KERF_SCRIPTS_DIR "/" + std::string(GetParam().script) + ".kerf");
+};
+
+}  // namespace
+
+TEST_P(LongScriptedGame, HasACombosPointsAndAnExtraLifeAndEndsWithABomb)
+{
+    const LongGame& expected = GetParam();
+    const test::Game game = play(script_, script_.backend);
+    const GameState& state = game.state();
+    EXPECT_EQ(state.phase, GamePhase::over);
+    EXPECT_EQ(state.end, GameEnd::bomb);
+    EXPECT_EQ(state.score, expected.score);
+    EXPECT_EQ(state.fruit_cut, expected.fruit_cut);
+    EXPECT_EQ(state.criticals, expected.criticals);
+    EXPECT_EQ(state.combos, 1);
+    EXPECT_EQ(state.longest_combo, 3);
+    const std::vector<GameEvent> extra_lives = game.events(GameEventKind::extra_life);
+    ASSERT_EQ(extra_lives.size(), 1u);
+    std::int64_t before = 0;
+    for (const GameEvent& event : game.scene().events())
+        if (event.tick < extra_lives[0].tick) before += event.points;
+    EXPECT_LT(before, 100) << "the life came with the hundredth point";
+    EXPECT_GT(state.score, 100);
+}
+
+TEST_P(LongScriptedGame, RunsToItsEndWithTheOtherBackEndsToo)
+{
+    for (const std::string& backend : sim::backend_names()) {
+        SCOPED_TRACE(backend);
+        const test::Game game = play(script_, backend);
+        EXPECT_EQ(game.state().phase, GamePhase::over);
+        EXPECT_GT(game.state().score, 0);
+    }
+}
+
+// Each is over because a bomb was cut, or, with another back end, because there is nobody who plays on.
+INSTANTIATE_TEST_SUITE_P(Classic, LongScriptedGame,
+                         testing::Values(LongGame{"classic_bomb_halfedge", 104, 38, 11},
+                                         LongGame{"classic_bomb_baseline", 103, 37, 11}),
+                         [](const auto& each) { return std::string(each.param.script); });
 
 }  // namespace kerf::game
