@@ -13,9 +13,12 @@ void paint(Look look, Place place, inout Surface s)
     vec3 p = place.object;
     float segments = look.second.w;
     bool is_lemon = segments < 9.5;
-    float polar = polar_of(p), turn = turn_of(p), rho = length(p.xz);
+    float polar = polar_of(p);
     float outline = citrus_outline(polar, is_lemon);
     float r = length(p), lump = cloud(p * 5.0, 2) - 0.5;
+    // The column is not straight, and segments lean a little: a long cut meets membranes here and there, not all along.
+    vec3 grown = p + vec3(0.022 * sin(6.0 * p.y + 0.7), 0.0, 0.022 * cos(5.0 * p.y));
+    float turn = turn_of(grown) + 0.20 * sin(3.6 * p.y + 0.9) + 0.10 * lump, rho = length(grown.xz);
     // Metres below the skin.
     float below = outline - r;
     float zest_depth = 0.020 + 0.008 * (noise(p * 30.0) - 0.5), pith_depth = (is_lemon ? 0.070 : 0.058) + 0.016 * lump;
@@ -27,7 +30,9 @@ void paint(Look look, Place place, inout Surface s)
     // Distance to the nearer membrane, to the pith and to the column: the corners of a segment are round.
     float to_side = rho * sin(min(across, 1.0 - across) * 2.0 * half_angle);
     float to_pith = below - pith_depth;
-    float column = (is_lemon ? 0.035 : 0.045) + 0.012 * lump;
+    // Thin in the middle, wide where it meets the pith at the ends.
+    float end = abs(p.y) / (is_lemon ? 0.62 : 0.55);
+    float column = (is_lemon ? 0.020 : 0.026) + 0.075 * end * end * end * end + 0.014 * lump;
     float to_column = rho - column;
     const float kRound = 0.035;
     vec3 inner = max(vec3(kRound) - vec3(to_side, to_pith, to_column), 0.0);
@@ -35,16 +40,18 @@ void paint(Look look, Place place, inout Surface s)
 
     // Sacs: long drops from the skin to the middle.
     float lean = (across - 0.5) * 2.0 * half_angle;
-    vec3 sac_space = vec3(rho * 7.0, rho * sin(lean) * 24.0 + 31.0 * number, (p.y - 0.5 * p.y * rho) * 21.0);
-    sac_space.x += 0.8 * noise(sac_space * 0.7);
-    vec3 sac = cells(sac_space + 0.35 * lump);
+    // They fan out: seen along the axis they are as wide as far out as near the column.
+    vec3 sac_space = vec3(rho * 6.0, rho * sin(lean) * 24.0 + 31.0 * number, 14.5 * p.y / (0.32 + rho));
+    sac_space.x += 1.1 * noise(sac_space * 0.6) + 0.45 * sac_space.z * step(0.5, fract(0.37 * number));
+    vec3 sac = cells(sac_space + 0.6 * lump);
     float tear = smoothstep(-0.05, 0.24, sac.y);
     vec3 juice = mix(look.colour.rgb, look.second.rgb, 0.55 * sac.z + 0.25 * noise(p * 38.0));
     juice *= 1.10 - 0.45 * sac.x * sac.x;
     vec3 skin_of_sac = mix(look.second.rgb, look.third.rgb, 0.18);
     vec3 flesh = mix(skin_of_sac, juice, 0.30 + 0.70 * tear);
     vec3 pith = look.third.rgb * (0.90 + 0.14 * noise(p * 44.0));
-    vec3 membrane = mix(look.third.rgb, look.second.rgb, 0.30);
+    // A membrane lets the colour behind it through.
+    vec3 membrane = mix(look.third.rgb, mix(look.second.rgb, juice, 0.4), 0.45 + 0.25 * noise(p * vec3(30.0, 12.0, 30.0)));
 
     float soft = 0.002 + place.pixel;
     float is_flesh = above(0.007, wall, soft);

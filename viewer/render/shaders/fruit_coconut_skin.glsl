@@ -6,8 +6,9 @@ void paint(Look look, Place place, inout Surface s)
     vec3 side = vec3(cos(turn), 0.0, -sin(turn));
     float wander = cloud(p * 3.0, 2);
     float fibre = noise(vec3(side.xz * 26.0 + 1.6 * wander, 3.0 * polar)), hair = noise(vec3(side.xz * 70.0 + 3.0 * wander, 7.0 * polar));
-    // Towards the outline fibres get finer than pixels.
-    float fine = place.pixel * 80.0, coarse = place.pixel * 32.0;
+    // Towards the outline and towards the poles fibres get finer than pixels.
+    float narrow = place.pixel / max(sin(polar), 0.04);
+    float fine = narrow * 80.0, coarse = narrow * 32.0;
     hair = mix(0.5, hair, 1.0 / (1.0 + fine * fine));
     fibre = mix(0.5, fibre, 1.0 / (1.0 + coarse * coarse));
     float tuft = smoothstep(0.45, 0.8, cloud(vec3(side.xz * 5.0, 4.0 * polar), 2));

@@ -9,7 +9,7 @@ void describe(Look look, Place place, inout Surface s)
     if (place.is_cap) {
         // Flesh swallows light; what comes back has gone through colour more than once.
         s.albedo = 0.82 * pow(max(s.albedo, 0.0), vec3(1.25));
-        s.reflectance = min(s.reflectance, 0.010);
+        s.reflectance = min(s.reflectance, 0.004);
         s.roughness = max(s.roughness, 0.5);
     }
 }

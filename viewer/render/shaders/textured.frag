@@ -60,7 +60,9 @@ void main()
 
     // The room is mirrored as a bright ceiling over a dark floor, blurred by roughness.
     vec3 r = reflect(-v, n);
-    vec3 edge = f0 + (max(vec3(1.0 - s.roughness), f0) - f0) * pow(1.0 - nv, 5.0);
+    // A cut is rough in the small: seen edge on it keeps its colour.
+    float grazing = (is_cap ? 0.25 : 1.0) * pow(1.0 - nv, 5.0);
+    vec3 edge = f0 + (max(vec3(1.0 - s.roughness), f0) - f0) * grazing;
     float ceiling = smoothstep(-0.2 - s.roughness, 0.5 + s.roughness, r.y);
     light += edge * mix(frame.ground_colour.rgb, 2.2 * frame.sky_colour.rgb, ceiling);
 
@@ -70,9 +72,10 @@ void main()
         float film_nh = max(dot(film, h), 0.0), film_nv = max(dot(film, v), 1e-3);
         const float kFilm2 = 0.0009;  // roughness 0.17, to the fourth power
         float film_d = kFilm2 / (3.14159 * pow(film_nh * film_nh * (kFilm2 - 1.0) + 1.0, 2.0) + 1e-5);
-        // A flat cut that happens to mirror the light is a sheet of glare: only drops may shine that much.
-        light += s.wet * frame.light_colour.rgb * arriving * lit * min(0.003 * film_d, 0.020);
-        float film_edge = 0.02 + 0.45 * pow(1.0 - film_nv, 5.0);
+        // A flat cut that happens to mirror the light would be a sheet of glare: juice stands on it in patches.
+        float patches = smoothstep(0.50, 0.66, noise(pattern_position * 17.0));
+        light += s.wet * frame.light_colour.rgb * arriving * lit * min(0.003 * film_d, 0.006 + 0.030 * patches);
+        float film_edge = 0.02 + (is_cap ? 0.16 : 0.45) * pow(1.0 - film_nv, 5.0);
         float film_ceiling = smoothstep(-0.25, 0.6, reflect(-v, film).y);
         light += s.wet * film_edge * mix(frame.ground_colour.rgb, 2.2 * frame.sky_colour.rgb, film_ceiling);
     }
