@@ -28,8 +28,8 @@ const std::vector<Named>& surfaces()
         {"paint", look(coat, {0.045f, 0.175f, 0.36f}, {0.032f, 0.13f, 0.30f}, {}, 6, 0.8f, 0.3f, 0.045f, 0, 0.0005f)},
         {"stone", look(stone, {0.52f, 0.50f, 0.46f}, {0.36f, 0.35f, 0.33f}, {0.16f, 0.15f, 0.15f}, 11, 0.75f, 0.8f,
                        0.03f, 0, 0.004f)},
-        {"rock", look(stone, {0.30f, 0.26f, 0.225f}, {0.185f, 0.16f, 0.145f}, {0.09f, 0.085f, 0.085f}, 24, 0.85f, 0.85f,
-                      0.03f, 0, 0.0025f)},
+        {"rock", look(rock_skin, {0.235f, 0.195f, 0.160f}, {0.105f, 0.092f, 0.084f}, {0.46f, 0.41f, 0.34f}, 8, 0.8f,
+                      0.85f, 0.03f, 0, 0.012f)},
         {"wood", look(wood, {0.40f, 0.20f, 0.075f}, {0.20f, 0.082f, 0.026f}, {0.12f, 0.045f, 0.014f}, 6, 0.8f, 0.5f,
                       0.04f, 0, 0.0015f)},
         {"iron", look(brushed, {0.20f, 0.21f, 0.23f}, {0.36f, 0.37f, 0.39f}, {}, 6, 0.6f, 0.42f, 0.6f, 0, 0.0006f)},
@@ -55,14 +55,14 @@ const std::vector<Named>& insides()
                                         0.9f, 0.62f, 0.035f, 0, 0.0015f);
     static const SurfaceLook granite = look(stone, {0.66f, 0.62f, 0.56f}, {0.48f, 0.42f, 0.37f}, {0.12f, 0.11f, 0.11f},
                                             13, 0.9f, 0.85f, 0.03f, 0, 0.005f);
-    static const SurfaceLook slate = look(stone, {0.46f, 0.30f, 0.17f}, {0.62f, 0.44f, 0.26f}, {0.20f, 0.13f, 0.09f},
-                                          20, 0.9f, 0.75f, 0.035f, 0, 0.003f);
+    static const SurfaceLook core = look(rock_core, {0.150f, 0.118f, 0.098f}, {0.30f, 0.125f, 0.060f},
+                                         {0.045f, 0.042f, 0.046f}, 8, 0.8f, 0.7f, 0.03f, 0, 0.004f);
     static const SurfaceLook steel =
         look(brushed, {0.36f, 0.375f, 0.40f}, {0.50f, 0.515f, 0.53f}, {}, 7, 0.8f, 0.34f, 0.7f, 0, 0.0004f);
     static const SurfaceLook stuffing = look(foam, {0.83f, 0.69f, 0.45f}, {0.72f, 0.54f, 0.30f}, {0.52f, 0.36f, 0.18f},
                                              12, 0.8f, 0.9f, 0.03f, 0.3f, 0.006f);
     static const std::vector<Named> all{{"body", steel}, {"fur", stuffing}, {"wood", oak},    {"stone", granite},
-                                        {"rock", slate}, {"paint", beech},  {"ivory", padauk}};
+                                        {"rock", core},  {"paint", beech},  {"ivory", padauk}};
     return all;
 }
 
@@ -100,7 +100,8 @@ SurfaceLook inside_of(std::span<const Material> materials)
     for (const Material& material : materials)
         if (const SurfaceLook* flesh = find(fruit_flesh(), material.name)) return *flesh;
     for (const auto& [name, inside] : insides())
-        if (std::any_of(materials.begin(), materials.end(), [&name = name](const Material& m) { return m.name == name; }))
+        if (std::any_of(materials.begin(), materials.end(),
+                        [&name = name](const Material& m) { return m.name == name; }))
             return inside;
     // Nobody knows what is inside: a warm clay that stands out from most colours.
     return look(Pattern::stone, {0.62f, 0.24f, 0.12f}, {0.50f, 0.16f, 0.07f}, {0.36f, 0.10f, 0.05f}, 14, 0.6f, 0.8f,
@@ -139,8 +140,11 @@ SurfaceLook look_of(std::span<const Material> materials, std::uint32_t material,
 
 std::span<const std::string_view> shaders_of(Pattern pattern)
 {
-    static constexpr std::array<std::string_view, 1> kMaterials{"materials.glsl"}, kImage{"image.glsl"};
+    static constexpr std::array<std::string_view, 1> kMaterials{"materials.glsl"}, kImage{"image.glsl"},
+        kRockSkin{"rock_skin.glsl"}, kRockCore{"rock_core.glsl"};
     if (pattern == Pattern::image) return kImage;
+    if (pattern == Pattern::rock_skin) return kRockSkin;
+    if (pattern == Pattern::rock_core) return kRockCore;
     const std::span<const std::string_view> own = fruit_shaders_of(pattern);
     return own.empty() ? kMaterials : own;
 }

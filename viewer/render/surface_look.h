@@ -25,6 +25,8 @@ enum class Pattern : std::uint8_t
     fur = 5,      ///< streaks and tufts
     foam = 6,     ///< crumbs and bubbles
     image = 7,    ///< a picture at the surface's uv
+    rock_skin,    ///< of an asteroid: craters, dust, veins
+    rock_core,    ///< its inside: crust, strata, crystals, a hot heart
     // Fruit: each has shaders of its own, which know the mesh of data/fruit that they are for.
     watermelon_skin,
     watermelon_flesh,

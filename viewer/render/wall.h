@@ -21,7 +21,7 @@ public:
     void draw() const;
 
 private:
-    GlTexture relief_;
+    GlTexture relief_, grain_;
     GlVertexArray nothing_;  ///< the corners come from the vertex number
     ShaderProgram program_;
 };

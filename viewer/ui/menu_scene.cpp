@@ -21,7 +21,7 @@ void MenuScene::tick(sim::Simulation& simulation)
         if (model == models.size()) continue;
         const Box& box = models.model(model).box;
         const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
-        const double turn = 0.7 + 0.9 * double(mode);
+        const double turn = 0.7 + 2.0 * double(mode);  // nothing long points at the eye
         const glm::dmat4 tilted = glm::rotate(glm::dmat4(1.0), 0.45, glm::dvec3(1.0, 0.0, 0.3));
         const glm::dmat3 rotation(glm::rotate(tilted, turn, glm::dvec3(0.0, 1.0, 0.0)));
         sim::Motion motion;

@@ -11,6 +11,9 @@ namespace kerf::ui {
 
 namespace {
 
+/// How dark the wall is made behind words, 0 to 1.
+constexpr float kVeil = 0.42f;
+
 /// The measures of a screen, all in pixels of the picture, made of units.
 class Layout
 {
@@ -53,8 +56,9 @@ std::vector<Hotspot> show_menu(Layout& layout, const Screens& screens)
     const float u = layout.u();
     const glm::vec2 size = layout.size();
     canvas.text({0.5f * size.x, 30.0f * u}, {0.5f, 0.0f}, "KERF", 104.0f, kPaper);
-    canvas.text({0.5f * size.x, 142.0f * u}, {0.5f, 0.0f}, "Hold the left button and drag across a fruit to cut it",
-                28.0f, kAccent);
+    const glm::vec2 how{0.5f * size.x, 160.0f * u}, around = u * glm::vec2(350.0f, 24.0f);
+    canvas.fill({how - around, how + around}, kInk, kVeil, 10.0f * u);
+    canvas.text(how, {0.5f, 0.5f}, "Hold the left button and drag across a fruit to cut it", 28.0f, kAccent);
     std::vector<Hotspot> hotspots;
     const Box2 whole{{0.0f, 0.0f}, size};
     for (std::size_t i = 0; i < modes().size(); ++i) {
@@ -65,16 +69,18 @@ std::vector<Hotspot> show_menu(Layout& layout, const Screens& screens)
         const glm::vec2 title(middle.x, below.y);
         // Only the words can be clicked: on the fruit a press begins a swipe.
         const Box2 box{{title.x - wide, title.y - 24.0f * u}, {title.x + wide, title.y + 58.0f * u}};
-        if (is_selected) canvas.fill(box, kAccent, 0.88f, 10.0f * u);
+        canvas.fill(box, is_selected ? kAccent : kInk, is_selected ? 0.92f : kVeil, 10.0f * u);
         canvas.text(title, {0.5f, 0.5f}, modes()[i].title, 34.0f, is_selected ? kInk : kPaper);
-        canvas.text(title + glm::vec2(0.0f, 36.0f * u), {0.5f, 0.5f}, modes()[i].promise, 17.0f,
+        canvas.text(title + glm::vec2(0.0f, 36.0f * u), {0.5f, 0.5f}, modes()[i].promise, 18.0f,
                     is_selected ? kInk : kPaper);
         hotspots.push_back({box, {}});
     }
     for (std::size_t i = modes().size(); i < screens.items().size(); ++i) {
         const float place = static_cast<float>(i - modes().size()) - 1.0f;
-        hotspots.push_back(layout.button({0.5f * size.x + place * 216.0f * u, size.y - 96.0f * u}, 200.0f,
-                                         screens.items()[i].label, screens.selected() == i));
+        const glm::vec2 at{0.5f * size.x + place * 216.0f * u, size.y - 96.0f * u};
+        const glm::vec2 half = u * glm::vec2(100.0f, 23.0f);
+        canvas.fill({at - half, at + half}, kInk, kVeil, 10.0f * u);
+        hotspots.push_back(layout.button(at, 200.0f, screens.items()[i].label, screens.selected() == i));
     }
     canvas.text({0.5f * size.x, size.y - 26.0f * u}, {0.5f, 1.0f}, "or choose with the arrow keys and Enter", 20.0f,
                 kPaper);

@@ -25,36 +25,6 @@ float above(float at, float x, float soft)
     return smoothstep(at - soft, at + soft, x);
 }
 
-vec3 lattice_point(ivec3 p)
-{
-    uint h = lattice_hash(p);
-    return vec3(h & 1023u, (h >> 10) & 1023u, (h >> 20) & 1023u) / 1023.0;
-}
-
-// Cells around scattered points: distance to the nearest one, how much farther the next one is, a number of the cell's
-// own (Worley, "A cellular texture basis function", 1996).
-vec3 cells(vec3 p)
-{
-    ivec3 home = ivec3(floor(p));
-    float nearest = 9.0, next = 9.0, id = 0.0;
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
-                ivec3 cell = home + ivec3(x, y, z);
-                vec3 at = lattice_point(cell);
-                vec3 d = vec3(cell) + 0.15 + 0.7 * at - p;
-                float square = dot(d, d);
-                if (square < nearest) {
-                    next = nearest;
-                    nearest = square;
-                    id = at.x;
-                } else {
-                    next = min(next, square);
-                }
-            }
-    return vec3(sqrt(nearest), sqrt(next) - sqrt(nearest), id);
-}
-
 float superellipse(float polar, float a, float b, float n)
 {
     return pow(pow(sin(polar) / a, n) + pow(abs(cos(polar)) / b, n), -1.0 / n);

@@ -59,7 +59,9 @@ void main()
     float density = base.a * covered * (mix(0.55, 1.35, thick) + mix(0.15, 0.75, 1.0 - wet) * rim);
 
     vec3 absorbed = -log(clamp(base.rgb, 0.03, 0.97));
-    left = vec4(exp(-0.62 * density * absorbed), 1.0);
+    // Pulp hides what is behind it as much as it sends itself: stains upon stains do not begin to glow.
+    const float kPulp = 0.55;
+    left = vec4(exp(-density * (0.55 * absorbed + kPulp)), 1.0);
 
     float from_lamp = length((on_wall - vec2(-0.12, 0.16) * light_radius) / light_radius);
     float pool = 0.24 + 0.76 * exp(-1.05 * from_lamp * from_lamp);
@@ -69,7 +71,7 @@ void main()
     vec3 arriving = lamp * l.z * frame.light_colour.rgb + pool * frame.sky_colour.rgb;
     // Pulp sends light back; where juice is thicker the colour is deeper.
     vec3 pulp = base.rgb * mix(vec3(1.0), base.rgb, 0.45 * thick + 0.35 * rim);
-    vec3 light = 0.40 * (1.0 - exp(-1.5 * density)) * pulp * arriving;
+    vec3 light = 0.70 * (1.0 - exp(-kPulp * density)) * pulp * arriving;
     // While it is wet the lamp and the ceiling are mirrored in its curved edges.
     float shine = pow(max(dot(n, normalize(l + vec3(0.0, 0.0, 1.0))), 0.0), 110.0);
     float ceiling = smoothstep(0.10, 0.55, n.y) * 0.10;
