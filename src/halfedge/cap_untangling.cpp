@@ -52,8 +52,8 @@ public:
         start(outline);
         for (int round = 0; round < kMostRounds; ++round) {
             // Many edges side by side are no reason to give up as long as none has been seen to meet another.
-            if (!find_meetings()) return round == 0 && cover_with(*constrained_, cap);
-            if (edges_.size() > kMostEdges * outline.points.size() + kMostCrossed) return false;
+            if (!find_meetings()) return round == 0 && crossings_.empty() && cover_with(*constrained_, cap);
+            if (edges_.size() > most_edges()) return false;
             if (!leads_.empty()) {
                 lead_over(cap);
                 continue;
@@ -133,7 +133,10 @@ private:
         starts_.push_back(static_cast<Index>(edges_.size()));
     }
 
-    /// Fills `leads_`; false when there are too many pairs to look at. O(k log k) for outlines that are near to none.
+    std::size_t most_edges() const { return kMostEdges * outline_.points.size() + kMostCrossed; }
+
+    /// Fills `leads_`; false when there are too many pairs to look at, or too many crossings. O(k log k) for outlines
+    /// that are near to none.
     bool find_meetings()
     {
         leads_.clear();
@@ -152,7 +155,8 @@ private:
                 add_edge(f, other);
                 if (!box.overlaps(other)) return false;
                 meet(e, static_cast<Index>(f));
-                return --pairs_left == 0;
+                // Each crossing makes two edges more.
+                return --pairs_left == 0 || 2 * crossings_.size() > most_edges();
             });
             if (too_many) return false;
         }
