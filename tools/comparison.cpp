@@ -284,7 +284,11 @@ private:
         row.covered_area = target;
         row.judged_area = tolerance / kAgreement;
         row.section_is_speck = std::abs(target) <= tolerance;
-        if (!row.cap_fits && row.section_is_judged && !row.section_intersects_itself)
+        // An edge is led over a point that is as near as rounding moves points: what that costs the result must say,
+        // but for what is close to the limit.
+        const double units = row.halfedge.says_caps_exceed ? kNoiseInUnits : 2.0;
+        const bool is_rounding = std::abs(row.halfedge.cap_excess) <= units * unit_ * section.length;
+        if (!row.cap_fits && !is_rounding && row.section_is_judged && !row.section_intersects_itself)
             row.failures.push_back("half-edge cap area off by " + rounded(row.halfedge.cap_excess));
     }
 

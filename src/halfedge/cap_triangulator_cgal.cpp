@@ -21,6 +21,10 @@ namespace kerf::halfedge {
 
 namespace {
 
+/// Triangles for each point of an outline, and besides. Loops that do not cross need two, or as many as loops lie on
+/// one another; a coil around one point needs points times turns, which is no price for a cap.
+constexpr std::size_t kMostLayers = 4, kMostCovered = 32768;
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 struct FaceInfo
@@ -61,7 +65,7 @@ public:
             // Seams that cross one another: Intersection_of_constraints_exception.
             return false;
         }
-        flood(cap);
+        if (!flood(cap)) return false;
         link(cap);
         return true;
     }
@@ -195,8 +199,10 @@ private:
     /// True when seam i runs with face f on its left along edge `edge`.
     bool leaves_on_left(Index i, FaceHandle f, int edge) const { return vertices_[i] == f->vertex(f->ccw(edge)); }
 
-    void flood(CapMesh& cap)
+    /// False when there are too many places that are wound around too often.
+    bool flood(CapMesh& cap)
     {
+        const std::size_t most = kMostLayers * vertices_.size() + kMostCovered;
         queue_.clear();
         const auto reach = [&](FaceHandle f, int winding) {
             f->info().winding = winding;
@@ -212,6 +218,7 @@ private:
                 const Index a = f->vertex(0)->info(), b = f->vertex(1)->info(), c = f->vertex(2)->info();
                 if (winding != 1)
                     for (const Index i : {a, b, c}) cap.shared_points.push_back(i);
+                if (cap.triangles.size() + std::size_t(std::abs(winding)) > most) return false;
                 for (int copy = 0; copy < std::abs(winding); ++copy)
                     if (winding > 0)
                         cap.triangles.push_back({{a, b, c}, {kNone, kNone, kNone}});
@@ -227,6 +234,7 @@ private:
                 reach(g, across);
             }
         }
+        return true;
     }
 
     /// Pairs the half-edges along each edge: those of cap triangles on both sides and the seams' own.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -21,7 +22,8 @@
 // of crossings.
 //
 // A loop that comes back to a point falls apart there. If all parts run counter-clockwise each is covered on its own,
-// which is quick; holes need the constrained triangulation.
+// which is quick; holes need the constrained triangulation. That covers a place as often as it is wound around,
+// triangle upon triangle; where that were too many, parts are covered on their own after all, holes turned over.
 
 namespace kerf::halfedge {
 
@@ -32,6 +34,7 @@ constexpr int kMostRounds = 32;
 /// What parts may cover that run clockwise, as a share of all others: such a part is no hole but a loop that rounding
 /// has turned over, and turning its cover over as well costs less than anyone asks for.
 constexpr double kTurnedShare = 1e-8;
+constexpr double kAnyShare = std::numeric_limits<double>::infinity();
 /// Work that an outline of n points may cost before it is given up, per round and in all.
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
 /// Edges that crossings may make in all, over those: some tens of milliseconds.
@@ -59,7 +62,8 @@ public:
                 continue;
             }
             name_points(cap);
-            return cover_parts(cap) || cover_with(*constrained_, cap);
+            // Holes turned over are the last resort: what they cover is covered twice too often.
+            return cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap) || cover_parts(cap, kAnyShare);
         }
         return false;
     }
@@ -295,9 +299,10 @@ private:
             if (visits_[first_at_[i]] > 1) cap.shared_points.push_back(i);
     }
 
-    /// Covers each part of the outline on its own. False, and nothing is covered, when one of them is a hole or too
-    /// difficult.
-    bool cover_parts(CapMesh& cap)
+    /// Covers each part of the outline on its own, those that run clockwise by triangles that are turned over. False,
+    /// and nothing is covered, when those have more than such a share, or one part is too difficult. O(k log k),
+    /// however often a place is wound around.
+    bool cover_parts(CapMesh& cap, double turned_share)
     {
         split_into_parts();
         double upright = 0.0, turned = 0.0;
@@ -305,7 +310,7 @@ private:
             const double area = area_of_part(part);
             (area > 0.0 ? upright : turned) += std::abs(area);
         }
-        if (turned > kTurnedShare * upright) return false;
+        if (turned > turned_share * upright) return false;
         const std::size_t triangles = cap.triangles.size(), cancelled = cap.cancelled.size();
         for (std::size_t part = 0; part + 1 < part_starts_.size(); ++part) {
             const std::span<const Edge> edges(parts_.data() + part_starts_[part],
@@ -316,7 +321,8 @@ private:
             if (area_of_part(part) < 0.0)
                 for (glm::dvec2& p : points_) std::swap(p.x, p.y);
             const CapOutline loop{points_, positions_, ends};
-            if (!convex_->triangulate(loop, inner_) && !clipping_->triangulate(loop, inner_)) {
+            if (!convex_->triangulate(loop, inner_) && !clipping_->triangulate(loop, inner_) &&
+                !constrained_->triangulate(loop, inner_)) {
                 cap.triangles.resize(triangles);
                 cap.cancelled.resize(cancelled);
                 return false;

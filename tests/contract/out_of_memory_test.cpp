@@ -15,6 +15,7 @@
 #include "support/allocations.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
+#include "support/prisms.h"
 #include "support/referee.h"
 
 namespace kerf {
@@ -284,6 +285,18 @@ TEST_P(OutOfMemoryOf, WhileCuttingChangesNothing)
                       10u);
             if (HasFailure()) return;
         }
+    }
+}
+
+TEST_P(OutOfMemoryOf, WhileCapsGetPointsWhereASectionCrossesItself)
+{
+    const IndexedMesh mesh = test::prism_over(test::star(7, 3));
+    const auto whole = backend_->prepare(mesh).object;
+    const auto make = [&] { return Subject{whole->clone(), nullptr}; };
+    for (const CutOptions& options : {CutOptions{}, in_pieces()}) {
+        const Cut first{*Plane::through({0, 0.01, 0}, {0.01, 1, 0.013}), options};
+        EXPECT_GT(cut_with_every_fault(make, first, {first, {slanted(1, 0, 0), in_pieces()}}), 10u);
+        if (HasFailure()) return;
     }
 }
 
