@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Makes the pictures and the recording of the game anew: docs/images/game_*.jpg and game.gif. They follow from seeds and
-# scripts; only times that are shown differ. The giant is drawn in every frame, so that its times are real. Needs
-# ImageMagick, FFmpeg and gifsicle (apt-get install imagemagick ffmpeg gifsicle).
+# scripts; only times that are shown differ. Of the giant's frames each 17th is drawn, the last but one
+# among them: the time of a frame that it shows is of one that was drawn. Needs ImageMagick, FFmpeg and gifsicle (apt-get
+# install imagemagick ffmpeg gifsicle).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 viewer=${1:-../../build/release/viewer/app/kerf-viewer}
@@ -21,7 +22,7 @@ picture classic --scene classic --autopilot --seed 6 --frames 2196
 picture over --scene classic --screen over --autopilot --seed 6 --frames 2970
 picture arcade --scene arcade --autopilot --seed 1 --frames 454
 picture zen --scene zen --autopilot --seed 3 --frames 422
-picture giant --scene giant --screen play --giant 400000 --script game_giant.kerf --frames 240 --draw 1 --size 960x540
+picture giant --scene giant --screen play --giant 400000 --script game_giant.kerf --frames 240 --draw 17 --size 960x540
 picture duel --scene duel --autopilot --seed 1 --frames 300
 picture duel_over --scene duel --autopilot --seed 1 --frames 3602
 picture settings --scene menu --screen settings --frames 60
