@@ -153,6 +153,20 @@ TEST_F(MalformedFileTest, IsRefusedWhenThereIsNoUsableFile)
     EXPECT_TRUE(contains(error_of(file("folder.obj")), "not a regular file"));
 }
 
+TEST_F(MalformedFileTest, IsRefusedInOneLineWhateverItsName)
+{
+    const std::filesystem::path path = write("red\x1b[31m\nline.obj", "f 1 2 3\n");
+    try {
+        read_soup(path);
+        FAIL() << "it was read";
+    } catch (const FileError& error) {
+        const std::string message = error.what();
+        EXPECT_TRUE(contains(message, "line.obj: line 1")) << message;
+        EXPECT_TRUE(std::none_of(message.begin(), message.end(), [](unsigned char c) { return c < 32 || c == 127; }))
+            << message;
+    }
+}
+
 TEST_F(MalformedFileTest, IsRefusedWhenItMayNotBeRead)
 {
     if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";

@@ -28,7 +28,8 @@ std::vector<std::uint32_t> in_order(std::size_t n)
 Buffer<Triangle> triangulated(const std::vector<glm::vec3>& positions)
 {
     Buffer<Triangle> triangles;
-    EXPECT_TRUE(triangulate_polygon(in_order(positions.size()), vertices_at(positions), triangles));
+    ConcaveBudget budget;
+    EXPECT_TRUE(triangulate_polygon(in_order(positions.size()), vertices_at(positions), triangles, budget));
     return triangles;
 }
 
@@ -95,8 +96,17 @@ TEST(TriangulatePolygon, RefusesAConcaveOneThatWouldTakeTooLong)
         comb.push_back({float(i), i % 2 == 0 ? 1.0f : 2.0f, 0});
     }
     Buffer<Triangle> triangles;
-    EXPECT_FALSE(triangulate_polygon(in_order(comb.size()), vertices_at(comb), triangles));
+    ConcaveBudget budget;
+    EXPECT_FALSE(triangulate_polygon(in_order(comb.size()), vertices_at(comb), triangles, budget));
     EXPECT_TRUE(triangles.empty());
+}
+
+TEST(TriangulatePolygon, HasABudgetForAllLongConcaveOnesOfAFile)
+{
+    ConcaveBudget budget;
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(budget.spend(kMostConcaveCorners));
+    EXPECT_FALSE(budget.spend(100));
+    for (int i = 0; i < 1'000'000; ++i) ASSERT_TRUE(budget.spend(64));
 }
 
 RC_GTEST_PROP(TriangulatePolygon, CoversStarShapedOutlinesExactlyOnce, ())
@@ -109,7 +119,8 @@ RC_GTEST_PROP(TriangulatePolygon, CoversStarShapedOutlinesExactlyOnce, ())
         p.emplace_back(float(radius * std::cos(angle)), float(radius * std::sin(angle)), 0.0f);
     }
     Buffer<Triangle> triangles;
-    RC_ASSERT(triangulate_polygon(in_order(n), vertices_at(p), triangles));
+    ConcaveBudget budget;
+    RC_ASSERT(triangulate_polygon(in_order(n), vertices_at(p), triangles, budget));
     RC_ASSERT(triangles.size() == n - 2);
     double area = 0.0;  // shoelace
     for (std::size_t i = 0; i < n; ++i) {

@@ -44,7 +44,11 @@ Reader reader_for(const fs::path& path)
 
 void fail(const fs::path& path, const std::string& reason)
 {
-    throw FileError(path.string() + ": " + reason);
+    // A name may hold line ends and what terminals obey; a message is one line.
+    std::string name = path.string();
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    throw FileError(name + ": " + reason);
 }
 
 std::optional<fs::path> file_beside(const fs::path& path, const std::string& name)
@@ -62,7 +66,7 @@ std::string read_bytes(const fs::path& path)
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) fail(path, "there is no such file; look at its name and folder");
-    if (error) fail(path, "it cannot be read (" + error.message() + ")");
+    if (error) fail(path, "it cannot be read (" + error.message() + "); look at its name and folder");
     // A device or a pipe has no size to hold a claim against, and may never end.
     if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name a mesh file");
     const std::uintmax_t size = fs::file_size(path, error);

@@ -170,7 +170,7 @@ private:
 }  // namespace
 
 bool triangulate_polygon(std::span<const std::uint32_t> indices, std::span<const Vertex> vertices,
-                         Buffer<Triangle>& triangles)
+                         Buffer<Triangle>& triangles, ConcaveBudget& budget)
 {
     const std::size_t n = indices.size();
     const auto emit = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -185,7 +185,7 @@ bool triangulate_polygon(std::span<const std::uint32_t> indices, std::span<const
         for (std::size_t i = 2; i < n; ++i) emit(0, i - 1, i);
         return true;
     }
-    if (n > kMostConcaveCorners) return false;
+    if (!budget.spend(n)) return false;
     EarClipper(points).run(emit);
     return true;
 }

@@ -11,6 +11,24 @@ namespace kerf::io {
 /// The most corners of a face that is not convex: triangulating it takes quadratic time, here about a second.
 inline constexpr std::size_t kMostConcaveCorners = 1 << 14;
 
+/// What faces that are not convex may cost in all, of one file: as much as four that are as long as can be.
+class ConcaveBudget
+{
+public:
+    /// Whether there is enough left for such a face; takes it. Short faces are free: they cost what reading them costs.
+    bool spend(std::size_t corners)
+    {
+        if (corners <= kFreeCorners) return true;
+        if (corners > kMostConcaveCorners || corners * corners > left_) return false;
+        left_ -= corners * corners;
+        return true;
+    }
+
+private:
+    static constexpr std::size_t kFreeCorners = 64;
+    std::uint64_t left_ = 4 * std::uint64_t(kMostConcaveCorners) * kMostConcaveCorners;
+};
+
 /// Cuts a polygon with at least three corners into corners - 2 triangles over the same corners, no vertex added, and
 /// appends them. A convex one becomes a fan from its first corner, in O(n); any other is clipped ear by ear, seen along
 /// the axis in which its plane is widest (Meisters 1975), in O(n^2). An outline that crosses itself or has no area gets
@@ -18,8 +36,8 @@ inline constexpr std::size_t kMostConcaveCorners = 1 << 14;
 ///
 /// @param indices   vertex index of each corner
 /// @param vertices  positions are looked up here
-/// @return false, and nothing appended, for a polygon of more than kMostConcaveCorners that is not convex
+/// @return false, and nothing appended, for a polygon that is not convex and too much for the budget
 bool triangulate_polygon(std::span<const std::uint32_t> indices, std::span<const Vertex> vertices,
-                         Buffer<Triangle>& triangles);
+                         Buffer<Triangle>& triangles, ConcaveBudget& budget);
 
 }  // namespace kerf::io

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "common/io/polygon.h"
 #include "common/io/read_formats.h"
 
 namespace kerf::io {
@@ -53,6 +52,7 @@ std::uint32_t SoupBuilder::add_vertex(const Vertex& vertex)
 
 void SoupBuilder::add_face(std::span<const std::uint32_t> corners)
 {
+    ++faces_;
     if (corners.size() < 3) return;
     for (const std::uint32_t corner : corners)
         if (corner >= soup.vertices.size())
@@ -61,9 +61,9 @@ void SoupBuilder::add_face(std::span<const std::uint32_t> corners)
                             ", counted from 0; mend the face or take it out");
     if (soup.triangles.size() + (corners.size() - 2) > kMostTriangles)
         fail(path_, "the mesh has more than 2^32 corners; divide it into several");
-    if (!triangulate_polygon(corners, soup.vertices, soup.triangles))
-        fail(path_, "a face has " + std::to_string(corners.size()) +
-                        " corners and is not convex, which is too long; divide it");
+    if (!triangulate_polygon(corners, soup.vertices, soup.triangles, concave_budget_))
+        fail(path_, "face " + std::to_string(faces_) + " has " + std::to_string(corners.size()) +
+                        " corners and is not convex, which is too long, or one too many of such length; divide it");
     if (material_ != kNone) soup.triangle_materials.resize(soup.triangles.size(), material_);
 }
 

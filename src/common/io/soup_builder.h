@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/assemble.h"
+#include "common/io/polygon.h"
 
 namespace kerf::io {
 
@@ -26,7 +27,7 @@ public:
     std::uint32_t add_vertex(const Vertex& vertex);
 
     /// Adds a face with any number of corners, with the current material. Fewer than three bound no surface and are
-    /// left out. @throws FileError  an index out of range, or an outline that is too long to triangulate
+    /// left out. @throws FileError  an index out of range, or an outline that takes too long to triangulate
     void add_face(std::span<const std::uint32_t> corners);
 
     /// Following faces have the material of this name, which is made when it is new.
@@ -44,6 +45,8 @@ private:
     void fill_missing_normals();
 
     const std::filesystem::path& path_;
+    ConcaveBudget concave_budget_;
+    std::uint64_t faces_ = 0;
     std::uint32_t material_ = kNone;
     std::unordered_map<std::string, std::uint32_t> material_of_name_;
 
