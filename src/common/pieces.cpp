@@ -205,7 +205,7 @@ public:
     }
 
     /// Joins pieces without volume with the first piece of their solid that has some: the one whose outline comes
-    /// first.
+    /// first. Points at one place have no order of their own: where an edge leaves several, its end decides.
     void join_flat_pieces(const SortedOutline& outline)
     {
         std::vector<bool> has_volume(side_.parts.size(), false);  // by a piece's representative
@@ -216,9 +216,16 @@ public:
         }
         if (!some_are_flat) return;
         std::vector<std::uint32_t> home(solids_.size(), kNoContainer);
+        std::vector<const OutlineEdge*> first_edge(solids_.size(), nullptr);
         for (const OutlineEdge& edge : outline.edges()) {
-            std::uint32_t& first = home[solid_of_[edge.part[at_]]];
-            if (first == kNoContainer && has_volume[pieces.find(edge.part[at_])]) first = edge.part[at_];
+            const std::uint32_t part = edge.part[at_], solid = solid_of_[part];
+            if (!has_volume[pieces.find(part)]) continue;
+            if (const OutlineEdge* first = first_edge[solid];
+                first != nullptr && (!same_position(outline.position(first->from), outline.position(edge.from)) ||
+                                     !lexicographically_less(outline.position(edge.to), outline.position(first->to))))
+                continue;
+            first_edge[solid] = &edge;
+            home[solid] = part;
         }
         for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
             const std::uint32_t first = home[solid_of_[part]];

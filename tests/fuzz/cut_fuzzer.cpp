@@ -27,6 +27,10 @@ using Fragments = std::vector<std::unique_ptr<Cuttable>>;
 /// A third cut finds nothing that two don't, and takes its time.
 constexpr int kMostCuts = 2;
 
+/// What sums of products of three coordinates may lose for each triangle, as a share of the extent's cube: some units
+/// in the last place of a double. It matters where a fragment has next to no area.
+constexpr double kSumRounding = 1e-15;
+
 /// What a mesh is measured against.
 struct Scale
 {
@@ -86,7 +90,8 @@ void require_sound(const Fragments& side, const Plane& plane, bool is_positive, 
         const double volume = referee::volume(mesh), area = referee::area(mesh);
         const double extent = glm::length(glm::dvec3(mesh.bounds().hi) - glm::dvec3(mesh.bounds().lo));
         const MassProperties mass = fragment->mass_properties();
-        require(std::abs(mass.volume - volume) <= 1e-9 * area * extent + scale.noise * area,
+        const double rounding = kSumRounding * double(mesh.triangles.size()) * extent * extent * extent;
+        require(std::abs(mass.volume - volume) <= 1e-9 * area * extent + scale.noise * area + rounding,
                 who + ": the volume is that of the mesh");
         require(std::isfinite(mass.centre.x + mass.centre.y + mass.centre.z), who + ": the centre of mass is a place");
     }
@@ -247,8 +252,13 @@ void fuzz_cut(Bytes input)
         require(results[0].status == results[1].status,
                 "both back ends say the same: " + std::string(name_of(results[0].status)) + ", " +
                     std::string(name_of(results[1].status)));
-        require(surfaces_of(results[0].positive) == surfaces_of(results[1].positive) &&
-                    surfaces_of(results[0].negative) == surfaces_of(results[1].negative),
+        require(referee::canonical_surface(results[0].positive) == referee::canonical_surface(results[1].positive) &&
+                    referee::canonical_surface(results[0].negative) == referee::canonical_surface(results[1].negative),
+                "both back ends make the same sides of the surface");
+        // Where chains of an open section end in one place docs/robustness.md leaves open what hangs together there.
+        require(results[0].status == Status::open_section ||
+                    (surfaces_of(results[0].positive) == surfaces_of(results[1].positive) &&
+                     surfaces_of(results[0].negative) == surfaces_of(results[1].negative)),
                 "both back ends make the same pieces of the surface");
         if (results[0].status == Status::missed) continue;
 
