@@ -306,11 +306,13 @@ private:
                 path_of_cap = close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
             statistics.phases[Phase::cap] += watch.lap();
             is_one_piece_[side] = std::all_of(piece.begin(), piece.end(), [](std::uint32_t p) { return p == 0; });
-            piece_of_triangle_[side].reserve(b.mesh.triangles.size());
-            for (const std::uint32_t part : parts[side].part_of_triangle)
-                piece_of_triangle_[side].push_back(piece[part]);
-            for (const std::uint32_t path : path_of_cap)
-                piece_of_triangle_[side].push_back(piece[paths_of_side[path].tag]);
+            if (!is_one_piece_[side]) {
+                piece_of_triangle_[side].reserve(b.mesh.triangles.size());
+                for (const std::uint32_t part : parts[side].part_of_triangle)
+                    piece_of_triangle_[side].push_back(piece[part]);
+                for (const std::uint32_t path : path_of_cap)
+                    piece_of_triangle_[side].push_back(piece[paths_of_side[path].tag]);
+            }
             for (const SectionPath& path : paths_of_side) {
                 piece_of_loop_[side].push_back(piece[path.tag]);
                 loops_of_side_[side].push_back(to_loop(section_, path));
@@ -389,7 +391,7 @@ private:
     std::vector<Material> materials_;
     std::uint32_t added_cap_material_ = kDefaultCapMaterial;
     std::array<bool, 2> is_one_piece_{true, true};                 ///< nothing has to be taken apart
-    std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;  ///< caps included
+    std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;  ///< caps included; of sides that are several
     std::array<std::vector<SectionLoop>, 2> loops_of_side_;
     std::array<std::vector<std::uint32_t>, 2> piece_of_loop_;
 };
