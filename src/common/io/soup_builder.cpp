@@ -52,18 +52,19 @@ std::uint32_t SoupBuilder::add_vertex(const Vertex& vertex)
 
 void SoupBuilder::add_face(std::span<const std::uint32_t> corners)
 {
-    ++faces_;
+    const std::uint64_t face = faces_++;
     if (corners.size() < 3) return;
     for (const std::uint32_t corner : corners)
         if (corner >= soup.vertices.size())
-            fail(path_, "face " + std::to_string(soup.triangles.size()) + " names vertex " + std::to_string(corner) +
+            fail(path_, "face " + std::to_string(face) + " names vertex " + std::to_string(corner) +
                             ", but there are only " + std::to_string(soup.vertices.size()) +
                             ", counted from 0; mend the face or take it out");
     if (soup.triangles.size() + (corners.size() - 2) > kMostTriangles)
         fail(path_, "the mesh has more than 2^32 corners; divide it into several");
     if (!triangulate_polygon(corners, soup.vertices, soup.triangles, concave_budget_))
-        fail(path_, "face " + std::to_string(faces_) + " has " + std::to_string(corners.size()) +
-                        " corners and is not convex, which is too long, or one too many of such length; divide it");
+        fail(path_, "face " + std::to_string(face) + " has " + std::to_string(corners.size()) +
+                        " corners and is not convex, which is too long, or one too many of such length (counted from "
+                        "0); divide it");
     if (material_ != kNone) soup.triangle_materials.resize(soup.triangles.size(), material_);
 }
 
