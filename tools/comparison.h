@@ -68,8 +68,8 @@ struct ComparisonRow
     /// Loops wind around something backwards or more than once: the surface intersects itself or is open, and the
     /// half-edge cap's area is not judged. Looked at only when it is not the section's.
     bool section_intersects_itself = false;
-    bool section_is_judged =
-        true;  ///< false: it crosses itself too often to tell, and neither is the cap's area judged
+    /// False: it crosses itself too often to tell, and neither is the cap's area judged.
+    bool section_is_judged = true;
     double covered_area =
         0.0;  ///< what caps should cover: the section's area, and what it winds around backwards twice
     /// What the error of the half-edge cap is relative to: the section's area, or where that is less the area that a

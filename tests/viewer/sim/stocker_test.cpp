@@ -85,7 +85,7 @@ TEST(Stocker, EndsWhileItIsAtWork)
     stocker.want({0, 1}, backend(), ProxyKind::bounded_hull);
 }
 
-TEST(Stocker, LeavesNothingToDoInATickAndChangesNothingOfARun)
+TEST(Stocker, SparesTicksTheirPreparingAndChangesNothingOfARun)
 {
     const auto models = test::shelf_of({"icosphere", "torus", "box"});
     Stocker stocker(models);
