@@ -47,10 +47,17 @@ TEST_F(StlTest, ReadsBinaryEvenIfItsTitleBeginsLikeText)
     }
 }
 
+TEST_F(StlTest, TakesWhatFillsUpABlock)
+{
+    EXPECT_EQ(soup_of("a.stl", binary(2, 2, "x") + std::string(49, 'x')).triangles.size(), 2u);
+    EXPECT_EQ(soup_of("a.stl", binary(2, 2, "x") + std::string(512, '\0')).triangles.size(), 2u);
+}
+
 TEST_F(StlTest, SaysWhatIsWrong)
 {
     EXPECT_TRUE(contains(error_of("a.stl", binary(4000000000u, 1, "x")), "truncated"));
     EXPECT_TRUE(contains(error_of("a.stl", binary(0, 0, "x")), "no triangles"));
+    EXPECT_TRUE(contains(error_of("a.stl", binary(2, 5, "x")), "promises 2 triangles, but there are bytes for 5"));
     EXPECT_TRUE(contains(error_of("a.stl", "hello"), "neither a text nor a binary"));
     EXPECT_TRUE(contains(error_of("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "0 x 0") + "endsolid\n"),
                          "line 6: a coordinate is 'x'"));

@@ -49,11 +49,15 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
 {
     if (bytes.size() < kHeaderBytes)
         fail(path, "it is neither a text nor a binary STL file, or its header is cut off; export it again");
-    const std::uint64_t count = binary_count(bytes);
-    if ((bytes.size() - kHeaderBytes) / kTriangleBytes < count)
+    const std::uint64_t count = binary_count(bytes), room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
+    if (room < count)
         fail(path, "it is truncated: its header promises " + std::to_string(count) +
-                       " triangles, but there is room for " +
-                       std::to_string((bytes.size() - kHeaderBytes) / kTriangleBytes) + "; export it again");
+                       " triangles, but there is room for " + std::to_string(room) + "; export it again");
+    // Exporters that write as they go leave the count at 0 when they are stopped. Zeros, and less than a triangle, are
+    // what fills up a block.
+    if (room > count && bytes.substr(kHeaderBytes + count * kTriangleBytes).find_first_not_of('\0') != bytes.npos)
+        fail(path, "its header promises " + std::to_string(count) + " triangles, but there are bytes for " +
+                       std::to_string(room) + "; mend the number or export it again");
     SoupBuilder builder(path);
     builder.soup.vertices.reserve(count * 3);
     builder.soup.triangles.reserve(count);
