@@ -53,7 +53,7 @@ void show_specials(Canvas& canvas, const game::GameState& state)
     float y = 30.0f * u;
     for (const game::ActiveSpecial& special : state.specials) {
         const float middle = 0.5f * canvas.size().x;
-        canvas.text({middle, y}, {0.5f, 0.0f}, title_of(special.kind), 26.0f, colour_of(special.kind));
+        canvas.text({middle, y}, {0.5f, 0.0f}, title_of(special.kind), 28.0f, kPaper);
         y += 32.0f * u;
         canvas.bar({{middle - 110.0f * u, y}, {middle + 110.0f * u, y + 9.0f * u}},
                    static_cast<float>(special.share_left), colour_of(special.kind));
