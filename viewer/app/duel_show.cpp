@@ -209,8 +209,8 @@ void DuelShow::write(ui::Canvas& canvas)
     }
     if (now() < 4 * sim::kTicksPerSecond)
         canvas.text({0.5f * size.x, size.y - 24.0f * u}, {0.5f, 1.0f},
-                    "One swipe cuts both: same throws, same planes. The numbers are what cutting took.", 24.0f,
-                    ui::kPaper);
+                    "One swipe cuts both: same throws, same planes. The numbers are what cutting took.   Esc: pause",
+                    24.0f, ui::kPaper);
 }
 
 }  // namespace kerf::app

@@ -80,7 +80,7 @@ void GameShow::write_giant(ui::Canvas& canvas)
     const float u = canvas.unit();
     // A line for each back end that has cut, and one that says what to do before the present one has.
     const std::size_t lines = cut_times_.series().size() + (cut_times_.of(simulation_->backend()) == nullptr ? 1u : 0u);
-    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, (342.0f + 24.0f * static_cast<float>(lines)) * u}};
+    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, (382.0f + 24.0f * static_cast<float>(lines)) * u}};
     canvas.card(card, 0.70f);
     const float left = card.low.x + 22.0f * u, right = card.high.x - 22.0f * u;
     float y = card.low.y + 16.0f * u;
@@ -118,7 +118,18 @@ void GameShow::write_giant(ui::Canvas& canvas)
     for (const CutTimes::Series& series : cut_times_.series())
         draw(cuts, series.times, 1.1 * cut_times_.most(), colour_of(series.backend));
     y += 68.0f * u;
-    line("Left, Right: size   B: other back end   N: next one", 15.0f, ui::kDim);
+    const float gap = 10.0f * u, width = 0.5f * (right - left - gap);
+    constexpr std::array<const char*, 2> kLabels{"B: other back end", "N: next one"};
+    for (std::size_t i = 0; i < kLabels.size(); ++i) {
+        const float start = left + static_cast<float>(i) * (width + gap);
+        ui::Box2& box = giant_buttons_[i];
+        box = {{start, y}, {start + width, y + 34.0f * u}};
+        const bool is_pointed = box.holds(pointed_at_);
+        canvas.fill(box, is_pointed ? ui::kAccent : ui::kPaper, is_pointed ? 0.92f : 0.12f, 8.0f * u);
+        canvas.text(box.middle(), {0.5f, 0.54f}, kLabels[i], 18.0f, is_pointed ? ui::kInk : ui::kPaper);
+    }
+    y += 42.0f * u;
+    line("Left, Right: size   Esc: pause", 16.0f, ui::kDim);
 
     const std::optional<double> progress = giant_progress();
     if (!progress) return;

@@ -219,11 +219,31 @@ void GameShow::show_screen(ui::Screen screen)
     screens_.show(screen);
 }
 
+/// A button that is seen while a game is played. False: there is none.
+bool GameShow::press_button(const glm::vec2& place)
+{
+    if (const std::optional<ui::Pointed> pointed = ui::item_at(hotspots_, place)) {
+        screens_.click(pointed->item);
+        speaker_.play(sound::Sound::click);
+        return true;
+    }
+    if (scene_ != "giant") return false;
+    for (std::size_t i = 0; i < giant_buttons_.size(); ++i) {
+        if (!giant_buttons_[i].holds(place)) continue;
+        speaker_.play(sound::Sound::click);
+        i == 0 ? next_backend() : next_giant();
+        return true;
+    }
+    return false;
+}
+
 void GameShow::point(const WindowPointer& change, const glm::vec2& size)
 {
     using Kind = WindowPointer::Kind;
     const glm::vec2 place(change.position);
     const bool in_menu = screens_.screen() != ui::Screen::play;
+    pointed_at_ = place;
+    if (change.kind == Kind::press && !in_menu && press_button(place)) return;
     if (change.kind == Kind::press && giant_slider_.holds(place) && scene_ == "giant" && !in_menu)
         giant_sliding_ = true;
     if (giant_sliding_) {
@@ -476,6 +496,7 @@ void GameShow::write(ui::Canvas& canvas)
 {
     ui::ScreenContent content;
     content.message = notice_.text();
+    content.pointer = pointed_at_;
     if (screens_.screen() == ui::Screen::scores) content.scores = score_lists();
     if (duel_ && screens_.screen() == ui::Screen::over)
         for (const duel::Score& score : duel_->scores())
@@ -488,7 +509,9 @@ void GameShow::write(ui::Canvas& canvas)
         if (const game::GameScene* const played = game::game_of(simulation_->scene())) {
             content.game = &played->state();
             if (screens_.screen() != ui::Screen::over)
-                ui::show_hud(canvas, played->state(), is_new_player_ && screens_.screen() == ui::Screen::play);
+                ui::show_hud(
+                    canvas, played->state(),
+                    is_new_player_ && screens_.screen() == ui::Screen::play ? ui::kHowToPlay : std::string_view());
         }
         if (scene_ == "giant") write_giant(canvas);
     }

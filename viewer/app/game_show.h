@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -100,6 +101,9 @@ public:
     const sim::ModelShelf& models() const { return *models_; }
     /// Of the giant, for each back end.
     const CutTimes& cut_times() const { return cut_times_; }
+    /// Where the lines of the screen are that was written last, and the buttons of the giant. Pixels.
+    const std::vector<ui::Hotspot>& hotspots() const { return hotspots_; }
+    const std::array<ui::Box2, 2>& giant_buttons() const { return giant_buttons_; }
     /// What is said now; empty: nothing.
     const std::string& message() const { return notice_.text(); }
     const game::UserFiles& files() const { return files_; }
@@ -118,6 +122,7 @@ private:
     void watch_duel();
     void move_demo_blade();
     void show_first_cut(const game::GameScene& played);
+    bool press_button(const glm::vec2& place);
     void write_giant(ui::Canvas& canvas);
     void set_giant(double share);
     void keep_score();
@@ -161,8 +166,10 @@ private:
     CutTimes cut_times_;
     double giant_share_ = 0.0;  ///< of its slider
     ui::Box2 giant_slider_;
+    std::array<ui::Box2, 2> giant_buttons_;  ///< another back end, another giant
     bool giant_sliding_ = false;
     std::vector<ui::Hotspot> hotspots_;
+    glm::vec2 pointed_at_{-1.0f};  ///< of the picture
     ui::Notice notice_;
     bool has_ended_ = false;
 };

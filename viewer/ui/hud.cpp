@@ -73,7 +73,7 @@ glm::vec2 on_picture(const glm::dvec2& stage, const Box2& box)
     return box.low + glm::vec2(sim::Camera(size.x / size.y).stage_to_screen(stage, size));
 }
 
-void show_hud(Canvas& canvas, const game::GameState& state, bool shows_hint)
+void show_hud(Canvas& canvas, const game::GameState& state, std::string_view hint)
 {
     const float u = canvas.unit();
     const std::string score = std::to_string(state.score);
@@ -89,9 +89,7 @@ void show_hud(Canvas& canvas, const game::GameState& state, bool shows_hint)
     if (state.lives_at_start > 0) show_lives(canvas, state);
     if (state.seconds_left) show_clock(canvas, *state.seconds_left);
     show_specials(canvas, state);
-    if (shows_hint)
-        canvas.text({0.5f * canvas.size().x, canvas.size().y - 48.0f * u}, {0.5f, 1.0f},
-                    "Hold the left button and drag across the fruit", 32.0f, kPaper);
+    canvas.text({0.5f * canvas.size().x, canvas.size().y - 36.0f * u}, {0.5f, 1.0f}, hint, 28.0f, kPaper);
 }
 
 void show_effects(Canvas& canvas, const effects::Effects& effects, const Box2& box)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "viewer/effects/effects.h"
 #include "viewer/game/game_state.h"
 #include "viewer/sim/camera.h"
@@ -7,9 +9,13 @@
 
 namespace kerf::ui {
 
-/// Score, lives, clock, special fruit and what they bring, for a game that is on; a hint for who does not know yet.
-/// @param shows_hint  that one drags across fruit to cut it
-void show_hud(Canvas& canvas, const game::GameState& state, bool shows_hint);
+/// For who does not know yet how fruit are cut, and what a player who holds the keyboard can do besides.
+inline constexpr std::string_view kHowToCut = "Hold the left button and drag across the fruit";
+inline constexpr std::string_view kHowToPlay = "Hold the left button and drag across the fruit\nEsc: pause";
+
+/// Score, lives, clock, special fruit and what they bring, for a game that is on.
+/// @param hint  at the lower edge; empty: none
+void show_hud(Canvas& canvas, const game::GameState& state, std::string_view hint);
 
 /// Pop-ups and flash of a stage that is seen in `box` of the picture.
 void show_effects(Canvas& canvas, const effects::Effects& effects, const Box2& box);

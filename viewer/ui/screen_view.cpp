@@ -96,6 +96,24 @@ std::vector<Hotspot> show_buttons(Layout& layout, const Screens& screens, const 
     return hotspots;
 }
 
+/// Below what is written at the upper right edge: fruit seldom come there, and no swipe begins there.
+std::vector<Hotspot> show_pause_button(Layout& layout, const glm::vec2& pointer)
+{
+    Canvas& canvas = layout.canvas();
+    const float u = layout.u();
+    const glm::vec2 half = u * glm::vec2(30.0f, 29.0f), middle(layout.size().x - 52.0f * u, 133.0f * u);
+    const Box2 box{middle - half, middle + half};
+    const bool is_pointed = box.holds(pointer);
+    const glm::vec3 colour = is_pointed ? kInk : kPaper;
+    canvas.fill(box, is_pointed ? kAccent : kInk, is_pointed ? 0.92f : kVeil, 12.0f * u);
+    for (const float side : {-1.0f, 1.0f}) {
+        const glm::vec2 bar = middle + u * glm::vec2(6.5f * side, -8.0f), extent = u * glm::vec2(3.5f, 11.0f);
+        canvas.fill({bar - extent, bar + extent}, colour, 0.95f, 1.5f * u);
+    }
+    canvas.text(middle + glm::vec2(0.0f, 17.0f * u), {0.5f, 0.5f}, "Esc", 16.0f, colour);
+    return {{box, {}}};
+}
+
 std::vector<Hotspot> show_paused(Layout& layout, const Screens& screens)
 {
     const Box2 card = layout.middle_card(460.0f, 460.0f);
@@ -269,7 +287,7 @@ std::vector<Hotspot> show_screen(Canvas& canvas, const Screens& screens, const S
         case Screen::menu:
             return show_menu(layout, screens);
         case Screen::play:
-            return {};
+            return show_pause_button(layout, content.pointer);
         case Screen::paused:
             return show_paused(layout, screens);
         case Screen::over:

@@ -36,6 +36,7 @@ struct ScreenContent
     std::vector<DuelSide> duel = {};                                          ///< both halves; empty: no duel is over
     std::vector<std::pair<std::string, std::vector<ScoreLine>>> scores = {};  ///< for each mode, best first
     std::string message = {};                                                 ///< at the lower edge; empty: none
+    glm::vec2 pointer{-1.0f};                                                 ///< on the picture
 };
 
 /// Where the lines of a screen are, so that a pointer can choose them.

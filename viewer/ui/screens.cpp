@@ -137,6 +137,7 @@ void Screens::list_items()
             for (const char* label : {"High scores", "Settings", "Quit"}) items_.push_back({label});
             break;
         case Screen::play:
+            items_.push_back({"Pause"});
             break;
         case Screen::paused:
             for (const char* label : {"Go on", "Start again", "Settings", "Menu"}) items_.push_back({label});
@@ -200,6 +201,7 @@ std::optional<Request> Screens::click(std::size_t item, double share)
 {
     if (item >= items_.size()) return std::nullopt;
     selected_ = item;
+    if (screen_ == Screen::play) return back();
     if (!items_[item].share) return accept();
     set_slider(item, share);
     return Request{Request::Kind::settings};

@@ -77,7 +77,8 @@ const std::vector<Mode>& modes();
 const Mode* find_mode(std::string_view scene);
 
 /// Which screen is shown, what can be chosen on it and what follows from a choice. All of it works with keys alone; a
-/// pointer does the same by choosing a line. It knows nothing of windows and drawing.
+/// pointer does the same by choosing a line. While a game is played there is one line, the button that pauses it: no
+/// key chooses it, Esc does the same. It knows nothing of windows and drawing.
 class Screens
 {
 public:

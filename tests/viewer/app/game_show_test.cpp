@@ -74,6 +74,15 @@ protected:
         show.press(MenuKey::accept);
     }
 
+    /// In the picture that was drawn last.
+    void click(GameShow& show, const ui::Box2& box, const glm::vec2& size)
+    {
+        using Kind = app::WindowPointer::Kind;
+        for (const Kind kind : {Kind::move, Kind::press, Kind::release})
+            show.point({kind, glm::dvec2(box.middle())}, size);
+        frames(show, 1);
+    }
+
     void expect_texts_fit(GameShow& show, const std::string& what)
     {
         for (const glm::ivec2 size :
@@ -151,6 +160,70 @@ TEST_F(GameShowTest, EveryGameIsReachedAndLeftByKeyboardAlone)
     }
     choose(show, "Quit");
     EXPECT_TRUE(show.has_ended());
+}
+
+TEST_F(GameShowTest, EveryGameIsPausedAndLeftByMouseAlone)
+{
+    for (const char* scene : {"classic", "arcade", "zen", "giant", "duel"})
+        for (const glm::ivec2 pixels : {glm::ivec2(1280, 720), glm::ivec2(3840, 2160)}) {
+            ShowSetup small = setup(scene);
+            small.giant = 10'000;
+            GameShow show(small, painter, speaker);
+            frames(show, 10);
+            const glm::vec2 size(pixels);
+            picture(show, pixels.x, pixels.y, false);
+            ASSERT_EQ(show.hotspots().size(), 1u);
+            EXPECT_TRUE((ui::Box2{{0.5f * size.x, 0.0f}, size}).holds(show.hotspots()[0].box));
+            click(show, show.hotspots()[0].box, size);
+            ASSERT_EQ(show.screens().screen(), Screen::paused) << scene;
+            picture(show, pixels.x, pixels.y, false);
+            ASSERT_EQ(show.screens().items().back().label, "Menu");
+            click(show, show.hotspots().back().box, size);
+            EXPECT_EQ(show.scene(), "menu") << scene;
+        }
+}
+
+TEST_F(GameShowTest, APressOnAButtonIsNoSwipeAndASwipeAcrossAButtonPressesNothing)
+{
+    using Kind = app::WindowPointer::Kind;
+    const glm::vec2 size(1280.0f, 720.0f);
+    GameShow show(setup("classic"), painter, speaker);
+    frames(show, 2);
+    picture(show, 1280, 720, false);
+    const glm::dvec2 button(show.hotspots().at(0).box.middle());
+    show.point({Kind::press, button - glm::dvec2(200.0, 0.0)}, size);
+    show.point({Kind::move, button}, size);
+    frames(show, 1);
+    EXPECT_EQ(show.screens().screen(), Screen::play);
+    EXPECT_EQ(show.simulation()->blade().swipe(), 1u);
+    show.point({Kind::release, button}, size);
+    frames(show, 1);
+    click(show, show.hotspots()[0].box, size);
+    EXPECT_EQ(show.screens().screen(), Screen::paused);
+    show.press(MenuKey::back);
+    frames(show, 2);
+    EXPECT_EQ(show.simulation()->blade().swipe(), 1u);
+}
+
+TEST_F(GameShowTest, TheGiantHasAButtonForEveryKeyThatItNames)
+{
+    ShowSetup small = setup("giant");
+    small.giant = 10'000;
+    GameShow show(small, painter, speaker);
+    frames(show, 10);
+    picture(show, 1280, 720, false);
+    const auto giants = [&] { return game::giant_of(show.simulation()->scene())->state().giants; };
+    const std::string before = show.simulation()->backend();
+    const auto giants_before = giants();
+    click(show, show.giant_buttons()[1], {1280.0f, 720.0f});
+    frames(show, 2);
+    EXPECT_GT(giants(), giants_before);
+    EXPECT_EQ(show.simulation()->backend(), before);
+    click(show, show.giant_buttons()[0], {1280.0f, 720.0f});
+    frames(show, 2);
+    EXPECT_NE(show.simulation()->backend(), before);
+    EXPECT_EQ(show.simulation()->blade().swipe(), 0u);
+    expect_texts_fit(show, "giant");
 }
 
 TEST_F(GameShowTest, CuttingAFruitOfTheMenuChoosesItsGame)

@@ -91,6 +91,16 @@ TEST(Screens, ADuelThatIsOverLeadsToARematchOrToTheMenu)
     EXPECT_EQ(s.screen(), Screen::menu);
 }
 
+TEST(Screens, TheButtonThatPausesIsForThePointerOnly)
+{
+    Screens s = screens();
+    s.play("zen");
+    EXPECT_FALSE(s.press(MenuKey::accept));
+    EXPECT_EQ(s.screen(), Screen::play);
+    EXPECT_FALSE(s.click(0));
+    EXPECT_EQ(s.screen(), Screen::paused);
+}
+
 TEST(Screens, EscapeNeverEndsTheProgramOrAGameByItself)
 {
     Screens s = screens();
