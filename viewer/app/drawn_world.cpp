@@ -118,9 +118,11 @@ std::span<const render::DrawnObject> DrawnWorld::objects(const sim::Simulation& 
     for (const auto& body : simulation.bodies()) {
         const auto found = fragments_.find(body->id());
         if (found == fragments_.end()) continue;
-        const double size = 2.0 * body->identity().origin.radius;
+        const sim::Origin& origin = body->identity().origin;
+        const double size = 2.0 * origin.radius;
         objects_.push_back({static_cast<std::uint32_t>(body->id()), &found->second,
-                            glm::mat4(body->model_matrix(fraction)), static_cast<float>(1.0 / size)});
+                            glm::mat4(body->model_matrix(fraction)), static_cast<float>(1.0 / size),
+                            simulation.models().model(origin.model).is_closed});
     }
     return objects_;
 }

@@ -39,7 +39,7 @@ std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
     const std::string name = boulder_name(triangles);
     const std::size_t known = index_of(models, name);
     if (known < models.size()) return known;
-    return models.add(name, stone_asteroid(static_cast<std::uint64_t>(triangles), 5));
+    return models.add(name, stone_asteroid(static_cast<std::uint64_t>(triangles), 5), true);
 }
 
 /// Boulder and fruit in turn, prepared for both. @param steps  counts DuelShow::kSteps

@@ -14,6 +14,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/io/mesh_file.h"
@@ -138,10 +139,12 @@ public:
         sheet.height = height_ * static_cast<int>(names.size());
         sheet.rgba.resize(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
         for (std::size_t row = 0; row < names.size(); ++row) {
-            PrepareResult prepared = backend_->prepare(io::read_mesh(folder_ / (names[row] + ".glb")).mesh);
+            io::LoadedMesh loaded = io::read_mesh(folder_ / (names[row] + ".glb"));
+            const bool is_closed = loaded.is_closed();
+            PrepareResult prepared = backend_->prepare(std::move(loaded.mesh));
             if (!prepared.object) throw std::runtime_error(names[row] + ": " + prepared.reason);
             for (std::size_t column = 0; column < kPoses.size(); ++column)
-                paste(tile(prepared.object->clone(), pose_of(names[row], column)), sheet,
+                paste(tile(prepared.object->clone(), is_closed, pose_of(names[row], column)), sheet,
                       static_cast<int>(column) * width(), static_cast<int>(row) * height_);
         }
         return sheet;
@@ -150,7 +153,7 @@ public:
 private:
     int width() const { return height_ * 4 / 3; }
 
-    render::Picture tile(std::unique_ptr<Cuttable> whole, const Pose& pose)
+    render::Picture tile(std::unique_ptr<Cuttable> whole, bool is_closed, const Pose& pose)
     {
         const float size = glm::length(whole->bounds().hi - whole->bounds().lo);
         std::vector<Piece> pieces = posed(std::move(whole), pose);
@@ -158,7 +161,8 @@ private:
         for (Piece& piece : pieces) fragments.push_back(store_.add(*piece.object));
         std::vector<render::DrawnObject> objects;
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            objects.push_back({static_cast<std::uint32_t>(i + 1), &fragments[i], pieces[i].model, 1.0f / size});
+            objects.push_back(
+                {static_cast<std::uint32_t>(i + 1), &fragments[i], pieces[i].model, 1.0f / size, is_closed});
 
         const float aspect = 4.0f / 3.0f;
         const float reach = 1.12f * reach_of(pieces, aspect);

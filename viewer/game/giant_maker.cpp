@@ -148,7 +148,7 @@ struct GiantMaker::Task
         if (is_settled) return;
         Assembled assembled = assemble(std::move(*soup));
         error = std::move(assembled.error);
-        if (error.empty()) model = models->add("asteroid", std::move(assembled.mesh));
+        if (error.empty()) model = models->add("asteroid", std::move(assembled.mesh), true);
     }
 
     void prepare()

@@ -58,7 +58,6 @@ std::vector<PixelFacts> InspectionPass::draw(const Viewpoint& viewpoint, std::sp
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
     constexpr std::array<GLuint, 4> kNothing{};
     constexpr std::array<GLfloat, 4> kZero{};
     constexpr GLfloat kFar = 1.0f;
@@ -78,12 +77,14 @@ std::vector<PixelFacts> InspectionPass::draw(const Viewpoint& viewpoint, std::sp
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
         glUniform1f(scale, object.pattern_scale);
         glUniform1ui(id, object.id);
+        cull_for(object);
         for (const DrawBatch& batch : object.fragment->batches) {
             glUniform1ui(kind, 1u + static_cast<GLuint>(batch.kind));
             glMultiDrawElements(GL_TRIANGLES, batch.runs.counts.data(), GL_UNSIGNED_INT, batch.runs.offsets.data(),
                                 static_cast<GLsizei>(batch.runs.counts.size()));
         }
     }
+    glDisable(GL_CULL_FACE);
     glBindVertexArray(0);
 
     const auto ids = read_back<glm::uvec2>(GL_COLOR_ATTACHMENT0, GL_RG_INTEGER, GL_UNSIGNED_INT, width_, height_);

@@ -20,6 +20,15 @@ ShaderProgram surface_program(const ShaderFiles& fragment_files)
 
 }  // namespace
 
+void cull_for(const DrawnObject& object)
+{
+    // What is seen of an open mesh's back is drawn, too.
+    if (object.is_closed)
+        glEnable(GL_CULL_FACE);
+    else
+        glDisable(GL_CULL_FACE);
+}
+
 SceneRenderer::SurfaceProgram::SurfaceProgram(ShaderProgram linked)
     : program(std::move(linked)),
       model(program.uniform("model")),
@@ -53,7 +62,6 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);  // what is seen of an open mesh's back is drawn, too
     draw_shadows(objects, shadow_projection);
 
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
@@ -107,8 +115,10 @@ void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
+        cull_for(object);
         draw_runs(object.fragment->everything);
     }
+    glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -129,6 +139,7 @@ void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting
     std::uint32_t bound_image = 0;
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
+        cull_for(object);
         bool is_placed = false;
         for (const DrawBatch& batch : object.fragment->batches) {
             const SurfaceProgram& surface =
@@ -151,6 +162,7 @@ void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting
             draw_runs(batch.runs);
         }
     }
+    glDisable(GL_CULL_FACE);
 }
 
 void SceneRenderer::draw_edges(std::span<const DrawnObject> objects)

@@ -25,9 +25,15 @@ struct DrawnObject
 {
     std::uint32_t id = 0;  ///< what the inspection pass writes; 0 is the background's
     const DrawnFragment* fragment = nullptr;
-    glm::mat4 model{1.0f};       ///< mesh coordinates to world: turned, moved, scaled alike in all directions
+    glm::mat4 model{1.0f};  ///< mesh coordinates to world: turned, moved, scaled alike in all directions; no mirror
     float pattern_scale = 1.0f;  ///< 1 / size of the object before any cut, so that patterns stay where they are
+    /// Cut from a mesh without boundary. Of such an object only what faces the eye is drawn: its back is never seen,
+    /// and where caps lie on one another, facing either way, rounding must not choose between them.
+    bool is_closed = false;
 };
+
+/// From now on what faces away is left out, if the object is closed.
+void cull_for(const DrawnObject& object);
 
 struct DrawOptions
 {

@@ -39,11 +39,12 @@ std::size_t ModelShelf::add(Model model)
     return models_.size() - 1;
 }
 
-std::size_t ModelShelf::add(std::string name, IndexedMesh mesh)
+std::size_t ModelShelf::add(std::string name, IndexedMesh mesh, bool is_closed)
 {
     Model model;
     model.name = std::move(name);
     model.mesh = std::move(mesh);
+    model.is_closed = is_closed;
     return add(std::move(model));
 }
 
@@ -52,6 +53,7 @@ std::size_t ModelShelf::add_file(const std::filesystem::path& path)
     Model model;
     model.name = path.stem().string();
     io::LoadedMesh loaded = io::read_mesh(path);
+    model.is_closed = loaded.is_closed();
     model.mesh = std::move(loaded.mesh);
     model.coarse_coordinates = loaded.facts.has_coarse_coordinates();
     const Box box = model.mesh.bounds();

@@ -23,6 +23,7 @@ struct Model
     IndexedMesh mesh;
     Box box;
     bool coarse_coordinates = false;  ///< MeshFacts::has_coarse_coordinates(): a warning
+    bool is_closed = false;           ///< the surface of solids, known to have no boundary: nobody sees its back
     std::filesystem::path folder;     ///< of the file that it came from; Material::texture begins with it
 };
 
@@ -65,7 +66,7 @@ class ModelShelf
 public:
     /// Returns the model's index.
     std::size_t add(Model model);
-    std::size_t add(std::string name, IndexedMesh mesh);
+    std::size_t add(std::string name, IndexedMesh mesh, bool is_closed = false);
     /// @throws io::FileError  also for a mesh that is too large or too small to be drawn (kLargestMesh)
     std::size_t add_file(const std::filesystem::path& path);
     /// The report's fifteen models from data/models.

@@ -42,6 +42,10 @@ struct LoadedMesh
     IndexedMesh mesh;
     MeshFacts facts;  ///< before repair
     Repairs repairs;
+
+    /// Whether the mesh as it was repaired has no boundary: the surface of solids, of which one never sees the back.
+    /// O(n log n) if something was repaired, otherwise O(1).
+    bool is_closed() const { return repairs.none() ? facts.closed() : measure(mesh).closed(); }
 };
 
 /// read_soup(), measure() and assemble() in one.

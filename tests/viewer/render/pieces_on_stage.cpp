@@ -14,7 +14,9 @@ namespace kerf::test {
 std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn,
                                    const std::string& image)
 {
-    IndexedMesh mesh = io::read_mesh(std::string(KERF_DATA_DIR "/models/") + model + ".obj").mesh;
+    io::LoadedMesh loaded = io::read_mesh(std::string(KERF_DATA_DIR "/models/") + model + ".obj");
+    const bool is_closed = loaded.is_closed();
+    IndexedMesh mesh = std::move(loaded.mesh);
     for (Material& material : mesh.materials) material.texture = image;
     const Box box = mesh.bounds();
     const glm::vec3 centre = 0.5f * (box.lo + box.hi);
@@ -25,7 +27,7 @@ std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& back
     std::vector<StagedPiece> pieces;
     PrepareResult prepared = backend.prepare(std::move(mesh));
     if (!prepared.object) throw std::runtime_error(model + ": " + prepared.reason);
-    pieces.push_back({std::move(prepared.object), stand, 1.0f / radius, {}});
+    pieces.push_back({std::move(prepared.object), stand, 1.0f / radius, {}, is_closed});
     for (int i = 0; i < cuts; ++i) {
         const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
             return a.object->mass_properties().volume < b.object->mass_properties().volume;
@@ -38,7 +40,7 @@ std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& back
         if (result.status != Status::cut) throw std::runtime_error(model + ": the cut missed");
         const auto keep = [&](std::unique_ptr<Cuttable>& piece, float side) {
             const glm::mat4 apart = glm::translate(whole.model, side * 0.12f * radius * glm::vec3(plane.normal));
-            pieces.push_back({std::move(piece), apart, 1.0f / radius, plane});
+            pieces.push_back({std::move(piece), apart, 1.0f / radius, plane, is_closed});
         };
         for (auto& piece : result.positive) keep(piece, 1.0f);
         for (auto& piece : result.negative) keep(piece, -1.0f);
@@ -68,7 +70,8 @@ std::vector<render::DrawnObject> drawn(const std::vector<StagedPiece>& pieces,
 {
     std::vector<render::DrawnObject> objects;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        objects.push_back({static_cast<std::uint32_t>(i + 1), &fragments[i], pieces[i].model, pieces[i].pattern_scale});
+        objects.push_back({static_cast<std::uint32_t>(i + 1), &fragments[i], pieces[i].model, pieces[i].pattern_scale,
+                           pieces[i].is_closed});
     return objects;
 }
 

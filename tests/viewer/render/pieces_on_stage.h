@@ -16,6 +16,7 @@ struct StagedPiece
     glm::mat4 model{1.0f};
     float pattern_scale = 1.0f;
     Plane plane;
+    bool is_closed = false;  ///< DrawnObject::is_closed
 };
 
 /// The pieces of a model of data/models after `cuts` cuts, each through the middle of the largest piece, pulled apart,

@@ -146,7 +146,7 @@ TEST_P(SceneRendererTest, RangesOfSharedBuffersLookLikeCopiesPixelForPixel)
         std::vector<StagedPiece> copies;
         for (const StagedPiece& piece : pieces)
             copies.push_back({baseline::make_backend()->prepare(piece.object->to_indexed_mesh()).object, piece.model,
-                              piece.pattern_scale, piece.plane});
+                              piece.pattern_scale, piece.plane, piece.is_closed});
         const std::vector<DrawnFragment> fragments_of_copies = uploaded(store, copies);
         for (const Lighting lighting : {Lighting::lambert, Lighting::textured}) {
             DrawOptions options;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <atomic>
 #include <thread>
 
@@ -27,6 +29,24 @@ TEST(ModelShelf, AFileThatIsNoMeshIsAnErrorAndLeavesTheShelfAsItWas)
     ModelShelf shelf;
     EXPECT_THROW(shelf.add_file("/nowhere/at/all.obj"), io::FileError);
     EXPECT_TRUE(shelf.empty());
+}
+
+TEST(ModelShelf, KnowsWhichFilesHaveABoundary)
+{
+    IndexedMesh lidless = test::shape("box");
+    lidless.triangles.pop_back();
+    --lidless.groups.back().count;
+    if (!lidless.sources.empty()) lidless.sources.pop_back();
+    const std::filesystem::path folder = std::filesystem::temp_directory_path();
+    const auto closed = folder / ("kerf_closed_" + std::to_string(::getpid()) + ".ply");
+    const auto open = folder / ("kerf_open_" + std::to_string(::getpid()) + ".ply");
+    io::write_mesh(closed, test::shape("box"));
+    io::write_mesh(open, lidless);
+    ModelShelf shelf;
+    EXPECT_TRUE(shelf.model(shelf.add_file(closed)).is_closed);
+    EXPECT_FALSE(shelf.model(shelf.add_file(open)).is_closed);
+    std::filesystem::remove(closed);
+    std::filesystem::remove(open);
 }
 
 TEST(ModelShelf, PreparesOnceAndHandsOutIndependentCopies)
