@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <unordered_set>
 #include <vector>
 
@@ -77,23 +78,40 @@ public:
     }
 };
 
-/// Combines the hashes of the coordinates as a dictionary should.
+/// Hashes all that same_vertex() compares: where many vertices lie in one place, position alone would put them all into
+/// one chain.
 struct ProperHash
 {
-    static std::size_t combine(std::size_t x, std::size_t y, std::size_t z)
+    static std::size_t of(const IndexedMesh& mesh, std::uint32_t i)
     {
         // Boost's hash_combine constants, 64 bit: the fractional part of the golden ratio spreads neighbouring values.
         const auto mix = [](std::size_t seed, std::size_t value) {
             return seed ^ (value + 0x9e3779b97f4a7c15ull + (seed << 6) + (seed >> 2));
         };
-        return mix(mix(x, y), z);
+        std::size_t hash = mix(of_bytes(&mesh.vertices[i], sizeof(Vertex)), mesh.points[i]);
+        for (const VertexStream& stream : mesh.streams)
+            hash =
+                mix(hash, of_bytes(stream.values.data() + std::size_t(i) * stream.width, stream.width * sizeof(float)));
+        return hash;
+    }
+
+private:
+    static std::size_t of_bytes(const void* bytes, std::size_t size)
+    {
+        return std::hash<std::string_view>{}({static_cast<const char*>(bytes), size});
     }
 };
 
-/// Combines them with a logical or, as the report's program did: true or false are all the values there are.
+/// Combines the hashes of the coordinates with a logical or, as the report's program did: true or false are all the
+/// values there are.
 struct TwoValuedHash
 {
-    static std::size_t combine(std::size_t x, std::size_t y, std::size_t z) { return (x || y || z) ? 1 : 0; }
+    static std::size_t of(const IndexedMesh& mesh, std::uint32_t i)
+    {
+        const glm::vec3& p = mesh.vertices[i].position;
+        const std::hash<float> hash;
+        return (hash(p.x) || hash(p.y) || hash(p.z)) ? 1 : 0;
+    }
 };
 
 /// "Each point added to a fragment is added to a dictionary as well."
@@ -114,12 +132,7 @@ private:
     struct HashOfIndex
     {
         const IndexedMesh* mesh;
-        std::size_t operator()(std::uint32_t i) const
-        {
-            const glm::vec3& p = mesh->vertices[i].position;
-            const std::hash<float> hash;
-            return Hash::combine(hash(p.x), hash(p.y), hash(p.z));
-        }
+        std::size_t operator()(std::uint32_t i) const { return Hash::of(*mesh, i); }
     };
     struct SameVertex
     {

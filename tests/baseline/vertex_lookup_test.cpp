@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "baseline/slices.h"
+#include "common/shapes/hard_sections.h"
 #include "support/referee.h"
 
 namespace kerf::baseline {
@@ -120,11 +121,60 @@ TEST(VertexLookup, ASpikeWhoseCutPointsFallTogetherLeavesNoVertexBehind)
     }
 }
 
-TEST(Hashes, TheReportsCombinationHasTwoValues)
+/// Two vertices that differ in nothing but what `change` does to the second one.
+template <class Change>
+IndexedMesh alike_but_for(Change&& change)
 {
-    EXPECT_EQ(TwoValuedHash::combine(3, 5, 7), TwoValuedHash::combine(1000, 2, 0));
-    EXPECT_NE(TwoValuedHash::combine(0, 0, 0), TwoValuedHash::combine(1, 0, 0));
-    EXPECT_NE(ProperHash::combine(3, 5, 7), ProperHash::combine(7, 5, 3));
+    IndexedMesh mesh;
+    mesh.vertices.assign(2, {{1, 2, 3}, {0, 0, 1}, {0, 0}});
+    mesh.points.assign(2, 0);
+    mesh.streams.push_back({"heat", 1, {}});
+    mesh.streams.front().values.assign(2, 0.5f);
+    change(mesh);
+    return mesh;
+}
+
+TEST(Hashes, TheReportsHasTwoValues)
+{
+    const auto report = [](const glm::vec3& p) {
+        return TwoValuedHash::of(alike_but_for([&](IndexedMesh& mesh) { mesh.vertices[1].position = p; }), 1);
+    };
+    EXPECT_EQ(report({3, 5, 7}), report({1000, 2, 0}));
+    EXPECT_NE(report({0, 0, 0}), report({1, 0, 0}));
+}
+
+TEST(Hashes, TheProperOneTellsApartAllThatMakesVerticesDiffer)
+{
+    const auto same = [](auto change) {
+        const IndexedMesh mesh = alike_but_for(change);
+        EXPECT_EQ(ProperHash::of(mesh, 0) == ProperHash::of(mesh, 1), same_vertex(mesh, 0, 1));
+        return same_vertex(mesh, 0, 1);
+    };
+    EXPECT_TRUE(same([](IndexedMesh&) {}));
+    EXPECT_FALSE(same([](IndexedMesh& mesh) { mesh.vertices[1].position = {3, 2, 1}; }));
+    EXPECT_FALSE(same([](IndexedMesh& mesh) { mesh.vertices[1].normal = {0, 1, 0}; }));
+    EXPECT_FALSE(same([](IndexedMesh& mesh) { mesh.vertices[1].uv.y = -0.0f; }));
+    EXPECT_FALSE(same([](IndexedMesh& mesh) { mesh.points[1] = 1; }));
+    EXPECT_FALSE(same([](IndexedMesh& mesh) { mesh.streams.front().values[1] = 0.25f; }));
+}
+
+TEST(VertexLookup, ComparesNoMoreWhereAllCutPointsLieInOnePlace)
+{
+    // Sixteen times the solids: as many times the comparisons, where chains by position would take 256 times as many.
+    constexpr std::uint32_t kFew = 150, kGrowth = 16;
+    constexpr double kMostGrowth = 20.0;
+    for (const std::string name : {"wedges", "stack"}) {
+        SCOPED_TRACE(name);
+        const auto comparisons = [&](std::uint32_t n) {
+            const shapes::HardSection section = *shapes::hard_section(name, n);
+            const Fragment whole = fragment_of(assemble(section.soup).mesh);
+            const Slices slices = slice(whole, section.plane, {}, VertexLookup::hash);
+            EXPECT_GE(slices.statistics.crossing_triangles, 3 * n);
+            return double(slices.statistics.vertex_comparisons);
+        };
+        EXPECT_GT(comparisons(kFew), kFew);
+        EXPECT_LE(comparisons(kGrowth * kFew), kMostGrowth * comparisons(kFew));
+    }
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
                     FullSize{"hidden_pores", 10'000, 10'000, 0}, FullSize{"loose_parts", 10'000, 10'000, 0},
                     FullSize{"nested_shells", 10'000, 10'000, 0}, FullSize{"pores", 10'000, 10'000, 0},
                     FullSize{"bricks", 10'000, 10'000, 0}, FullSize{"checkerboard", 10'000, 10'000, 0},
-                    FullSize{"rosette", 10'000, 10'000, 0}, FullSize{"flat", 1'000'000, 1, 0},
+                    FullSize{"rosette", 10'000, 10'000, 0}, FullSize{"stack", 10'000, 10'000, 0},
+                    FullSize{"wedges", 10'000, 10'000, 0}, FullSize{"flat", 1'000'000, 1, 0},
                     FullSize{"flat_tilted", 1'000'000, 1, 0}, FullSize{"flat_rough", 1'000'000, 10'000, 0}),
     [](const auto& parameter) { return parameter.param.name; });
 

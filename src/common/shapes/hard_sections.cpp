@@ -145,6 +145,36 @@ HardSection spiral(std::uint32_t n)
     return {spiral_wall(float(kTurns), std::max(3u, n / (4 * kTurns))), across(2, 0.01)};
 }
 
+void append_tetrahedron(TriangleSoup& soup, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+                        const glm::vec3& d)
+{
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    for (const glm::vec3& p : {a, b, c, d}) soup.vertices.push_back({p, {0, 0, 1}, {0, 0}});
+    for (const Triangle& t : {Triangle{0, 2, 1}, Triangle{0, 1, 3}, Triangle{0, 3, 2}, Triangle{1, 2, 3}})
+        soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
+
+HardSection stack(std::uint32_t n)
+{
+    TriangleSoup soup;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const float size = 1.0f + float(i) / 1024.0f;
+        append_tetrahedron(soup, {0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size});
+    }
+    return {std::move(soup), *Plane::through({0.1, 0.2, 0.53}, {0.01, 0.02, 1.0})};
+}
+
+HardSection wedges(std::uint32_t n)
+{
+    TriangleSoup soup;
+    const auto at = [&](double turn) {
+        const double angle = 2.0 * std::numbers::pi * turn / n;
+        return glm::vec3(std::cos(angle), std::sin(angle), 0.5);
+    };
+    for (std::uint32_t i = 0; i < n; ++i) append_tetrahedron(soup, {0, 0, 0}, {0, 0, 1}, at(i), at(i + 0.5));
+    return {std::move(soup), *Plane::through({0.1, 0.2, 0.53}, {0.01, 0.02, 1.0})};
+}
+
 /// A plate with a top of n triangles at z = 0.5, and a ridge along one edge that reaches above it.
 TriangleSoup ridged_plate(std::uint32_t n)
 {
@@ -197,10 +227,12 @@ const std::map<std::string, HardSection (*)(std::uint32_t), std::less<>>& makers
         {"pores", pores},
         {"rosette", rosette},
         {"spiral", spiral},
+        {"stack", stack},
         {"teeth",
          [](std::uint32_t n) {
              return HardSection{comb(n), across(1, 0.1)};
          }},
+        {"wedges", wedges},
     };
     return all;
 }

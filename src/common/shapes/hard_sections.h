@@ -34,7 +34,9 @@ struct HardSection
 ///   pores          a block with n cavities: as many holes in one cap
 ///   rosette        n loops that have one point in common
 ///   spiral         one loop of n points that winds fifty times
-///   teeth          a comb that falls into n teeth: n loops of one shell
+///   stack          n tetrahedra in one another with a corner and three edges in common: cut points in three lines
+///   lines teeth          a comb that falls into n teeth: n loops of one shell wedges         n tetrahedra around one
+///   edge: as many cut points in one place
 const std::vector<std::string>& hard_section_names();
 
 /// A hard section of about size `n`; empty for an unknown name. O(n).
