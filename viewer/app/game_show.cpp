@@ -74,6 +74,7 @@ void GameShow::start(const std::string& scene)
     clock_ = {};
     sampler_ = {};
     pointer_.clear();
+    keyboard_blade_ = {};
     script_.clear();
     demo_ = {};
     demo_fruit_ = 0;
@@ -186,6 +187,29 @@ void GameShow::press(ui::MenuKey key)
     if (const std::optional<ui::Request> request = screens_.press(key)) carry_out(*request);
 }
 
+void GameShow::hold(ui::BladeKey key, bool is_down)
+{
+    if (is_down && (screens_.screen() != ui::Screen::play || swiping_)) return;
+    keyboard_blade_.hold(key, is_down);
+}
+
+/// What the keys do goes the way of the mouse, so that recordings and rules know no difference.
+void GameShow::move_keyboard_blade(double seconds)
+{
+    if (screens_.screen() != ui::Screen::play) {
+        if (keyboard_blade_.is_cutting())
+            pointer_.push_back({sim::PointerChange::Kind::release, keyboard_blade_.place()});
+        return keyboard_blade_.let_go();
+    }
+    if (!keyboard_blade_.is_shown()) return;
+    glm::dvec2 size(painter_.target().width(), painter_.target().height());
+    if (duel_) size.x *= 0.5;
+    const sim::Camera camera(size.x / size.y);
+    const double zoom = duel_ ? double(DuelShow::kZoom) : 1.0;
+    const glm::dvec2 reach = camera.ndc_to_stage({0.96, 0.95}) / zoom;  // the cross is seen whole
+    for (const sim::PointerChange& change : keyboard_blade_.advance(seconds, reach)) pointer_.push_back(change);
+}
+
 void GameShow::toggle_mute()
 {
     game::StoredSettings changed = settings();
@@ -270,6 +294,12 @@ void GameShow::point(const WindowPointer& change, const glm::vec2& size)
     if (is_held()) return;
     const bool can_cut = screens_.screen() == ui::Screen::play || screens_.screen() == ui::Screen::menu;
     if (change.kind == Kind::press && !can_cut) return;
+    if (change.kind != Kind::press && keyboard_blade_.is_cutting()) return;
+    if (change.kind == Kind::press) {
+        if (keyboard_blade_.is_cutting())
+            pointer_.push_back({sim::PointerChange::Kind::release, keyboard_blade_.place()});
+        keyboard_blade_.put_away();
+    }
     ui::Box2 box{{0.0f, 0.0f}, size};
     // A swipe that leaves its half goes on beside it: in the other half it would begin at the far edge.
     if (change.kind == Kind::press || !swiping_) pressed_half_ = place.x < 0.5f * size.x ? 0 : 1;
@@ -309,13 +339,15 @@ void GameShow::advance(double seconds)
     // In fixed steps the first tick waits for what a thread would make meanwhile: no frame of a player's.
     constexpr sim::Tick kMaking = 6;
     if (!setup_.fixed_step || (simulation_ && simulation_->now() > kMaking)) frames_.add(1e3 * seconds);
-    notice_.advance(setup_.fixed_step ? double(sim::kTicksPerFrame) * sim::kTickSeconds : seconds);
+    const double frame_seconds = setup_.fixed_step ? double(sim::kTicksPerFrame) * sim::kTickSeconds : seconds;
+    notice_.advance(frame_seconds);
     tell(files_.take_message());
     double scale = effects_.time_scale();
     if (simulation_) scale *= simulation_->scene().time_scale();
     clock_.set_time_scale(scale);
     if (is_held() && !clock_.paused()) let_go();
     clock_.set_paused(is_held());
+    move_keyboard_blade(frame_seconds);
     look_ahead();
     const sim::Tick ticks = !setup_.fixed_step ? clock_.advance(seconds) : is_held() ? 0 : sim::kTicksPerFrame;
     if (ticks > 0) simulate(ticks);
@@ -327,6 +359,7 @@ void GameShow::let_go()
 {
     sampler_.let_go();
     pointer_.clear();
+    keyboard_blade_.let_go();
     swiping_ = false;
     giant_sliding_ = false;
     speaker_.set_fuse(false);
@@ -492,6 +525,16 @@ std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> GameShow::score_
     return lists;
 }
 
+/// Where the keyboard's blade is; in a duel in both halves.
+void GameShow::write_cross(ui::Canvas& canvas) const
+{
+    const double zoom = duel_ ? double(DuelShow::kZoom) : 1.0;
+    for (std::size_t half = 0; half < (duel_ ? 2u : 1u); ++half) {
+        const ui::Box2 box = duel_ ? DuelShow::box_of_half(half, canvas.size()) : ui::Box2{{0.0f, 0.0f}, canvas.size()};
+        canvas.cross(ui::on_picture(zoom * keyboard_blade_.place(), box), keyboard_blade_.is_cutting());
+    }
+}
+
 void GameShow::write(ui::Canvas& canvas)
 {
     ui::ScreenContent content;
@@ -508,13 +551,14 @@ void GameShow::write(ui::Canvas& canvas)
         ui::show_effects(canvas, effects_, {{0.0f, 0.0f}, canvas.size()});
         if (const game::GameScene* const played = game::game_of(simulation_->scene())) {
             content.game = &played->state();
+            // What is said stands where the hint would be.
+            const bool teaches = is_new_player_ && screens_.screen() == ui::Screen::play && content.message.empty();
             if (screens_.screen() != ui::Screen::over)
-                ui::show_hud(
-                    canvas, played->state(),
-                    is_new_player_ && screens_.screen() == ui::Screen::play ? ui::kHowToPlay : std::string_view());
+                ui::show_hud(canvas, played->state(), teaches ? ui::kHowToPlay : std::string_view());
         }
         if (scene_ == "giant") write_giant(canvas);
     }
+    if (screens_.screen() == ui::Screen::play && keyboard_blade_.is_shown()) write_cross(canvas);
     hotspots_ = ui::show_screen(canvas, screens_, content);
 }
 

@@ -21,6 +21,7 @@
 #include "viewer/sim/pointer_sampler.h"
 #include "viewer/sim/stocker.h"
 #include "viewer/sound/speaker.h"
+#include "viewer/ui/keyboard_blade.h"
 #include "viewer/ui/notice.h"
 #include "viewer/ui/screen_view.h"
 
@@ -32,7 +33,7 @@ struct ShowSetup
     std::filesystem::path data_folder;  ///< where `fruit/` lies
     std::filesystem::path user_folder;  ///< for scores and settings; empty: nothing is stored
     std::string scene = "menu";
-    std::string backend;  ///< empty: the stored one
+    std::string backend;                     ///< empty: the stored one
     std::uint64_t seed = 1;
     bool fixed_step = false;  ///< every frame is two ticks, nothing depends on the time of day or on a thread's speed
     std::int64_t boulder = DuelShow::kBoulder;  ///< triangles, of the duel
@@ -55,6 +56,8 @@ public:
     // What the player does.
 
     void press(ui::MenuKey key);
+    /// A key of the blade without a mouse; it means something while a game is played.
+    void hold(ui::BladeKey key, bool is_down);
     /// A key of the scene `giant`: another back end, another giant.
     void next_backend();
     void next_giant();
@@ -93,6 +96,7 @@ public:
     /// Null during a duel.
     const sim::Simulation* simulation() const { return simulation_.get(); }
     DuelShow* duel() { return duel_.get(); }
+    const ui::KeyboardBlade& keyboard_blade() const { return keyboard_blade_; }
     const effects::Effects& effects() const { return effects_; }
     /// That shows who has cut nothing yet how it is done.
     const sim::Blade& demo_blade() const { return demo_; }
@@ -122,6 +126,8 @@ private:
     void watch_duel();
     void move_demo_blade();
     void show_first_cut(const game::GameScene& played);
+    void move_keyboard_blade(double seconds);
+    void write_cross(ui::Canvas& canvas) const;
     bool press_button(const glm::vec2& place);
     void write_giant(ui::Canvas& canvas);
     void set_giant(double share);
@@ -147,6 +153,7 @@ private:
     sim::FrameClock clock_;
     sim::PointerSampler sampler_;
     std::vector<sim::PointerChange> pointer_;
+    ui::KeyboardBlade keyboard_blade_;
     std::vector<sim::InputEvent> script_;  ///< for the duel: not yet due
     bool swiping_ = false;
     std::size_t pressed_half_ = 0;        ///< of a duel: where the swipe began, and where its places are read

@@ -82,12 +82,34 @@ bool GameWindow::frame()
 void GameWindow::take_input()
 {
     window_.take_keys();  // they mean something in the viewer of models only
-    for (const int key : window_.take_key_codes()) take_key(key);
+    for (const WindowKey& key : window_.take_key_codes()) {
+        steer(key);
+        if (key.is_down) take_key(key.code);
+    }
     const glm::dvec2 size(window_.size()), pixels(window_.framebuffer_size());
     if (size.x < 1.0 || size.y < 1.0) return;
     for (WindowPointer change : window_.take_pointer()) {
         change.position *= pixels / size;
         show_.point(change, glm::vec2(pixels));
+    }
+}
+
+void GameWindow::steer(const WindowKey& key)
+{
+    // By their places: on any keyboard these four lie together.
+    switch (key.code) {
+        case GLFW_KEY_W:
+            return show_.hold(ui::BladeKey::up, key.is_down);
+        case GLFW_KEY_S:
+            return show_.hold(ui::BladeKey::down, key.is_down);
+        case GLFW_KEY_A:
+            return show_.hold(ui::BladeKey::left, key.is_down);
+        case GLFW_KEY_D:
+            return show_.hold(ui::BladeKey::right, key.is_down);
+        case GLFW_KEY_SPACE:
+            return show_.hold(ui::BladeKey::cut, key.is_down);
+        default:
+            return;
     }
 }
 

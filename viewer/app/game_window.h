@@ -28,6 +28,7 @@ public:
 private:
     void take_input();
     void take_key(int key);
+    void steer(const WindowKey& key);
     void follow_settings();
     void set_fullscreen(bool on);
     void resize(double scale);

@@ -86,7 +86,7 @@ struct Window::State
     glm::ivec2 place{60, 60}, size{1280, 720};  ///< to come back to from fullscreen
     std::vector<WindowPointer> pointer;
     std::vector<KeyAction> keys;
-    std::vector<int> key_codes;
+    std::vector<WindowKey> key_codes;
 
     glm::dvec2 cursor() const
     {
@@ -120,7 +120,7 @@ void on_key(GLFWwindow* window, int key, int, int action, int)
 {
     // Arrows move on while they are held; a command is given once.
     const bool is_arrow = key == GLFW_KEY_UP || key == GLFW_KEY_DOWN || key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT;
-    if (action == GLFW_PRESS || (action == GLFW_REPEAT && is_arrow)) state_of(window).key_codes.push_back(key);
+    if (action != GLFW_REPEAT || is_arrow) state_of(window).key_codes.push_back({key, action != GLFW_RELEASE});
     if (action != GLFW_PRESS) return;
     if (const auto wanted = action_of(key)) state_of(window).keys.push_back(*wanted);
 }
@@ -269,7 +269,7 @@ std::vector<WindowPointer> Window::take_pointer()
     return std::exchange(state_->pointer, {});
 }
 
-std::vector<int> Window::take_key_codes()
+std::vector<WindowKey> Window::take_key_codes()
 {
     return std::exchange(state_->key_codes, {});
 }

@@ -24,6 +24,13 @@ struct WindowPointer
     glm::dvec2 position{0.0};
 };
 
+/// A key that went down or up.
+struct WindowKey
+{
+    int code = 0;  ///< of GLFW
+    bool is_down = true;
+};
+
 /// A window with an OpenGL 3.3 core context, current while it lives. One at a time.
 class Window
 {
@@ -59,8 +66,8 @@ public:
     /// What happened since the last call, in order.
     std::vector<WindowPointer> take_pointer();
     std::vector<KeyAction> take_keys();
-    /// Key codes of GLFW, arrows repeat while they are held.
-    std::vector<int> take_key_codes();
+    /// Arrows that are held go down again and again.
+    std::vector<WindowKey> take_key_codes();
 
     struct State;  ///< what the call-backs of GLFW work on
 

@@ -127,6 +127,20 @@ void Canvas::heart(const glm::vec2& middle, float radius, const glm::vec3& colou
     outline(radius, packed(colour, opacity));
 }
 
+void Canvas::cross(const glm::vec2& middle, bool is_cutting)
+{
+    const float inner = (is_cutting ? 4.0f : 8.0f) * unit(), outer = (is_cutting ? 18.0f : 24.0f) * unit();
+    const float half = 1.6f * unit(), rim = 1.2f * unit();
+    const glm::vec3 colour = is_cutting ? kAccent : kPaper;
+    for (const glm::vec2 along : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)}) {
+        const glm::vec2 across(half * glm::abs(glm::vec2(along.y, along.x)));
+        const glm::vec2 one = middle + inner * along, other = middle + outer * along;
+        const Box2 box{glm::min(one, other) - across, glm::max(one, other) + across};
+        fill({box.low - rim, box.high + rim}, kInk, 0.55f, half + rim);
+        fill(box, colour, 0.95f, half);
+    }
+}
+
 void Canvas::plot(const Box2& box, const float* values, int count, int offset, float most, const glm::vec3& colour)
 {
     if (count < 1 || !(most > 0.0f)) return;

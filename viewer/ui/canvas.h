@@ -55,6 +55,8 @@ public:
     void fill(const Box2& box, const glm::vec3& colour, float opacity, float rounding = 0.0f);
     void bar(const Box2& box, float share, const glm::vec3& colour);
     void heart(const glm::vec2& middle, float radius, const glm::vec3& colour, float opacity);
+    /// A sight for what is steered by keys; closer and brighter while it cuts.
+    void cross(const glm::vec2& middle, bool is_cutting);
     /// A single value is a dot.
     void plot(const Box2& box, const float* values, int count, int offset, float most, const glm::vec3& colour);
     /// A frosty rim around a part of the picture.

@@ -11,7 +11,9 @@ namespace kerf::ui {
 
 /// For who does not know yet how fruit are cut, and what a player who holds the keyboard can do besides.
 inline constexpr std::string_view kHowToCut = "Hold the left button and drag across the fruit";
-inline constexpr std::string_view kHowToPlay = "Hold the left button and drag across the fruit\nEsc: pause";
+inline constexpr std::string_view kHowToPlay =
+    "Hold the left button and drag across the fruit\n"
+    "or steer with W A S D and hold Space to cut   Esc: pause";
 
 /// Score, lives, clock, special fruit and what they bring, for a game that is on.
 /// @param hint  at the lower edge; empty: none

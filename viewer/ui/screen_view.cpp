@@ -116,10 +116,10 @@ std::vector<Hotspot> show_pause_button(Layout& layout, const glm::vec2& pointer)
 
 std::vector<Hotspot> show_paused(Layout& layout, const Screens& screens)
 {
-    const Box2 card = layout.middle_card(460.0f, 460.0f);
+    const Box2 card = layout.middle_card(460.0f, 484.0f);
     const float u = layout.u(), middle = card.middle().x;
     layout.canvas().text({middle, card.high.y - 22.0f * u}, {0.5f, 1.0f},
-                         "Esc or P: go on      M: sound\nF11: full screen      F12: save a picture", 20.0f, kPaper);
+                         "W A S D: steer      Space held: cut\nEsc or P: go on      M: sound\nF11: full screen      F12: save a picture", 20.0f, kPaper);
     layout.canvas().text({middle, card.low.y + 28.0f * u}, {0.5f, 0.0f}, "Paused", 60.0f, kPaper);
     return show_buttons(layout, screens, {middle, card.low.y + 142.0f * u}, 320.0f);
 }

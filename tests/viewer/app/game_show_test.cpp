@@ -68,8 +68,11 @@ protected:
     void choose(GameShow& show, const std::string& label)
     {
         const auto& items = show.screens().items();
-        for (std::size_t i = 0; i < items.size() && items[show.screens().selected()].label != label; ++i)
-            show.press(MenuKey::down);
+        const bool is_menu = show.screens().screen() == Screen::menu;
+        for (std::size_t i = 0; i < 2 * items.size() && items[show.screens().selected()].label != label; ++i) {
+            if (is_menu) show.press(MenuKey::right);
+            if (!is_menu || i == items.size()) show.press(MenuKey::down);
+        }
         ASSERT_EQ(items[show.screens().selected()].label, label);
         show.press(MenuKey::accept);
     }
@@ -224,6 +227,54 @@ TEST_F(GameShowTest, TheGiantHasAButtonForEveryKeyThatItNames)
     EXPECT_NE(show.simulation()->backend(), before);
     EXPECT_EQ(show.simulation()->blade().swipe(), 0u);
     expect_texts_fit(show, "giant");
+}
+
+TEST_F(GameShowTest, FruitIsCutByKeyboardAlone)
+{
+    GameShow show(setup("zen"), painter, speaker);
+    const auto cut = [&] { return game::game_of(show.simulation()->scene())->state().fruit_cut; };
+    using Key = ui::BladeKey;
+    // As a player who looks for a fruit, goes beside it and swipes through it.
+    for (int i = 0; i < 900 && cut() == 0; ++i) {
+        show.hold(Key::cut, false);
+        const auto& bodies = show.simulation()->bodies();
+        if (!bodies.empty()) {
+            const glm::dvec2 aim = sim::Camera::seen_on_stage(bodies.front()->centre());
+            const glm::dvec2 way = aim - show.keyboard_blade().place();
+            show.hold(Key::right, way.x > 0.1);
+            show.hold(Key::left, way.x < -0.1);
+            show.hold(Key::up, way.y > 0.1);
+            show.hold(Key::down, way.y < -0.1);
+            show.hold(Key::cut, glm::length(way) < 2.0);
+        }
+        frames(show, 1);
+    }
+    EXPECT_GT(cut(), 0);
+}
+
+TEST_F(GameShowTest, APauseEndsTheKeyboardsSwipeAndTheMousePutsItsCrossAway)
+{
+    GameShow show(setup("zen"), painter, speaker);
+    frames(show, 2);
+    EXPECT_FALSE(show.keyboard_blade().is_shown());
+    show.hold(ui::BladeKey::right, true);
+    show.hold(ui::BladeKey::cut, true);
+    frames(show, 3);
+    EXPECT_TRUE(show.simulation()->blade().pressed());
+    show.pause();
+    frames(show, 2);
+    show.hold(ui::BladeKey::cut, true);
+    show.press(MenuKey::back);
+    frames(show, 2);
+    EXPECT_FALSE(show.simulation()->blade().pressed());
+    EXPECT_TRUE(show.keyboard_blade().is_shown());
+    show.hold(ui::BladeKey::cut, true);
+    frames(show, 2);
+    EXPECT_EQ(show.simulation()->blade().swipe(), 2u);
+    show.point({app::WindowPointer::Kind::press, {400.0, 300.0}}, {1280.0f, 720.0f});
+    frames(show, 2);
+    EXPECT_FALSE(show.keyboard_blade().is_shown());
+    EXPECT_EQ(show.simulation()->blade().swipe(), 3u) << "the mouse has a swipe of its own";
 }
 
 TEST_F(GameShowTest, CuttingAFruitOfTheMenuChoosesItsGame)

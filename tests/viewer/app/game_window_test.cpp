@@ -81,6 +81,31 @@ TEST_F(GameWindowTest, OpensWithTheMenuAndIsPlayedByKeys)
     EXPECT_EQ(game.show().scene(), "menu");
 }
 
+TEST_F(GameWindowTest, KeysThatAreHeldSteerABladeWhileAGameIsPlayed)
+{
+    ASSERT_TRUE(game.frame());
+    press(GLFW_KEY_SPACE);
+    wait_for_scene("classic");
+    const auto key = [&](int code, int action) {
+        GLFWwindow* const window = game.window().handle();
+        const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
+        glfwSetKeyCallback(window, pressed);
+        pressed(window, code, 0, action, 0);
+        ASSERT_TRUE(game.frame());
+    };
+    key(GLFW_KEY_W, GLFW_PRESS);
+    key(GLFW_KEY_SPACE, GLFW_PRESS);
+    EXPECT_EQ(game.show().screens().screen(), ui::Screen::play);
+    EXPECT_TRUE(game.show().keyboard_blade().is_cutting());
+    EXPECT_GT(game.show().keyboard_blade().place().y, 0.0);
+    key(GLFW_KEY_SPACE, GLFW_RELEASE);
+    key(GLFW_KEY_W, GLFW_RELEASE);
+    EXPECT_FALSE(game.show().keyboard_blade().is_cutting());
+    const glm::dvec2 place = game.show().keyboard_blade().place();
+    ASSERT_TRUE(game.frame());
+    EXPECT_EQ(game.show().keyboard_blade().place(), place);
+}
+
 TEST_F(GameWindowTest, FollowsItsSettings)
 {
     ASSERT_TRUE(game.frame());
@@ -115,7 +140,7 @@ TEST_F(GameWindowTest, AKeyThatIsHeldGivesItsCommandOnce)
     GLFWwindow* const window = game.window().handle();
     const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
     glfwSetKeyCallback(window, pressed);
-    for (const int key : {GLFW_KEY_M, GLFW_KEY_DOWN}) {
+    for (const int key : {GLFW_KEY_M, GLFW_KEY_RIGHT}) {
         pressed(window, key, 0, GLFW_PRESS, 0);
         pressed(window, key, 0, GLFW_REPEAT, 0);
         ASSERT_TRUE(game.frame());
@@ -139,7 +164,7 @@ TEST_F(GameWindowTest, SurvivesAnySizeAndBeingMinimised)
 TEST_F(GameWindowTest, EndsWhenThePlayerQuits)
 {
     ASSERT_TRUE(game.frame());
-    press(GLFW_KEY_UP);  // round to the last line: Quit
+    press(GLFW_KEY_ESCAPE);  // chooses "Quit"
     GLFWwindow* const window = game.window().handle();
     const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
     glfwSetKeyCallback(window, pressed);
