@@ -57,10 +57,11 @@ public:
             Stopwatch whole;
             stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
             stocker_.finish();
+            const double checks = simulation_.check_cpu_ms();
             CpuStopwatch simulate;
             if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
             simulation_.advance(sim::kTicksPerFrame);
-            times_.simulate_cpu_ms.push_back(1e3 * simulate.lap());
+            times_.simulate_cpu_ms.push_back(1e3 * simulate.lap() - (simulation_.check_cpu_ms() - checks));
             if (std::string message = simulation_.take_message(); !message.empty()) say(std::move(message));
 
             effects_.follow(simulation_);

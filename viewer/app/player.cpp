@@ -122,6 +122,7 @@ void Player::simulate()
     const sim::Tick ticks = fixed_step() ? sim::kTicksPerFrame : clock_.advance(seconds);
     stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
     if (fixed_step()) stocker_.finish();
+    const double checks = simulation_.check_cpu_ms();
     CpuStopwatch watch;
     if (ticks > 0) {
         if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
@@ -130,7 +131,7 @@ void Player::simulate()
         pointer_.clear();
         simulation_.advance(ticks);
     }
-    simulate_cpu_ms_ = 1e3 * watch.lap();
+    simulate_cpu_ms_ = 1e3 * watch.lap() - (simulation_.check_cpu_ms() - checks);
     times_.simulate_cpu_ms.push_back(simulate_cpu_ms_);
     if (std::string message = simulation_.take_message(); !message.empty()) {
         if (fixed_step()) messages_.push_back(message);

@@ -14,7 +14,7 @@ namespace kerf::app {
 /// Times of a run's frames.
 struct FrameTimes
 {
-    std::vector<double> simulate_cpu_ms;  ///< ticks with their cuts, processor time of this thread
+    std::vector<double> simulate_cpu_ms;  ///< ticks with their cuts, processor time of this thread; hashes left out
     std::vector<double> submit_cpu_ms;    ///< uploads and the commands of a picture, time of this thread on a processor
     std::vector<double> frame_ms;         ///< the whole frame until the picture is finished, wall clock
 };

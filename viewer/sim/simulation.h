@@ -78,6 +78,8 @@ public:
 
     /// All cuts since the start, oldest first.
     const std::vector<CutRecord>& cuts() const { return cuts_; }
+    /// What Settings::hash_surfaces has cost since the start, time of this thread on a processor: no part of a game.
+    double check_cpu_ms() const { return check_cpu_ms_; }
     /// Whether any two bodies have touched since the start.
     bool had_contact() const { return had_contact_; }
 
@@ -125,6 +127,7 @@ private:
     std::string message_;
     ObjectId last_id_ = 0;
     std::uint64_t throws_ = 0;
+    double check_cpu_ms_ = 0.0;
     bool had_contact_ = false;
 };
 

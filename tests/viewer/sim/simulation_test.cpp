@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "common/cpu_stopwatch.h"
 #include "common/shapes/random.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/pointer_sampler.h"
@@ -122,6 +123,32 @@ TEST_P(OnEachBackEnd, RepeatsARunBitForBit)
         return simulation.state_hash();
     };
     EXPECT_EQ(run(), run());
+}
+
+TEST_P(OnEachBackEnd, TellsWhatItsChecksCostApartFromItsCuts)
+{
+    const auto models = report_shelf();
+    for (const bool checks : {false, true}) {
+        Settings settings = with_backend(GetParam(), 7);
+        settings.hash_surfaces = checks;
+        Simulation simulation(models, settings);
+        simulation.push(stroke_through_first(models, 7));
+        CpuStopwatch watch;
+        simulation.advance(120);
+        const double whole = 1e3 * watch.lap();
+        ASSERT_FALSE(simulation.cuts().empty());
+        double cuts = 0.0, logged = 0.0;
+        for (const CutRecord& cut : simulation.cuts()) {
+            cuts += cut.cpu_ms;
+            logged += cut.check_cpu_ms;
+        }
+        if (!checks) {
+            EXPECT_EQ(simulation.check_cpu_ms(), 0.0);
+        }
+        EXPECT_EQ(logged > 0.0, checks);
+        EXPECT_GE(simulation.check_cpu_ms(), logged);
+        EXPECT_LE(simulation.check_cpu_ms() + cuts, whole) << "no time counts twice";
+    }
 }
 
 TEST_P(OnEachBackEnd, ACutKeepsMassAndMomentum)
