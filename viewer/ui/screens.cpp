@@ -112,6 +112,7 @@ void Screens::show(Screen screen)
     }
     screen_ = screen;
     selected_ = screen == Screen::menu ? last_played() : 0;
+    column_ = last_played();
     list_items();
 }
 
@@ -166,8 +167,27 @@ void Screens::list_items()
     selected_ = std::min(selected_, items_.empty() ? 0 : items_.size() - 1);
 }
 
+void Screens::step_in_menu(MenuKey key)
+{
+    const std::size_t games = modes().size(), others = items_.size() - games;
+    const bool is_game = selected_ < games;
+    if (key == MenuKey::up || key == MenuKey::down) {
+        // What lies below: the outer games have the outer lines, those between them the ones between.
+        if (is_game) column_ = selected_;
+        selected_ = is_game ? games + (2 * selected_ * (others - 1) + games - 1) / (2 * (games - 1)) : column_;
+        return;
+    }
+    const std::size_t first = is_game ? 0 : games, count = is_game ? games : others;
+    selected_ = first + (selected_ - first + (key == MenuKey::left ? count - 1 : 1)) % count;
+}
+
 std::optional<Request> Screens::press(MenuKey key)
 {
+    const bool is_arrow = key != MenuKey::accept && key != MenuKey::back;
+    if (screen_ == Screen::menu && is_arrow) {
+        step_in_menu(key);
+        return std::nullopt;
+    }
     const std::size_t count = items_.size();
     const auto step = [&](std::size_t by) {
         if (count > 0) selected_ = (selected_ + by) % count;

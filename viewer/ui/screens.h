@@ -99,7 +99,9 @@ public:
     const game::StoredSettings& settings() const { return settings_; }
     void set_settings(const game::StoredSettings& settings);
 
-    /// What follows, if anything does; the screen has changed already.
+    /// What follows, if anything does; the screen has changed already. The menu has two rows, the games and what lies
+    /// below them: Up and Down go from one to the other, Left and Right along one. Elsewhere lines are one below
+    /// another.
     std::optional<Request> press(MenuKey key);
     /// The pointer is over a line, or has left for none.
     void point_at(std::size_t item);
@@ -111,6 +113,7 @@ private:
     std::optional<Request> accept();
     std::optional<Request> back();
     std::optional<Request> adjust(int direction);
+    void step_in_menu(MenuKey key);
     void set_slider(std::size_t item, double share);
     void list_items();
     std::size_t last_played() const;
@@ -123,6 +126,7 @@ private:
     std::string scene_;                ///< that is played, or was
     std::vector<MenuItem> items_;
     std::size_t selected_ = 0;
+    std::size_t column_ = 0;  ///< of the menu: the game that was chosen last
 };
 
 }  // namespace kerf::ui

@@ -21,7 +21,10 @@ Screens screens()
 /// Presses the arrow until the line is chosen, then accepts it.
 std::optional<Request> choose(Screens& s, const std::string& label)
 {
-    for (std::size_t i = 0; i < s.items().size() && s.items()[s.selected()].label != label; ++i) s.press(MenuKey::down);
+    for (std::size_t i = 0; i < 2 * s.items().size() && s.items()[s.selected()].label != label; ++i) {
+        if (s.screen() == Screen::menu) s.press(MenuKey::right);
+        if (s.screen() != Screen::menu || i == s.items().size()) s.press(MenuKey::down);
+    }
     EXPECT_EQ(s.items()[s.selected()].label, label);
     return s.press(MenuKey::accept);
 }
@@ -78,6 +81,26 @@ TEST(Screens, EveryScreenIsReachedAndLeftByKeyboardAlone)
     EXPECT_EQ(choose(s, "Menu"), Request{Request::Kind::to_menu});
     EXPECT_EQ(s.screen(), Screen::menu);
     EXPECT_EQ(choose(s, "Quit"), Request{Request::Kind::quit});
+}
+
+TEST(Screens, TheMenusRowsAreCrossedUpAndDownAndWalkedLeftAndRight)
+{
+    Screens s = screens();
+    const auto after = [&](std::initializer_list<MenuKey> keys) {
+        for (const MenuKey key : keys) s.press(key);
+        return s.items()[s.selected()].label;
+    };
+    EXPECT_EQ(after({MenuKey::right}), "Arcade");
+    EXPECT_EQ(after({MenuKey::left, MenuKey::left}), "Duel") << "round and round in a row";
+    EXPECT_EQ(after({MenuKey::down}), "Quit") << "what lies below it";
+    EXPECT_EQ(after({MenuKey::right}), "High scores");
+    EXPECT_EQ(after({MenuKey::left, MenuKey::left}), "Settings");
+    EXPECT_EQ(after({MenuKey::up}), "Duel") << "back to where it came from";
+    EXPECT_EQ(after({MenuKey::right, MenuKey::up}), "High scores");
+    EXPECT_EQ(after({MenuKey::down, MenuKey::right, MenuKey::right, MenuKey::down}), "Settings");
+    s.press(MenuKey::back);
+    EXPECT_EQ(after({}), "Quit");
+    EXPECT_EQ(after({MenuKey::up}), "Zen");
 }
 
 TEST(Screens, ADuelThatIsOverLeadsToARematchOrToTheMenu)
@@ -139,6 +162,8 @@ TEST(Screens, TheMenuChoosesWhatWasPlayedLast)
 TEST(Screens, ArrowsGoRoundAndRound)
 {
     Screens s = screens();
+    s.play("zen");
+    s.show(Screen::paused);
     s.press(MenuKey::up);
     EXPECT_EQ(s.selected(), s.items().size() - 1);
     s.press(MenuKey::right);
