@@ -17,9 +17,12 @@ constexpr std::chrono::milliseconds kPatience{4};
 /// Half the diagonal of what is thrown, metres: large enough to be seen in half a picture.
 constexpr double kBoulderRadius = 2.3, kFruitRadius = 1.5;
 
-std::array<std::string, 2> opponents()
+std::array<std::string, 2> opponents(const std::vector<std::string>& wanted)
 {
-    return {sim::backend_names().front(), sim::find_backend("baseline")};
+    const std::string& usual = sim::backend_names().front();
+    if (wanted.size() >= 2) return {wanted[0], wanted[1]};
+    if (wanted.size() == 1 && wanted[0] != usual) return {usual, wanted[0]};
+    return {usual, sim::find_backend("baseline")};
 }
 
 std::size_t index_of(const sim::ModelShelf& models, std::string_view name)
@@ -44,6 +47,7 @@ std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
 
 /// Boulder and fruit in turn, prepared for both. @param steps  counts DuelShow::kSteps
 std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std::int64_t triangles,
+                                                    const std::array<std::string, 2>& opponents,
                                                     std::atomic<int>& steps)
 {
     const std::size_t boulder = add_boulder(models, triangles);
@@ -54,7 +58,7 @@ std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std
         if (const std::size_t index = index_of(models, fruit); index < models.size())
             thrown.push_back({index, kFruitRadius});
     }
-    for (const std::string& backend : opponents()) {
+    for (const std::string& backend : opponents) {
         for (const duel::TimetableScene::Item& item : thrown) models.prepare(item.model, backend);
         ++steps;
         models.stock(boulder, backend);
@@ -65,13 +69,15 @@ std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std
 
 }  // namespace
 
-DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles)
+DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles,
+                   const std::vector<std::string>& wanted)
     : models_(std::move(models)),
       settings_(settings),
       triangles_(triangles),
+      opponents_(opponents(wanted)),
       prepared_(std::make_shared<std::atomic<int>>(0)),
-      preparing_(std::async(std::launch::async, [shelf = models_, triangles, steps = prepared_] {
-          return prepare_all(*shelf, triangles, *steps);
+      preparing_(std::async(std::launch::async, [shelf = models_, triangles, both = opponents_, steps = prepared_] {
+          return prepare_all(*shelf, triangles, both, *steps);
       }))
 {
 }
@@ -93,11 +99,11 @@ bool DuelShow::ready()
     if (duel_) return true;
     if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
     const std::vector<duel::TimetableScene::Item> thrown = preparing_.get();
-    duel_ = std::make_unique<duel::Duel>(models_, settings_, opponents(),
+    duel_ = std::make_unique<duel::Duel>(models_, settings_, opponents_,
                                          [&] { return std::make_unique<duel::TimetableScene>(thrown); });
     stocking_ = std::thread([this, boulder = thrown.front().model] {
         while (!ends_) {
-            for (const std::string& backend : opponents()) models_->stock(boulder, backend);
+            for (const std::string& backend : opponents_) models_->stock(boulder, backend);
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
     });
@@ -169,17 +175,22 @@ void DuelShow::write_score(ui::Canvas& canvas, std::size_t half)
     const duel::Score score = duel_->score(half);
     const duel::Score other = duel_->score(1 - half);
     const bool leads = score.cut_ms <= other.cut_ms;
-    canvas.card({{box.low.x + 60.0f * u, 18.0f * u}, {box.high.x - 60.0f * u, 158.0f * u}}, 0.62f);
-    canvas.text({middle, 26.0f * u}, {0.5f, 0.0f}, score.backend, 30.0f, ui::kPaper);
-    canvas.text({middle, 58.0f * u}, {0.5f, 0.0f}, ui::milliseconds_text(score.cut_ms), 58.0f,
-                score.cuts == 0 ? ui::kDim
-                : leads         ? ui::kLead
-                                : ui::kDanger);
-    canvas.text({middle, 126.0f * u}, {0.5f, 0.0f},
-                std::to_string(score.cuts)
-                    .append(score.cuts == 1 ? " cut   longest " : " cuts   longest ")
-                    .append(ui::milliseconds_text(score.worst_ms)),
-                19.0f, ui::kPaper);
+    // One flat line: what flies is seen up to its apex.
+    const std::string sum = ui::milliseconds_text(score.cut_ms);
+    const std::string rest = std::to_string(score.cuts)
+                                 .append(score.cuts == 1 ? " cut, longest " : " cuts, longest ")
+                                 .append(ui::milliseconds_text(score.worst_ms));
+    constexpr float kName = 20.0f, kSum = 30.0f, kRest = 16.0f;
+    const float gap = 16.0f * u, y = 25.0f * u;
+    const float widths[]{canvas.measure(score.backend, kName).x, canvas.measure(sum, kSum).x,
+                         canvas.measure(rest, kRest).x};
+    float x = middle - 0.5f * (widths[0] + widths[1] + widths[2] + 2.0f * gap);
+    canvas.card({{x - gap, y - 19.0f * u}, {x + widths[0] + widths[1] + widths[2] + 3.0f * gap, y + 19.0f * u}}, 0.34f);
+    canvas.text({x, y}, {0.0f, 0.5f}, score.backend, kName, ui::kPaper);
+    x += widths[0] + gap;
+    canvas.text({x, y}, {0.0f, 0.5f}, sum, kSum, score.cuts == 0 ? ui::kDim : leads ? ui::kLead : ui::kDanger);
+    x += widths[1] + gap;
+    canvas.text({x, y}, {0.0f, 0.5f}, rest, kRest, ui::kPaper);
     // A frame or two is how a frame is made; more is a hitch.
     constexpr double kShownFrom = 60.0;
     if (score.behind_ms > kShownFrom)
@@ -201,7 +212,7 @@ void DuelShow::write(ui::Canvas& canvas)
         return;
     }
     const sim::Tick left = std::max<sim::Tick>(duel::TimetableScene::kLength - now(), 0);
-    canvas.text({0.5f * size.x, 40.0f * u}, {0.5f, 0.0f}, ui::clock_text(double(left) * sim::kTickSeconds), 44.0f,
+    canvas.text({0.5f * size.x, 6.0f * u}, {0.5f, 0.0f}, ui::clock_text(double(left) * sim::kTickSeconds), 40.0f,
                 left < 10 * sim::kTicksPerSecond ? ui::kDanger : ui::kPaper);
     for (std::size_t half = 0; half < 2; ++half) {
         ui::show_effects(canvas, effects_[half], box_of_half(half, size));

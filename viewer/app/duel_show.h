@@ -28,7 +28,9 @@ public:
 
     /// @param models    with the fruit
     /// @param triangles of the boulder
-    DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles = kBoulder);
+    /// @param wanted    back ends: both, or one that meets the default; empty: the default and the baseline
+    DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles = kBoulder,
+             const std::vector<std::string>& wanted = {});
     ~DuelShow();
     DuelShow(const DuelShow&) = delete;
     DuelShow& operator=(const DuelShow&) = delete;
@@ -69,6 +71,7 @@ private:
     std::shared_ptr<sim::ModelShelf> models_;
     sim::Settings settings_;
     std::int64_t triangles_;
+    std::array<std::string, 2> opponents_;
     std::shared_ptr<std::atomic<int>> prepared_;                      ///< of kSteps
     std::future<std::vector<duel::TimetableScene::Item>> preparing_;  ///< gives what is thrown
     std::atomic<bool> ends_ = false;

@@ -90,7 +90,7 @@ void GameShow::start(const std::string& scene)
     how.backend = settings().backend;
     how.seed = setup_.seed + games_++;
     if (scene == "duel") {
-        duel_ = std::make_unique<DuelShow>(models_, how, setup_.boulder);
+        duel_ = std::make_unique<DuelShow>(models_, how, setup_.boulder, setup_.duelists);
         if (setup_.fixed_step) duel_->wait_until_ready();
         return;
     }
@@ -551,8 +551,7 @@ void GameShow::write(ui::Canvas& canvas)
         ui::show_effects(canvas, effects_, {{0.0f, 0.0f}, canvas.size()});
         if (const game::GameScene* const played = game::game_of(simulation_->scene())) {
             content.game = &played->state();
-            // What is said stands where the hint would be.
-            const bool teaches = is_new_player_ && screens_.screen() == ui::Screen::play && content.message.empty();
+            const bool teaches = is_new_player_ && screens_.screen() == ui::Screen::play;
             if (screens_.screen() != ui::Screen::over)
                 ui::show_hud(canvas, played->state(), teaches ? ui::kHowToPlay : std::string_view());
         }

@@ -34,6 +34,7 @@ struct ShowSetup
     std::filesystem::path user_folder;  ///< for scores and settings; empty: nothing is stored
     std::string scene = "menu";
     std::string backend;                     ///< empty: the stored one
+    std::vector<std::string> duelists = {};  ///< back ends of a duel; as DuelShow takes them
     std::uint64_t seed = 1;
     bool fixed_step = false;  ///< every frame is two ticks, nothing depends on the time of day or on a thread's speed
     std::int64_t boulder = DuelShow::kBoulder;  ///< triangles, of the duel

@@ -25,6 +25,7 @@ ShowSetup setup_of(const Options& options, const std::filesystem::path& user_fol
     setup.user_folder = user_folder;
     if (!options.scene.empty()) setup.scene = options.scene;
     if (!options.backends.empty()) setup.backend = options.backends.front();
+    if (setup.scene == "duel") setup.duelists = options.backends;
     setup.giant = options.giant;
     setup.fullscreen = options.fullscreen;
     if (options.boulder > 0) setup.boulder = options.boulder;

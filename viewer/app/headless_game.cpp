@@ -66,6 +66,7 @@ int run_headless_game(const Options& options)
     setup.data_folder = options.data_folder;
     setup.scene = options.scene.empty() ? script.scene : options.scene;
     if (!options.backends.empty()) setup.backend = options.backends.front();
+    if (setup.scene == "duel") setup.duelists = options.backends;
     setup.seed = options.seed.value_or(script.seed.value_or(1));
     setup.fixed_step = true;
     setup.giant = options.giant;

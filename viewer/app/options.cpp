@@ -106,7 +106,8 @@ ParsedOptions parse_options(int argc, char** argv)
         ->type_name("N");
     program
         .add_option("--backend", backends,
-                    "what cuts: " + joined(sim::backend_names()) + "; several with --headless, one run each")
+                    "what cuts: " + joined(sim::backend_names()) +
+                        "; several with --headless, one run each; in a duel both, or one that meets the default")
         ->type_name("NAME[,NAME]");
     program.add_option("--proxy", options.proxy, "what stands for pieces in the physics engine")
         ->check(CLI::IsMember(proxy_names()));
@@ -158,10 +159,12 @@ ParsedOptions parse_options(int argc, char** argv)
                     "--backend", "there is no back end '" + name + "': it is one of " + joined(sim::backend_names()));
             options.backends.push_back(found);
         }
-        if (options.backends.size() > 1 && !options.headless)
-            throw CLI::ValidationError("--backend", "several need --headless");
+        const bool is_duel = options.scene == "duel";
+        if (is_duel && options.backends.size() > 2) throw CLI::ValidationError("--backend", "a duel has two back ends");
+        const bool has_runs = options.backends.size() > 1 && !is_duel;
+        if (has_runs && !options.headless) throw CLI::ValidationError("--backend", "several need --headless");
         const bool has_output = !options.screenshot.empty() || !options.record.empty() || !options.save_script.empty();
-        if (options.backends.size() > 1 && has_output)
+        if (has_runs && has_output)
             throw CLI::ValidationError("--backend", "several cannot share one file for pictures or script");
         if (!options.files.empty() && !options.scene.empty() && options.scene != "report")
             throw CLI::ValidationError("FILE", "only the scene report throws models of your own");

@@ -227,6 +227,19 @@ TEST_F(KerfViewerTest, PlaysADuelByItselfAndTheSameTwice)
     EXPECT_EQ(once["screen"], "play");
 }
 
+TEST_F(KerfViewerTest, LetsTheBackEndsOfADuelBeChosen)
+{
+    const std::string run = "--headless --scene duel --boulder 1000 --frames 2 --draw 0 --size 16x9 --backend ";
+    const auto names = [&](const std::string& backends) {
+        const Json halves = report(run + backends)["halves"];
+        return halves[0]["backend"].get<std::string>() + " " + halves[1]["backend"].get<std::string>();
+    };
+    EXPECT_EQ(names("halfedge,baseline"), "halfedge baseline/hash");
+    EXPECT_EQ(names("baseline/remap"), "halfedge baseline/remap") << "one meets the default";
+    EXPECT_EQ(names("halfedge"), "halfedge baseline/hash");
+    EXPECT_EQ(names("baseline,baseline/remap --screenshot a.png"), "baseline/hash baseline/remap");
+}
+
 /// No tick of a run prepares a mesh: another thread has done it before.
 TEST_F(KerfViewerTest, ThrowsWhatWasMadeReadyBefore)
 {
@@ -450,12 +463,26 @@ TEST_F(KerfViewerTest, LeavesNoHalfAPictureBehind)
 
 TEST_F(KerfViewerTest, ExplainsWrongUse)
 {
-    for (const char* arguments :
-         {"--size 12", "--size 0x5", "--backend magic", "--headless", "--frames -3", "--what",
-          "--backend halfedge,baseline --frames 3",
-          "--headless --frames 3 --backend halfedge,baseline --screenshot a.png", "--scene chess", "--zoom nan",
-          "--zoom 0.5", "--ui-scale nan", "--ui-scale 9", "--zoom-at nan,0", "--zoom-at 0,inf", "--zoom-at 1",
-          "--zoom-at 1,2,3", "--giant 5", "--headless --frames 3 --scene zen a.obj"}) {
+    for (const char* arguments : {"--size 12",
+                                  "--size 0x5",
+                                  "--backend magic",
+                                  "--headless",
+                                  "--frames -3",
+                                  "--what",
+                                  "--backend halfedge,baseline --frames 3",
+                                  "--headless --frames 3 --backend halfedge,baseline --screenshot a.png",
+                                  "--scene chess",
+                                  "--zoom nan",
+                                  "--zoom 0.5",
+                                  "--ui-scale nan",
+                                  "--ui-scale 9",
+                                  "--zoom-at nan,0",
+                                  "--zoom-at 0,inf",
+                                  "--zoom-at 1",
+                                  "--zoom-at 1,2,3",
+                                  "--giant 5",
+                                  "--headless --frames 3 --scene duel --backend halfedge,baseline,baseline",
+                                  "--headless --frames 3 --scene zen a.obj"}) {
         const Outcome outcome = kerf(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.error_lines(), 2) << arguments << ": " << outcome.err;
