@@ -551,7 +551,8 @@ void GameShow::write(ui::Canvas& canvas)
         ui::show_effects(canvas, effects_, {{0.0f, 0.0f}, canvas.size()});
         if (const game::GameScene* const played = game::game_of(simulation_->scene())) {
             content.game = &played->state();
-            const bool teaches = is_new_player_ && screens_.screen() == ui::Screen::play;
+            // What is said stands where the hint would be.
+            const bool teaches = is_new_player_ && screens_.screen() == ui::Screen::play && content.message.empty();
             if (screens_.screen() != ui::Screen::over)
                 ui::show_hud(canvas, played->state(), teaches ? ui::kHowToPlay : std::string_view());
         }

@@ -47,6 +47,28 @@ glm::vec2 Canvas::measure(std::string_view text, float height) const
     return {size.x, size.y};
 }
 
+std::string Canvas::wrapped(std::string_view text, float height, float width) const
+{
+    std::string lines;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        std::size_t end = begin, space = begin;
+        while (end < text.size()) {
+            std::size_t next = end + 1;  // whole letters: those of UTF-8 go on with 10xxxxxx
+            while (next < text.size() && (static_cast<unsigned char>(text[next]) & 0xC0u) == 0x80u) ++next;
+            if (end > begin && measure(text.substr(begin, next - begin), height).x > width) break;
+            if (text[end] == ' ') space = end;
+            end = next;
+        }
+        if (end < text.size() && space > begin) end = space;
+        if (!lines.empty()) lines += '\n';
+        lines += text.substr(begin, end - begin);
+        begin = end;
+        while (begin < text.size() && text[begin] == ' ') ++begin;
+    }
+    return lines;
+}
+
 void Canvas::text(const glm::vec2& place, const glm::vec2& anchor, std::string_view text, float height,
                   const glm::vec3& colour, float opacity)
 {

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 #include <string_view>
 
 #include "viewer/ui/typeface.h"
@@ -43,6 +44,10 @@ public:
 
     /// Size of a text in pixels. @param height  of its letters, in units
     glm::vec2 measure(std::string_view text, float height) const;
+
+    /// The text with line breaks where it would be wider than `width` pixels: between words, and within one that is
+    /// wider itself, as paths are.
+    std::string wrapped(std::string_view text, float height, float width) const;
 
     /// @param anchor  which part of the text is at `place`: (0, 0) its upper left corner, (1, 1) its lower right one
     /// @param height  of the letters, in units

@@ -118,8 +118,10 @@ std::vector<Hotspot> show_paused(Layout& layout, const Screens& screens)
 {
     const Box2 card = layout.middle_card(460.0f, 484.0f);
     const float u = layout.u(), middle = card.middle().x;
-    layout.canvas().text({middle, card.high.y - 22.0f * u}, {0.5f, 1.0f},
-                         "W A S D: steer      Space held: cut\nEsc or P: go on      M: sound\nF11: full screen      F12: save a picture", 20.0f, kPaper);
+    layout.canvas().text(
+        {middle, card.high.y - 22.0f * u}, {0.5f, 1.0f},
+        "W A S D: steer      Space held: cut\nEsc or P: go on      M: sound\nF11: full screen      F12: save a picture",
+        20.0f, kPaper);
     layout.canvas().text({middle, card.low.y + 28.0f * u}, {0.5f, 0.0f}, "Paused", 60.0f, kPaper);
     return show_buttons(layout, screens, {middle, card.low.y + 142.0f * u}, 320.0f);
 }
@@ -277,12 +279,10 @@ glm::dvec2 place_of_mode(std::size_t mode)
     return {kApart * from_middle, kHeight};
 }
 
-std::vector<Hotspot> show_screen(Canvas& canvas, const Screens& screens, const ScreenContent& content)
+namespace {
+
+std::vector<Hotspot> show_lines(Layout& layout, const Screens& screens, const ScreenContent& content)
 {
-    Layout layout(canvas);
-    if (!content.message.empty())
-        canvas.text({0.5f * canvas.size().x, canvas.size().y - 8.0f * canvas.unit()}, {0.5f, 1.0f}, content.message,
-                    16.0f, kPaper);
     switch (screens.screen()) {
         case Screen::menu:
             return show_menu(layout, screens);
@@ -299,6 +299,30 @@ std::vector<Hotspot> show_screen(Canvas& canvas, const Screens& screens, const S
             return show_settings(layout, screens);
     }
     return {};
+}
+
+/// Over everything else, for the seconds that it is there.
+void show_message(Layout& layout, const std::string& message)
+{
+    if (message.empty()) return;
+    constexpr float kHeight = 24.0f;
+    Canvas& canvas = layout.canvas();
+    const float u = layout.u(), around = 14.0f * u;
+    const std::string lines = canvas.wrapped(message, kHeight, 0.86f * layout.size().x);
+    const glm::vec2 extent = canvas.measure(lines, kHeight);
+    const glm::vec2 low(0.5f * (layout.size().x - extent.x), layout.size().y - extent.y - around - 8.0f * u);
+    canvas.card({low - around, low + extent + around}, 1.0f);
+    canvas.text(low, {0.0f, 0.0f}, lines, kHeight, kPaper);
+}
+
+}  // namespace
+
+std::vector<Hotspot> show_screen(Canvas& canvas, const Screens& screens, const ScreenContent& content)
+{
+    Layout layout(canvas);
+    std::vector<Hotspot> hotspots = show_lines(layout, screens, content);
+    show_message(layout, content.message);
+    return hotspots;
 }
 
 std::optional<Pointed> item_at(const std::vector<Hotspot>& hotspots, const glm::vec2& place)

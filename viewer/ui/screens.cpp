@@ -159,7 +159,7 @@ void Screens::list_items()
             items_.push_back({"Back end", settings_.backend});
             items_.push_back({"Full screen", yes_or_no(settings_.fullscreen)});
             items_.push_back({"Window", window_text(settings_.window_scale), window_share(settings_.window_scale)});
-            items_.push_back({"Wait for the screen", yes_or_no(settings_.vsync)});
+            items_.push_back({"Wait for the screen (vsync)", yes_or_no(settings_.vsync)});
             items_.push_back({"Back"});
             break;
         }

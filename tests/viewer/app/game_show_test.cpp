@@ -428,6 +428,27 @@ TEST_F(GameShowTest, SaysThatTheSoundIsOffForSomeSeconds)
     EXPECT_EQ(show.message(), "");
 }
 
+TEST_F(GameShowTest, AMessageIsShownWholeHoweverLongItIs)
+{
+    GameShow show(setup(), painter, speaker);
+    show.tell("/home/somebody/" + std::string(300, 'x') + "/scores.json cannot be written: no space left on device");
+    expect_texts_fit(show, "message");
+    interface.begin(1280, 720, 1.0 / 60.0);
+    const ui::Canvas canvas(interface.letters(), {1280.0f, 720.0f});
+    for (const float width : {20.0f, 300.0f, 1100.0f}) {
+        const std::string text = "a few words and \u00e4\u00f6\u00fc" + std::string(200, 'x') + " more of them";
+        const std::string lines = canvas.wrapped(text, 24.0f, width);
+        EXPECT_LE(canvas.measure(lines, 24.0f).x, width);
+        const auto letters = [](std::string s) {
+            std::erase_if(s, [](char c) { return c == ' ' || c == '\n'; });
+            return s;
+        };
+        EXPECT_EQ(letters(lines), letters(text));
+    }
+    EXPECT_EQ(canvas.wrapped("short", 24.0f, 300.0f), "short");
+    interface.draw();
+}
+
 TEST_F(GameShowTest, AGameThatIsLostLeadsToItsBalanceAndFromThereToTheNext)
 {
     GameShow show(setup("classic"), painter, speaker);
