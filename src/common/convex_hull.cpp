@@ -87,6 +87,19 @@ bool is_flat(const ConvexHull& hull, std::span<const glm::vec3> points, const Bo
     return !(2.0 * volume6 / area2 > kThinnest);
 }
 
+// The points by a power of two, which takes the largest coordinate to between 1 and 2: Bullet knows no coordinates over
+// 1e30. Exact but for coordinates that are less than 2^-126 of the largest one.
+std::vector<glm::vec3> to_common_size(std::span<const glm::vec3> points, const Box& box)
+{
+    float largest = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+    const double factor = largest > 0.0f ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+    std::vector<glm::vec3> scaled;
+    scaled.reserve(points.size());
+    for (const glm::vec3& p : points) scaled.emplace_back(glm::dvec3(p) * factor);
+    return scaled;
+}
+
 }  // namespace
 
 ConvexHull convex_hull(std::span<const glm::vec3> points)
@@ -96,8 +109,9 @@ ConvexHull convex_hull(std::span<const glm::vec3> points)
     Box box;
     for (const glm::vec3& p : points) box.add(p);
 
+    const std::vector<glm::vec3> scaled = to_common_size(points, box);
     btConvexHullComputer computer;
-    computer.compute(&points.front().x, int(sizeof(glm::vec3)), int(points.size()), btScalar(0), btScalar(0));
+    computer.compute(&scaled.front().x, int(sizeof(glm::vec3)), int(scaled.size()), btScalar(0), btScalar(0));
     for (int i = 0; i < computer.original_vertex_index.size(); ++i) {
         hull.corners.push_back(std::uint32_t(computer.original_vertex_index[i]));
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
@@ -246,6 +247,43 @@ RC_GTEST_PROP(ConvexHull, OfLatticePointsHoldsThemAll, ())
                 }
             }
         }
+    }
+}
+
+TEST(ConvexHull, OfPointsScaledByAPowerOfTwoIsTheSame)
+{
+    for (const char* name : {"box", "icosphere", "torus"})
+        for (const float offset : {0.0f, 3e4f}) {
+            const TriangleSoup soup = *shapes::make(name, 200, 1);
+            Points points;
+            for (const Vertex& v : soup.vertices)
+                // Multiples of 2^-12: no digit is lost near zero, however small the scale.
+                points.push_back(glm::vec3(glm::round(glm::dvec3(v.position) * 0x1p12) * 0x1p-12) +
+                                 glm::vec3(offset, 0.0f, 0.0f));
+            const ConvexHull hull = convex_hull(points);
+            const double volume = volume_of(points, hull);
+            EXPECT_GT(volume, 0.0);
+            for (int exponent = -100; exponent <= 100; exponent += 5) {
+                SCOPED_TRACE(std::string(name) + " at " + std::to_string(offset) + ", 2^" + std::to_string(exponent));
+                Points scaled = points;
+                for (glm::vec3& p : scaled) p *= std::ldexp(1.0f, exponent);
+                const ConvexHull other = convex_hull(scaled);
+                EXPECT_EQ(other.corners, hull.corners);
+                EXPECT_EQ(other.faces, hull.faces);
+                EXPECT_EQ(volume_of(scaled, other), std::ldexp(volume, 3 * exponent));
+            }
+        }
+}
+
+TEST(ConvexHull, OfACubeThatFillsTheFloatsHasItsCorners)
+{
+    for (const float size : {3e38f, 1e31f, 1e-37f}) {
+        Points points;
+        for (int i = 0; i < 8; ++i)
+            points.push_back(size * (2.0f * glm::vec3(float(i & 1), float(i >> 1 & 1), float(i >> 2 & 1)) - 1.0f));
+        const ConvexHull hull = convex_hull(points);
+        EXPECT_EQ(hull.corners.size(), 8u);
+        EXPECT_EQ(hull.faces.size(), 12u);
     }
 }
 

@@ -84,6 +84,30 @@ TEST_P(Scale, ByPowersOfTwoGivesTheSameTrianglesAtOtherPlaces)
     }
 }
 
+TEST_P(Scale, ByPowersOfTwoGivesTheSameHulls)
+{
+    for (const char* name : {"box", "icosphere", "comb"})
+        for (const float offset : {0.0f, 3e4f}) {
+            IndexedMesh mesh = on_a_lattice(test::assembled(*shapes::make(name, 60, 1)));
+            for (Vertex& v : mesh.vertices) v.position.x += offset;
+            const auto object = backend_->prepare(mesh).object;
+            for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::bounded_hull}) {
+                const CollisionProxy hull = object->collision_proxy(kind);
+                EXPECT_FALSE(hull.faces.empty());
+                for (const int exponent : {-100, -60, -20, 20, 60, 85, 90, 95, 100}) {
+                    SCOPED_TRACE(std::string(name) + " at " + std::to_string(offset) + ", 2^" +
+                                 std::to_string(exponent) + ", " + std::string(name_of(kind)));
+                    const float factor = std::ldexp(1.0f, exponent);
+                    const CollisionProxy other = backend_->prepare(scaled(mesh, factor)).object->collision_proxy(kind);
+                    std::vector<glm::vec3> expected = hull.points;
+                    for (glm::vec3& p : expected) p *= factor;
+                    EXPECT_EQ(other.points, expected);
+                    EXPECT_EQ(other.faces, hull.faces);
+                }
+            }
+        }
+}
+
 /// Cuts through the middle; closed pieces whose volumes add up to the whole's but for what the coordinates' grain can
 /// do: each vertex is off by half a grain at most, which moves the surface by as much.
 void expect_sound_cuts(const Backend& backend, const IndexedMesh& mesh, std::uint64_t seed)
