@@ -34,7 +34,7 @@ struct CompareCommandOptions
 /// What the rows of a file, or of all files, say together.
 struct Tally
 {
-    std::uint64_t rows = 0, cut = 0, missed = 0, surfaces_differ = 0, failed = 0;
+    std::uint64_t rows = 0, cut = 0, missed = 0, surfaces_differ = 0, pieces_differ = 0, failed = 0;
     std::uint64_t fans_wrong = 0, caps_wrong = 0, crossed_sections = 0, unjudged_sections = 0;
     double worst_fan = 0.0;  ///< excess relative to the section; sections without area don't count
     double worst_cap = 0.0;  ///< where the section does not intersect itself
@@ -76,6 +76,7 @@ void Tally::add(const ComparisonRow& row)
     }
     ++cut;
     if (!row.surfaces_equal()) ++surfaces_differ;
+    if (!row.pieces_equal) ++pieces_differ;
     if (!row.fan_fits && row.section_is_judged) {
         ++fans_wrong;
         worst_fan = worse(worst_fan, relative_to_section(row.baseline.cap_excess, row));
@@ -104,6 +105,7 @@ void Tally::add(const Tally& other)
     cut += other.cut;
     missed += other.missed;
     surfaces_differ += other.surfaces_differ;
+    pieces_differ += other.pieces_differ;
     failed += other.failed;
     fans_wrong += other.fans_wrong;
     caps_wrong += other.caps_wrong;
@@ -168,6 +170,7 @@ std::string row_text(const ComparisonRow& row)
             loops.c_str(), row.surfaces_equal() ? "equal" : "DIFFERS", rounded(row.section_area).c_str(), fan.c_str(),
             cap.c_str(), open.c_str(), equal.c_str(), std::max(row.baseline.volume_error, row.halfedge.volume_error),
             row.baseline.ms, row.halfedge.ms);
+        if (!row.pieces_equal) text += "  PIECES DIFFER";
         if (row.section_intersects_itself) text += "  the section intersects itself";
         if (!row.section_is_judged) text += "  the section crosses itself too often to be judged";
     } else {
@@ -191,6 +194,7 @@ std::string tally_text(const std::string& name, const Tally& tally)
     std::string text =
         name + ": " + counted(tally.cut, "cut") + ", " + grouped(tally.missed) + " missed; surfaces " +
         (tally.surfaces_differ == 0 ? "equal bit for bit" : "differ in " + grouped(tally.surfaces_differ));
+    if (tally.pieces_differ > 0) text += "; pieces differ in " + grouped(tally.pieces_differ);
     text += "; fan wrong in " + grouped(tally.fans_wrong);
     if (tally.fans_wrong > 0) text += formatted(" (at worst by %+.3g %%)", 100.0 * tally.worst_fan);
     text += ", half-edge cap in " + grouped(tally.caps_wrong) + formatted(" (worst %+.1e)", tally.worst_cap);
@@ -259,6 +263,7 @@ Json row_json(const ComparisonRow& row)
             {"loops", row.loops},
             {"open_chains", row.open_chains},
             {"surfaces_equal", row.surfaces_equal()},
+            {"pieces_equal", row.pieces_equal},
             {"positive", difference_json(row.surface[0])},
             {"negative", difference_json(row.surface[1])},
             {"section_area", row.section_area},
@@ -279,6 +284,7 @@ Json tally_json(const Tally& tally)
             {"missed", tally.missed},
             {"failed", tally.failed},
             {"surfaces_differ", tally.surfaces_differ},
+            {"pieces_differ", tally.pieces_differ},
             {"fans_wrong", tally.fans_wrong},
             {"worst_fan", tally.worst_fan},
             {"caps_wrong", tally.caps_wrong},

@@ -113,9 +113,12 @@ private:
     std::array<std::unique_ptr<Cuttable>, 2> descend(ComparisonRow row, std::unique_ptr<Cuttable> baseline,
                                                      std::unique_ptr<Cuttable> halfedge, double volume)
     {
+        std::array<std::unique_ptr<Cuttable>, 2> whole{baseline->clone(), halfedge->clone()};
         Halves a = cut_once(std::move(baseline), row, row.baseline);
         Halves b = cut_once(std::move(halfedge), row, row.halfedge);
         judge(row, a, b, volume);
+        if (row.was_cut() && row.surfaces_equal() && row.earlier_caps_fit) judge_pieces(row, *whole[0], *whole[1]);
+        whole = {};
         ++summary_.rows;
         if (!row.failures.empty()) ++summary_.failed_rows;
         take_row_(row);
@@ -205,6 +208,51 @@ private:
         look_at_cap(row, row.halfedge, b.mesh[1], row.cap_fits);
         judge_back_end(row, "baseline", row.baseline, a, volume);
         judge_back_end(row, "halfedge", row.halfedge, b, volume);
+    }
+
+    /// Takes the sides apart and compares their pieces.
+    void judge_pieces(ComparisonRow& row, const Cuttable& baseline, const Cuttable& halfedge)
+    {
+        const auto a = pieces_of(baseline, row.plane.plane), b = pieces_of(halfedge, row.plane.plane);
+        row.pieces_equal = are_alike(a[0], b[0]) && are_alike(a[1], b[1]);
+        if (!row.pieces_equal && row.open_chains == 0)
+            row.failures.push_back("pieces differ: " + std::to_string(a[0].size()) + " and " +
+                                   std::to_string(a[1].size()) + " of baseline, " + std::to_string(b[0].size()) +
+                                   " and " + std::to_string(b[1].size()) + " of halfedge, or others");
+    }
+
+    /// The pieces of the positive and of the negative side.
+    std::array<std::vector<IndexedMesh>, 2> pieces_of(const Cuttable& object, const Plane& plane) const
+    {
+        CutOptions options;
+        options.split_components = true;
+        options.cap_material = first_cap_;
+        const CutResult result = cut(object.clone(), plane, options);
+        if (result.status == Status::out_of_memory)
+            throw std::runtime_error("there is not enough memory to compare the back ends");
+        std::array<std::vector<IndexedMesh>, 2> pieces;
+        for (const auto& piece : result.positive) pieces[0].push_back(piece->to_indexed_mesh());
+        for (const auto& piece : result.negative) pieces[1].push_back(piece->to_indexed_mesh());
+        return pieces;
+    }
+
+    /// Whether the pieces have the same surface triangles, in whatever order they come.
+    static bool are_alike(const std::vector<IndexedMesh>& first, const std::vector<IndexedMesh>& second)
+    {
+        if (first.size() != second.size()) return false;
+        const auto sorted_keys = [](const std::vector<IndexedMesh>& pieces) {
+            std::vector<SurfaceKeys> keys(pieces.begin(), pieces.end());
+            std::sort(keys.begin(), keys.end(), [](const SurfaceKeys& a, const SurfaceKeys& b) {
+                return std::lexicographical_compare(
+                    a.sorted().begin(), a.sorted().end(), b.sorted().begin(), b.sorted().end(),
+                    [](const SurfaceKeys::Key& p, const SurfaceKeys::Key& q) { return p.hash < q.hash; });
+            });
+            return keys;
+        };
+        const std::vector<SurfaceKeys> a = sorted_keys(first), b = sorted_keys(second);
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!compare_surfaces(a[i], b[i]).none()) return false;
+        return true;
     }
 
     /// What is said of caps, not judged. Those of both fragments are alike.

@@ -61,7 +61,10 @@ struct ComparisonRow
     ChosenPlane plane;
     BackEndRow baseline, halfedge;
     std::array<SurfaceDifference, 2> surface;  ///< positive, negative side
-    double section_area = 0.0;                 ///< signed sum of the section's loops
+    /// Both back ends take both sides apart into pieces of the same surface triangles. Not looked at where caps of
+    /// earlier cuts differ; pieces of open sections may differ and are no failure.
+    bool pieces_equal = true;
+    double section_area = 0.0;  ///< signed sum of the section's loops
     std::uint64_t loops = 0, open_chains = 0;
     std::vector<std::vector<glm::dvec2>> outline;  ///< the section's closed loops in the coordinates of FlatCap
     bool fan_fits = true, cap_fits = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "baseline/pair_table.h"
+#include "common/cut_geometry.h"
 #include "common/disjoint_sets.h"
 #include "common/half_edge_pairs.h"
 #include "common/mass_properties.h"
@@ -44,6 +45,7 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
     // What whole shells need and what cut parts need: for the others it does no harm.
     std::vector<MassMoments> moments(count);
     std::vector<Box> boxes(count);
+    std::vector<glm::dvec3> references(count);
     std::vector<bool> is_far(count, false);
     for (const TriangleGroup& group : mesh.groups)
         for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
@@ -52,10 +54,11 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
             const std::array<glm::vec3, 3> p{mesh.vertices[mesh.triangles[t][0]].position,
                                              mesh.vertices[mesh.triangles[t][1]].position,
                                              mesh.vertices[mesh.triangles[t][2]].position};
-            if (boxes[i].empty()) part.sample = p[0];
+            if (boxes[i].empty()) references[i] = part.sample = p[0];
             part.solid = group.solid;
-            moments[i].add(glm::dvec3(part.sample), p[0], p[1], p[2]);
+            moments[i].add(references[i], p[0], p[1], p[2]);
             for (const glm::vec3& corner : p) {
+                if (lexicographically_less(corner, part.sample)) part.sample = corner;
                 boxes[i].add(corner);
                 const double distance = plane.signed_distance(corner);
                 is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);

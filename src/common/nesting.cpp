@@ -7,12 +7,6 @@ namespace kerf {
 
 namespace {
 
-bool encloses(const Box& outer, const Box& inner)
-{
-    return outer.lo.x <= inner.lo.x && inner.hi.x <= outer.hi.x && outer.lo.y <= inner.lo.y &&
-           inner.hi.y <= outer.hi.y && outer.lo.z <= inner.lo.z && inner.hi.z <= outer.hi.z;
-}
-
 std::vector<glm::vec3> positions_of(std::span<const NestingSample> samples)
 {
     std::vector<glm::vec3> positions;

@@ -16,6 +16,13 @@ namespace kerf {
 
 inline constexpr std::uint32_t kNoContainer = std::numeric_limits<std::uint32_t>::max();
 
+/// Whether `inner` lies in `outer`; their faces may touch.
+inline bool encloses(const Box& outer, const Box& inner)
+{
+    return outer.lo.x <= inner.lo.x && inner.hi.x <= outer.hi.x && outer.lo.y <= inner.lo.y &&
+           inner.hi.y <= outer.hi.y && outer.lo.z <= inner.lo.z && inner.hi.z <= outer.hi.z;
+}
+
 /// Something that may lie in something else.
 struct Nestable
 {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 #include "common/cut_geometry.h"
 #include "common/outgoing_edges.h"
@@ -36,6 +37,43 @@ void cancel_opposite_edges(std::vector<OutlineEdge>& edges)
     edges.resize(kept);
 }
 
+/// Sorts points whose positions are equal, which have no order that all back ends have, by where their edges lead.
+void sort_points_of_one_place(std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
+                              std::vector<std::uint32_t>& order)
+{
+    struct End
+    {
+        bool leaves;
+        glm::vec3 other;
+    };
+    const auto is_less = [](const End& a, const End& b) {
+        if (a.leaves != b.leaves) return a.leaves;
+        return !same_position(a.other, b.other) && lexicographically_less(a.other, b.other);
+    };
+    std::unordered_map<std::uint32_t, std::vector<End>> ends;  // nearly always empty
+    for (std::size_t i = 1; i < order.size(); ++i)
+        if (same_position(points[order[i - 1]], points[order[i]])) {
+            ends[order[i - 1]];
+            ends[order[i]];
+        }
+    if (ends.empty()) return;
+    for (const OutlineEdge& edge : edges) {
+        if (const auto at = ends.find(edge.from); at != ends.end()) at->second.push_back({true, points[edge.to]});
+        if (const auto at = ends.find(edge.to); at != ends.end()) at->second.push_back({false, points[edge.from]});
+    }
+    for (auto& [point, own] : ends) std::sort(own.begin(), own.end(), is_less);
+    for (std::size_t first = 0, last; first < order.size(); first = last) {
+        last = first + 1;
+        while (last < order.size() && same_position(points[order[first]], points[order[last]])) ++last;
+        if (last - first < 2) continue;
+        std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.begin() + static_cast<std::ptrdiff_t>(last),
+                  [&](std::uint32_t a, std::uint32_t b) {
+                      const std::vector<End>&of_a = ends.at(a), &of_b = ends.at(b);
+                      return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), is_less);
+                  });
+    }
+}
+
 }  // namespace
 
 SortedOutline::SortedOutline(std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
@@ -47,6 +85,7 @@ SortedOutline::SortedOutline(std::span<const glm::vec3> points, std::span<const 
         if (same_position(points[a], points[b])) return a < b;
         return lexicographically_less(points[a], points[b]);
     });
+    sort_points_of_one_place(points, edges, order);
     positions_.reserve(points.size());
     for (const std::uint32_t point : order) {
         rank[point] = static_cast<std::uint32_t>(positions_.size());

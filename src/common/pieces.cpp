@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -32,7 +33,7 @@ struct FlatLoop
     std::vector<PlanarPoint> points;
 };
 
-FlatLoop flatten(const SortedOutline& outline, const OutlineLoop& loop, int axis, bool mirrored)
+FlatLoop flatten(const SortedOutline& outline, const OutlineLoop& loop, int axis)
 {
     FlatLoop flat;
     flat.part = loop.part;
@@ -49,7 +50,6 @@ FlatLoop flatten(const SortedOutline& outline, const OutlineLoop& loop, int axis
         flat.area2 += (double(p.u) - double(o.u)) * (double(q.v) - double(o.v)) -
                       (double(p.v) - double(o.v)) * (double(q.u) - double(o.u));
     }
-    if (mirrored) flat.area2 = -flat.area2;
     return flat;
 }
 
@@ -129,7 +129,8 @@ void decide(std::span<const FlatLoop> loops, std::uint32_t outer, std::span<cons
     windings.vote(lies_in);
 }
 
-/// Joins each hole of one solid with the smallest outer loop around it.
+/// Joins each hole of one solid with the smallest outer loop around it, and with all around it that are as small:
+/// those cannot be told apart, and no order of theirs is the same for every back end.
 void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
 {
     std::vector<Nestable> items;
@@ -138,8 +139,39 @@ void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
         items.push_back({loop.box, std::abs(loop.area2), loop.area2 > 0.0, loop.area2 < 0.0});
     const std::vector<std::uint32_t> container = smallest_containers(
         items, [&](auto outer, auto candidates, auto lies_in) { decide(loops, outer, candidates, lies_in); });
-    for (std::size_t i = 0; i < loops.size(); ++i)
-        if (container[i] != kNoContainer) pieces.unite(loops[i].part, loops[container[i]].part);
+
+    std::vector<std::uint32_t> holes, outer_loops;
+    for (std::uint32_t i = 0; i < loops.size(); ++i) {
+        if (items[i].can_contain) outer_loops.push_back(i);
+        if (container[i] == kNoContainer) continue;
+        pieces.unite(loops[i].part, loops[container[i]].part);
+        holes.push_back(i);
+    }
+    const auto size_around = [&](std::uint32_t hole) { return items[container[hole]].size; };
+    std::sort(holes.begin(), holes.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return size_around(a) < size_around(b); });
+    std::sort(outer_loops.begin(), outer_loops.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return items[a].size < items[b].size; });
+    std::vector<std::uint32_t> candidates;
+    std::vector<std::uint8_t> lies_in;
+    auto hole = holes.begin();
+    for (auto outer = outer_loops.begin(); outer != outer_loops.end();) {
+        const double size = items[*outer].size;
+        const auto end = std::find_if(outer, outer_loops.end(), [&](std::uint32_t i) { return items[i].size != size; });
+        while (hole != holes.end() && size_around(*hole) < size) ++hole;
+        const auto last_hole = std::find_if(hole, holes.end(), [&](std::uint32_t i) { return size_around(i) != size; });
+        for (; outer != end; ++outer) {
+            candidates.clear();
+            for (auto i = hole; i != last_hole; ++i)
+                if (container[*i] != *outer && encloses(items[*outer].box, items[*i].box)) candidates.push_back(*i);
+            if (candidates.empty()) continue;
+            lies_in.assign(candidates.size(), 0);
+            decide(loops, *outer, candidates, lies_in);
+            for (std::size_t i = 0; i < candidates.size(); ++i)
+                if (lies_in[i] != 0) pieces.unite(loops[candidates[i]].part, loops[*outer].part);
+        }
+        hole = last_hole;
+    }
 }
 
 /// The parts of one solid on one side.
@@ -193,50 +225,77 @@ public:
                            [](const SolidParts& solid) { return solid.is_cut && solid.shown.size() > 1; });
     }
 
-    void join_holes_of_solids(const SortedOutline& outline, int axis, bool mirrored)
+    void join_holes_of_solids(const SortedOutline& outline, int axis)
     {
         std::vector<std::vector<FlatLoop>> flat(solids_.size());
         for (const OutlineLoop& loop : outline.loops(at_)) {
             const std::uint32_t solid = solid_of_[loop.part];
             if (loop.points.size() > 2 && solids_[solid].shown.size() > 1)
-                flat[solid].push_back(flatten(outline, loop, axis, mirrored));
+                flat[solid].push_back(flatten(outline, loop, axis));
         }
         for (const auto& loops : flat) join_holes(loops, pieces);
     }
 
-    /// Joins pieces without volume with the first piece of their solid that has some: the one whose outline comes
-    /// first. Points at one place have no order of their own: where an edge leaves several, its end decides.
+    /// Finds in each solid the first piece that has volume: the one that alone has the outline's first edge of those
+    /// that one piece alone has. Which way an edge runs does not matter.
+    void find_first_pieces(const SortedOutline& outline)
+    {
+        struct Claim
+        {
+            std::uint32_t solid;
+            glm::vec3 low, high;
+            std::uint32_t piece;
+        };
+        const std::vector<bool> has_volume = find_volume();
+        std::vector<Claim> claims;
+        claims.reserve(outline.edges().size());
+        for (const OutlineEdge& edge : outline.edges()) {
+            const std::uint32_t part = edge.part[at_], piece = pieces.find(part);
+            if (!has_volume[piece]) continue;
+            Claim claim{solid_of_[part], outline.position(edge.from), outline.position(edge.to), piece};
+            if (lexicographically_less(claim.high, claim.low)) std::swap(claim.low, claim.high);
+            claims.push_back(claim);
+        }
+        const auto is_less = [](const Claim& a, const Claim& b) {
+            if (a.solid != b.solid) return a.solid < b.solid;
+            if (!same_position(a.low, b.low)) return lexicographically_less(a.low, b.low);
+            if (!same_position(a.high, b.high)) return lexicographically_less(a.high, b.high);
+            return false;
+        };
+        std::sort(claims.begin(), claims.end(), [&](const Claim& a, const Claim& b) {
+            return is_less(a, b) || (!is_less(b, a) && a.piece < b.piece);
+        });
+        first_piece_.assign(solids_.size(), kNoContainer);
+        std::vector<bool> is_alone(solids_.size(), false);
+        for (std::size_t first = 0, last; first < claims.size(); first = last) {
+            last = first + 1;
+            while (last < claims.size() && !is_less(claims[first], claims[last])) ++last;
+            const std::uint32_t solid = claims[first].solid;
+            const bool alone = claims[first].piece == claims[last - 1].piece;
+            if (first_piece_[solid] != kNoContainer && (is_alone[solid] || !alone)) continue;
+            first_piece_[solid] = claims[first].piece;
+            is_alone[solid] = alone;
+        }
+    }
+
+    /// Joins pieces without volume with the first piece of their solid that has some.
     void join_flat_pieces(const SortedOutline& outline)
     {
-        std::vector<bool> has_volume(side_.parts.size(), false);  // by a piece's representative
-        bool some_are_flat = false;
+        if (std::none_of(side_.parts.begin(), side_.parts.end(), [](const SurfacePart& part) { return part.is_flat; }))
+            return;
+        find_first_pieces(outline);
+        const std::vector<bool> has_volume = find_volume();
         for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
-            some_are_flat = some_are_flat || side_.parts[part].is_flat;
-            if (!side_.parts[part].is_flat) has_volume[pieces.find(part)] = true;
-        }
-        if (!some_are_flat) return;
-        std::vector<std::uint32_t> home(solids_.size(), kNoContainer);
-        std::vector<const OutlineEdge*> first_edge(solids_.size(), nullptr);
-        for (const OutlineEdge& edge : outline.edges()) {
-            const std::uint32_t part = edge.part[at_], solid = solid_of_[part];
-            if (!has_volume[pieces.find(part)]) continue;
-            if (const OutlineEdge* first = first_edge[solid];
-                first != nullptr && (!same_position(outline.position(first->from), outline.position(edge.from)) ||
-                                     !lexicographically_less(outline.position(edge.to), outline.position(first->to))))
-                continue;
-            first_edge[solid] = &edge;
-            home[solid] = part;
-        }
-        for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
-            const std::uint32_t first = home[solid_of_[part]];
+            const std::uint32_t first = first_piece_[solid_of_[part]];
             if (side_.parts[part].is_flat && first != kNoContainer && !has_volume[pieces.find(part)])
                 pieces.unite(part, first);
         }
     }
 
-    void join_the_rest(const AxisRay& away)
+    /// `outline` is null where no solid has come apart.
+    void join_the_rest(const AxisRay& away, const SortedOutline* outline)
     {
-        join_cavities(away);
+        join_cavities(away, outline);
         for (const SolidParts& solid : solids_) {
             if (solid.is_cut) continue;
             const std::uint32_t first = (solid.shown.empty() ? solid.cavities : solid.shown).front();
@@ -256,8 +315,18 @@ private:
         std::uint32_t cavity, piece;
     };
 
-    /// Joins each cavity of a cut solid with the piece it lies in: the first whose winding number around it is not 0.
-    void join_cavities(const AxisRay& direction)
+    /// Whether pieces have volume, by their representatives.
+    std::vector<bool> find_volume()
+    {
+        std::vector<bool> has_volume(side_.parts.size(), false);
+        for (std::uint32_t part = 0; part < side_.parts.size(); ++part)
+            if (!side_.parts[part].is_flat) has_volume[pieces.find(part)] = true;
+        return has_volume;
+    }
+
+    /// Joins each cavity of a cut solid with the piece it lies in: the one whose winding number around it is not 0.
+    /// Where pieces overlap there may be several, which are one then.
+    void join_cavities(const AxisRay& direction, const SortedOutline* outline)
     {
         // Joining a cavity changes the names of pieces: first all are looked for, then joined.
         std::vector<Home> homes, sought;
@@ -270,15 +339,21 @@ private:
                 is_one = is_one && piece == first;
                 first = std::min(first, piece);
             }
-            // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
             for (const std::uint32_t cavity : solid.cavities) (is_one ? homes : sought).push_back({cavity, first});
         }
-        if (!sought.empty()) look_for_homes(sought, direction);
-        homes.insert(homes.end(), sought.begin(), sought.end());
+        if (!sought.empty()) {
+            // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
+            if (outline != nullptr) find_first_pieces(*outline);
+            for (Home& home : sought)
+                if (outline != nullptr && first_piece_[solid_of_[home.cavity]] != kNoContainer)
+                    home.piece = first_piece_[solid_of_[home.cavity]];
+            look_for_homes(sought, direction, homes);
+        }
         for (const Home& home : homes) pieces.unite(home.cavity, home.piece);
     }
 
-    void look_for_homes(std::vector<Home>& sought, const AxisRay& direction)
+    /// Adds all homes that counting finds, or else the one that is sought.
+    void look_for_homes(const std::vector<Home>& sought, const AxisRay& direction, std::vector<Home>& homes)
     {
         std::vector<AxisRay> rays(sought.size(), direction);
         for (std::size_t i = 0; i < sought.size(); ++i) rays[i].origin = side_.parts[sought[i].cavity].sample;
@@ -298,22 +373,25 @@ private:
         });
         std::sort(terms.begin(), terms.end(),
                   [](const Term& a, const Term& b) { return std::tie(a.ray, a.piece) < std::tie(b.ray, b.piece); });
-        std::uint32_t last_found = kNoContainer;
+        std::vector<bool> is_found(sought.size(), false);
         for (std::size_t first = 0, last; first < terms.size(); first = last) {
             const std::uint32_t ray = terms[first].ray, piece = terms[first].piece;
             int winding = 0;
             for (last = first; last < terms.size() && terms[last].ray == ray && terms[last].piece == piece; ++last)
                 winding += terms[last].term;
-            if (winding == 0 || ray == last_found) continue;
-            sought[ray].piece = piece;
-            last_found = ray;
+            if (winding == 0) continue;
+            homes.push_back({sought[ray].cavity, piece});
+            is_found[ray] = true;
         }
+        for (std::size_t i = 0; i < sought.size(); ++i)
+            if (!is_found[i]) homes.push_back(sought[i]);
     }
 
     const SideParts& side_;
     std::size_t at_;
     std::vector<std::uint32_t> solid_of_;  ///< dense numbers of the solids that occur
     std::vector<SolidParts> solids_;
+    std::vector<std::uint32_t> first_piece_;  ///< of each solid, as find_first_pieces() found it
 };
 
 /// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
@@ -369,21 +447,30 @@ std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const
                                                        std::span<const glm::vec3> points,
                                                        std::span<const OutlineEdge> edges)
 {
-    std::array<SideGrouping, 2> grouping{SideGrouping(sides[0], 0), SideGrouping(sides[1], 1)};
     const int axis = dominant_axis(plane);
-    const bool ascending = plane.normal[axis] > 0.0;
+    if (plane.normal[axis] < 0.0) {
+        // Loops that touch can be linked in several ways: a flipped plane must link them as the plane does.
+        std::vector<OutlineEdge> reversed;
+        reversed.reserve(edges.size());
+        for (const OutlineEdge& edge : edges) reversed.push_back({edge.to, edge.from, {edge.part[1], edge.part[0]}});
+        auto [positive, negative] = group_pieces(plane.flipped(), {sides[1], sides[0]}, points, reversed);
+        return {std::move(negative), std::move(positive)};
+    }
+    std::array<SideGrouping, 2> grouping{SideGrouping(sides[0], 0), SideGrouping(sides[1], 1)};
     const std::array<bool, 2> apart{grouping[0].has_come_apart(), grouping[1].has_come_apart()};
+    std::optional<SortedOutline> sorted;
     if (apart[0] || apart[1]) {
-        const SortedOutline outline(points, edges);
+        const SortedOutline& outline = sorted.emplace(points, edges);
         for (std::size_t side = 0; side < 2; ++side)
-            if (apart[side]) grouping[side].join_holes_of_solids(outline, axis, !ascending);
+            if (apart[side]) grouping[side].join_holes_of_solids(outline, axis);
         // Where loops do not meet, or a solid is one piece on a side, they keep to their pieces.
         if (apart[0] && apart[1] && outline.has_joints()) join_where_loops_need_it(outline, sides, grouping);
         for (std::size_t side = 0; side < 2; ++side)
             if (apart[side]) grouping[side].join_flat_pieces(outline);
     }
     for (const Side side : {Side::negative, Side::positive})
-        grouping[static_cast<std::size_t>(side)].join_the_rest({{}, axis, ascending == (side == Side::positive)});
+        grouping[static_cast<std::size_t>(side)].join_the_rest({{}, axis, side == Side::positive},
+                                                               sorted ? &*sorted : nullptr);
     return {grouping[0].result(), grouping[1].result()};
 }
 

@@ -23,7 +23,7 @@ struct SurfacePart
     std::uint32_t solid = 0;  ///< TriangleGroup::solid of its triangles
     bool is_cut = false;      ///< an edge of the outline bounds it; otherwise it is a whole shell
     bool is_flat = false;     ///< cut: no vertex beyond the noise of the plane; whole: no volume to speak of
-    glm::vec3 sample{0.0f};   ///< whole shells: any of its vertices
+    glm::vec3 sample{0.0f};   ///< whole shells: the first of its vertices by x, y, z
     double volume6 = 0.0;     ///< whole shells: MassMoments::volume6; negative for a cavity
 };
 

@@ -1,6 +1,7 @@
 #include "halfedge/piece_plan.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <unordered_map>
 
@@ -87,7 +88,6 @@ public:
         box_.add(node.box);
         volume6_ += u_.tree.moments[root].volume6;
         roots_.push_back(root);
-        sample_ = node.box.lo;
     }
     void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
     {
@@ -97,13 +97,7 @@ public:
 
     void describe(SurfacePart& part)
     {
-        if (!roots_.empty()) {
-            Index n = roots_.front();
-            while (!u_.tree.nodes[n].is_leaf()) n = u_.tree.nodes[n].left;
-            part.sample = u_.vertices[u_.slots[u_.tree.nodes[n].first][0]].position;
-        } else if (!triangles_.empty()) {
-            part.sample = triangles_.front()[0];
-        }
+        part.sample = first_vertex();
         part.volume6 = volume6_ + sum_of_triangles(u_.reference);
         // Sums about a point far away have no digits left for what is very small.
         const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kUnitsAcross * u_.noise;
@@ -125,6 +119,35 @@ private:
     static constexpr double kLostDigits = 1e-11;
     static constexpr double kUnitsAcross = 0x1p20;  ///< noise units that a mesh reaches from the origin
 
+    /// The first by x, y, z; nodes whose boxes begin behind it are skipped.
+    glm::vec3 first_vertex() const
+    {
+        constexpr float kFar = std::numeric_limits<float>::max();
+        glm::vec3 first{kFar};
+        const auto look_at = [&](const glm::vec3& p) {
+            if (lexicographically_less(p, first)) first = p;
+        };
+        for (const auto& triangle : triangles_)
+            for (const glm::vec3& p : triangle) look_at(p);
+        std::vector<Index> stack(roots_);
+        while (!stack.empty()) {
+            const Node& node = u_.tree.nodes[stack.back()];
+            stack.pop_back();
+            if (!lexicographically_less(node.box.lo, first)) continue;
+            if (node.is_leaf()) {
+                for (Index slot = node.first; slot < node.first + node.count; ++slot)
+                    for (const Index v : u_.slots[slot]) look_at(u_.vertices[v].position);
+                continue;
+            }
+            Index nearer = node.left, other = node.right;
+            if (lexicographically_less(u_.tree.nodes[other].box.lo, u_.tree.nodes[nearer].box.lo))
+                std::swap(nearer, other);
+            stack.push_back(other);
+            stack.push_back(nearer);
+        }
+        return first;
+    }
+
     double sum_of_triangles(const glm::dvec3& reference) const
     {
         MassMoments moments;
@@ -135,7 +158,6 @@ private:
     const Universe& u_;
     Box box_;
     double volume6_ = 0.0;
-    glm::vec3 sample_{0.0f};
     std::vector<Index> roots_;
     std::vector<std::array<glm::vec3, 3>> triangles_;
 };

@@ -7,8 +7,10 @@ What a task found is kept in a file at once; run again, the soak goes on where i
 
 import argparse
 import concurrent.futures
+import hashlib
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -25,7 +27,8 @@ LARGE_FILE = 4_000_000  # bytes: cut by fewer planes
 DEPTHS = [5, 1, 3]  # cuts in a row, one depth a round
 PLANES = {1: 120, 3: 30, 5: 12}
 TASK_SECONDS = 900  # a task takes seconds; one that takes this long hangs
-COUNTS = ["cut", "missed", "failed", "surfaces_differ", "caps_wrong", "not_judged", "open_edges", "equal_corners"]
+COUNTS = ["cut", "missed", "failed", "surfaces_differ", "pieces_differ", "caps_wrong", "not_judged", "open_edges",
+          "equal_corners"]
 
 
 @dataclass(frozen=True)
@@ -65,17 +68,24 @@ class Soak:
 
     def __init__(self, kerf, folder):
         self.kerf, self.folder = kerf, folder
+        self.build = hashlib.sha256(kerf.read_bytes()).hexdigest()[:16]
         folder.mkdir(parents=True, exist_ok=True)
         self.file = folder / "tasks.jsonl"
         self.lock = threading.Lock()
         self.running = set()
         self.results = {}
+        self.of_other_builds = 0
+        self.shapes = folder / "shapes"
+        shutil.rmtree(self.shapes, ignore_errors=True)  # of a soak that was killed
+        self.shapes.mkdir()
         if self.file.exists():
             for line in self.file.read_text().splitlines():
                 try:
                     result = json.loads(line)
-                    if all(name in result for name in COUNTS):  # else of a soak that counted less
+                    if result["build"] == self.build:
                         self.results[result["key"]] = result
+                    else:
+                        self.of_other_builds += 1
                 except (ValueError, KeyError):
                     pass  # the line under way when the soak was killed: that task is run again
 
@@ -102,7 +112,7 @@ class Soak:
         mesh = task.mesh
         if task.group == "generated shapes":
             name, triangles, seed = mesh.split(":")
-            mesh = str(self.folder / f"{name}-{triangles}-{seed}.ply")
+            mesh = str(self.shapes / f"{name}-{triangles}-{seed}.ply")
             status, _, err = self.process([self.kerf, "shape", name, "--triangles", triangles, "--seed", seed, "--out", mesh])
             if status != 0:
                 return self.finding(task, f"kerf shape failed: {err.strip()}")
@@ -122,7 +132,9 @@ class Soak:
         except (ValueError, KeyError):
             return self.finding(task, f"exit status {status}: {err.strip()[-300:]}")
         result = {"key": task.key(), "group": task.group, "mesh": task.mesh, "closed": closed}
-        result.update({name: total[name] for name in ("cut", "missed", "failed", "surfaces_differ", "caps_wrong")})
+        result.update({name: total[name] for name in ("cut", "missed", "failed", "surfaces_differ", "pieces_differ",
+                                                    "caps_wrong")})
+        result["build"] = self.build
         result["open_edges"] = total["open_edges"]["halfedge"] + total["open_edges"]["baseline"] if closed else 0
         result["equal_corners"] = total["equal_corners"]["halfedge"] + total["equal_corners"]["baseline"]
         result["not_judged"] = total["sections_that_intersect_themselves"] + total["sections_not_judged"]
@@ -133,8 +145,8 @@ class Soak:
         return result
 
     def finding(self, task, text):
-        return {"key": task.key(), "group": task.group, "mesh": task.mesh, "closed": False, **dict.fromkeys(COUNTS, 0),
-                "failed": 1, "volume_error": 0.0, "finding": text}
+        return {"key": task.key(), "group": task.group, "mesh": task.mesh, "closed": False, "build": self.build,
+                **dict.fromkeys(COUNTS, 0), "failed": 1, "volume_error": 0.0, "finding": text}
 
     def keep(self, result):
         with self.lock:
@@ -164,9 +176,10 @@ def show_progress(soak, wanted, start, cuts_before, last):
 
 def summary(results, first_seed):
     """The table that docs/robustness.md shows, as Markdown."""
-    lines = ["| | meshes | cuts | missed | rows that failed | surfaces that differ | half-edge caps of a wrong area | "
+    lines = ["| | meshes | cuts | missed | rows that failed | surfaces that differ | pieces that differ | "
+             "half-edge caps of a wrong area | "
              "caps not judged | open edges on closed input | triangles with equal corners | worst volume error |",
-             "|---|" + "---:|" * 10]
+             "|---|" + "---:|" * 11]
     groups = {}
     for result in results:
         groups.setdefault(result["group"], []).append(result)
@@ -201,6 +214,8 @@ def main():
     if not shared:
         print("soak: there is no ../shared/meshes; going on without meshes from elsewhere", file=sys.stderr)
     soak = Soak(arguments.kerf.resolve(), arguments.out)
+    if soak.of_other_builds:
+        print(f"soak: {soak.of_other_builds} runs of other builds are there and do not count", file=sys.stderr)
     start, cuts_before, last = time.monotonic(), soak.cuts(), 0.0
     upcoming = (task for task in tasks(models, shared, arguments.seed) if task.key() not in soak.results)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:

@@ -29,6 +29,7 @@ protected:
         const Json& total = result["total"];
         EXPECT_EQ(total["failed"], 0);
         EXPECT_EQ(total["surfaces_differ"], 0);
+        EXPECT_EQ(total["pieces_differ"], 0);
         EXPECT_EQ(total["caps_wrong"], 0);
         EXPECT_EQ(total["equal_corners"], Json({{"baseline", 0}, {"halfedge", 0}}));
         for (const Json& file : result["files"]) {
@@ -144,6 +145,7 @@ TEST_F(KerfCompare, AcceptsOpenMeshes)
     EXPECT_EQ(result["files"][0]["closed"], false);
     EXPECT_GT(result["total"]["cut"], 5);
     EXPECT_EQ(result["total"]["surfaces_differ"], 0);
+    EXPECT_EQ(result["total"]["pieces_differ"], 0);
 }
 
 TEST_F(KerfCompare, RefusesFilesThatCannotBeUsedInOneLine)
