@@ -135,7 +135,7 @@ CutReport perform(const CutCommandOptions& options)
     report.caps_exceed_section = result.caps_exceed_section;
     if (result.status == Status::missed) return report;
     if (result.status == Status::out_of_memory)
-        throw std::runtime_error(options.file + ": there is not enough memory to cut it");
+        throw std::runtime_error(options.file + ": there is not enough memory to cut it; divide it or free some");
     if (result.status != Status::cut && result.status != Status::open_section)
         throw std::runtime_error(options.file + ": it could not be cut (" + std::string(name_of(result.status)) + ")");
 

@@ -86,7 +86,7 @@ int main(int argc, char** argv)
         const bool is_help = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
         return is_help ? program.exit(error) : report_wrong_use(program, error);
     } catch (const std::bad_alloc&) {
-        std::cerr << "kerf: there is not enough memory\n";
+        std::cerr << "kerf: there is not enough memory; give it a smaller mesh, or free some\n";
     } catch (const std::exception& error) {
         std::cerr << "kerf: " << error.what() << "\n";
     }

@@ -127,7 +127,7 @@ PrepareResult without_memory()
     PrepareResult result;
     result.status = Status::out_of_memory;
     try {
-        result.reason = "there is not enough memory to prepare the mesh";
+        result.reason = "there is not enough memory to prepare the mesh; divide it or free some";
     } catch (const std::bad_alloc&) {
         result.reason = "out of memory";  // as long as a string may be that needs none
     }

@@ -207,7 +207,9 @@ TEST_P(OutOfMemoryOf, WhilePreparingIsAStatus)
                 EXPECT_TRUE(happened);
                 EXPECT_EQ(result.status, Status::out_of_memory);
                 EXPECT_EQ(result.object, nullptr);
-                EXPECT_NE(result.reason, "");
+                // Where there is no memory for a sentence either, there are three words.
+                EXPECT_TRUE(result.reason == "out of memory" || result.reason.ends_with("; divide it or free some"))
+                    << result.reason;
                 EXPECT_EQ(bytes_of(*backend_->prepare(mesh).object), whole);
             }
             return happened;
