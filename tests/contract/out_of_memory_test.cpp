@@ -39,6 +39,23 @@ Bytes bytes_of(const Cuttable& object)
     return bytes;
 }
 
+/// What lies in the buffers that an object shares with others, and what of it is the object's.
+Bytes bytes_of_buffers(const Cuttable& object)
+{
+    Bytes bytes;
+    const DrawView view = object.draw_view();
+    for (const Material& material : view.materials)
+        bytes.insert(bytes.end(), material.name.begin(), material.name.end());
+    bytes.insert(bytes.end(),
+                 {static_cast<std::uint32_t>(view.materials.size()), static_cast<std::uint32_t>(view.vertices.size()),
+                  static_cast<std::uint32_t>(view.indices.size())});
+    bytes.insert(bytes.end(), view.indices.begin(), view.indices.end());
+    for (const DrawRange& range : view.ranges)
+        bytes.insert(bytes.end(),
+                     {range.first_index, range.index_count, range.material, static_cast<std::uint32_t>(range.kind)});
+    return bytes;
+}
+
 /// All that a cut promises to be the same on every run.
 std::vector<Bytes> bytes_of(const CutResult& result)
 {
@@ -240,6 +257,7 @@ std::uint64_t cut_with_every_fault(Make make, const Cut& first, const std::vecto
 {
     const Subject untouched = make();
     const Bytes before = bytes_of(*untouched.object);
+    const Bytes buffers_before = bytes_of_buffers(*untouched.object);
     const Bytes beside = untouched.witness ? bytes_of(*untouched.witness) : Bytes{};
     const std::vector<Bytes> expected = bytes_of(cut(make().object, first.plane, first.options));
     std::vector<std::vector<Bytes>> expected_afterwards;
@@ -258,6 +276,7 @@ std::uint64_t cut_with_every_fault(Make make, const Cut& first, const std::vecto
         if (happened && result.status == Status::out_of_memory) {
             EXPECT_TRUE(result.object && result.positive.empty() && result.negative.empty());
             EXPECT_EQ(bytes_of(*result.object), before);
+            EXPECT_EQ(bytes_of_buffers(*result.object), buffers_before);
             const std::size_t next = fault.number % afterwards.size();
             const CutResult after = cut(std::move(result.object), afterwards[next].plane, afterwards[next].options);
             EXPECT_EQ(bytes_of(after), expected_afterwards[next]);
