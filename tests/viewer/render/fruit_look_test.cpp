@@ -132,11 +132,14 @@ TEST_P(FruitCap, IsNeitherClayNorBlackWhateverThePlane)
             const View seen = view(opened(*GetParam().make(), fruit(name), plane));
             std::set<std::array<std::uint8_t, 3>> colours;
             std::vector<double> light;
+            std::size_t black = 0, clipped = 0;
             for (std::size_t i = 0; i < seen.facts.size(); ++i) {
                 if (!seen.facts[i].is_cap()) continue;
                 const std::uint8_t* p = seen.picture.rgba.data() + 4 * i;
                 colours.insert({p[0], p[1], p[2]});
                 light.push_back(luminance(p));
+                black += light.back() < 0.05;
+                clipped += std::min({p[0], p[1], p[2]}) >= 250;
             }
             SCOPED_TRACE(name + ", trial " + std::to_string(trial));
             ASSERT_GT(light.size(), 200u);
@@ -145,6 +148,8 @@ TEST_P(FruitCap, IsNeitherClayNorBlackWhateverThePlane)
             std::nth_element(light.begin(), middle, light.end());
             EXPECT_GE(*middle, 0.15);
             EXPECT_LE(*middle, 0.9);
+            EXPECT_LE(static_cast<double>(black), 0.01 * static_cast<double>(light.size()));
+            EXPECT_LE(static_cast<double>(clipped), 0.01 * static_cast<double>(light.size()));
         }
 }
 
@@ -239,6 +244,32 @@ TEST_F(FruitLook, ShowsTheSkinOnlyAtTheEdgeOfACut)
     ASSERT_GT(inner, 400u);
     EXPECT_GT(static_cast<double>(green_rim), 0.8 * static_cast<double>(rim));
     EXPECT_GT(static_cast<double>(red_inner), 0.9 * static_cast<double>(inner));
+}
+
+TEST_F(FruitLook, HasNoDashedRimWhereACutIsSeenEdgeOn)
+{
+    // A pixel that a triangle covers in part takes its colour from a place beside the triangle: beyond the skin.
+    DrawOptions options;
+    options.lights.sky = options.lights.ground = glm::vec3(1.0f);
+    options.lights.shadow = 0.0f;
+    const Plane across = *Plane::through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+    for (const float lift : {0.06f, 0.1f, 0.14f}) {
+        std::vector<StagedPiece> pieces = opened(*both_back_ends().front().make(), fruit("lemon"), across);
+        // The half stands upright, its button out of sight.
+        const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), lift, glm::vec3(1.0f, 0.0f, 0.0f)) *
+                                  glm::mat4(glm::transpose(glm::mat3(facing(glm::vec3(across.normal)))));
+        for (StagedPiece& piece : pieces) piece.model = upright * piece.model;
+        const View seen = view(std::move(pieces), options, near_viewpoint(kWidth, kHeight));
+        std::size_t bright = 0, brown = 0;
+        for (std::size_t i = 0; i < seen.facts.size(); ++i) {
+            const std::uint8_t* p = seen.picture.rgba.data() + 4 * i;
+            if (p[0] < 60) continue;
+            ++bright;
+            brown += p[0] > 1.25 * p[1];
+        }
+        EXPECT_GT(bright, 1000u) << "lifted by " << lift;
+        EXPECT_EQ(brown, 0u) << "lifted by " << lift << ", of " << bright;
+    }
 }
 
 TEST_F(FruitLook, EveryPatternHasAProgram)

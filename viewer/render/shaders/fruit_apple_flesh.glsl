@@ -66,7 +66,7 @@ void paint(Look look, Place place, inout Surface s)
         float pip = 1.0 - above(1.0, r, 0.08 + 14.0 * place.pixel);
         float bulge = sqrt(max(1.0 - r * r, 0.0));
         s.albedo = mix(s.albedo, mix(srgb(48.0, 22.0, 10.0), srgb(112.0, 58.0, 26.0), bulge), pip);
-        s.height = mix(s.height, 0.02 * bulge, pip);
+        s.height = mix(s.height, 0.02 * bulge * bulge, pip);
         s.roughness = mix(s.roughness, 0.25, pip);
     }
     // The tube from the calyx.

@@ -80,8 +80,9 @@ void paint(Look look, Place place, inout Surface s)
         float pip = 1.0 - above(1.0, q, 0.08 + 10.0 * place.pixel);
         float bulge = sqrt(max(1.0 - q * q, 0.0));
         s.albedo = mix(s.albedo, mix(srgb(206.0, 176.0, 110.0), srgb(246.0, 232.0, 190.0), bulge), pip);
-        s.height = mix(s.height, 0.02 * bulge, pip);
+        s.height = mix(s.height, 0.02 * bulge * bulge, pip);
         s.depth *= 1.0 - 0.7 * pip;
     }
-    if (below < -0.004) woody(p, s);
+    // A pixel at the edge of a cut looks beyond the skin: only the button is of wood.
+    if (below < -0.004 && length(p.xz) < 0.06) woody(p, s);
 }

@@ -73,5 +73,5 @@ void paint(Look look, Place place, inout Surface s)
     float skin = above(0.968, t, 0.005 + 2.0 * place.pixel);
     s.albedo = mix(s.albedo, srgb(104.0, 76.0, 36.0), skin);
     s.wet *= 1.0 - skin;
-    if (t > 1.015) woody(p, s);
+    if (t > 1.015 && length(p.xz) < 0.045) woody(p, s);
 }

@@ -47,7 +47,7 @@ void paint(Look look, Place place, inout Surface s)
     vec3 p = place.object;
     vec3 u = p / vec3(0.80, 0.98, 0.80);
     float t = length(u);
-    if (t > 1.02) {
+    if (t > 1.02 && length(p.xz) < 0.12) {
         woody(p, s);
         return;
     }

@@ -49,8 +49,8 @@ vec3 lattice_point(ivec3 p)
 }
 
 // Cells around scattered points: distance to the nearest one, how much farther the next one is, a number of the cell's
-// own (Worley, "A cellular texture basis function", 1996).
-vec3 cells(vec3 p)
+// own (Worley, "A cellular texture basis function", 1996). `away`: from the nearest point to here.
+vec3 cells(vec3 p, out vec3 away)
 {
     ivec3 home = ivec3(floor(p));
     float nearest = 9.0, next = 9.0, id = 0.0;
@@ -65,9 +65,16 @@ vec3 cells(vec3 p)
                     next = nearest;
                     nearest = square;
                     id = at.x;
+                    away = -d;
                 } else {
                     next = min(next, square);
                 }
             }
     return vec3(sqrt(nearest), sqrt(next) - sqrt(nearest), id);
+}
+
+vec3 cells(vec3 p)
+{
+    vec3 away;
+    return cells(p, away);
 }

@@ -47,8 +47,8 @@ void describe(Look look, Place place, inout Surface s)
     s.glow = hot * melt + vec3(0.16, 0.022, 0.004) * heat * (0.5 + 0.5 * rough);
     s.albedo *= 1.0 - 0.8 * melt;
 
-    s.height = (0.0030 * rough + 0.0012 * grain.x + 0.0010 * sand - 0.004 * crack * (1.0 - heart) +
-                pocket * 0.006 * (crystal.z - crystal.x)) / pattern_scale;
+    s.height = (0.0030 * rough + 0.0012 * grain.x + 0.0010 * sand - 0.002 * crack * (1.0 - heart) +
+                pocket * 0.006 * (crystal.z * smoothstep(0.0, 0.25, crystal.y) - crystal.x)) / pattern_scale;
     s.roughness = mix(mix(0.85, 0.95, heat), 0.22, pocket);
     s.reflectance = mix(0.03, 0.08, pocket);
 }

@@ -1,10 +1,12 @@
 // Stone that was hit for a long time: craters in craters, dust in patches, pale veins, grains. All in shares of the
 // object's size, so that it is the same for any number of triangles.
 
-// A crater around a cell's point: a bowl with a raised rim. Height in depths of the bowl; `inside`: 1 in the bowl.
-float crater(vec3 p, out float inside)
+// A crater around a cell's point: a bowl with a raised rim. Height in depths of the bowl; `inside`: 1 in the bowl. The
+// slope is worked out, not taken from the neighbouring pixels: rims are too sharp for that.
+float crater(vec3 p, out float inside, out vec3 slope)
 {
-    vec3 cell = cells(p);
+    vec3 away;
+    vec3 cell = cells(p, away);
     // Few are large, some cells have none.
     float radius = 0.10 + 0.38 * cell.z * cell.z;
     float r = cell.x / radius;
@@ -12,6 +14,8 @@ float crater(vec3 p, out float inside)
     inside = exists * (1.0 - smoothstep(0.75, 1.05, r));
     float bowl = min(r * r - 1.0, 0.0);
     float rim = exp(-14.0 * (r - 1.06) * (r - 1.06));
+    float steep = 4.2 * r * (1.0 - smoothstep(0.94, 1.06, r)) - 22.4 * (r - 1.06) * rim;
+    slope = exists * steep * away / max(cell.x, 1e-4);
     return exists * radius * (2.1 * bowl + 0.8 * rim);
 }
 
@@ -20,8 +24,9 @@ void describe(Look look, Place place, inout Surface s)
     vec3 p = place.pattern;
     vec3 bent = p + 0.045 * (vec3(noise(p * 9.0), noise(p * 9.0 + 31.0), noise(p * 9.0 + 57.0)) - 0.5);
     float large_bowl, small_bowl;
-    float large = crater(bent * look.second.w, large_bowl);
-    float small = crater(bent.zxy * 2.9 * look.second.w + 5.0, small_bowl);
+    vec3 large_slope, small_slope;
+    float large = crater(bent * look.second.w, large_bowl, large_slope);
+    float small = crater(bent.zxy * 2.9 * look.second.w + 5.0, small_bowl, small_slope);
     float pixel = place.pixel * pattern_scale;
     // From afar small craters are no more than a roughness.
     float near = 1.0 - smoothstep(0.003, 0.008, pixel);
@@ -50,8 +55,8 @@ void describe(Look look, Place place, inout Surface s)
     albedo = mix(albedo, look.third.rgb * 1.25, 0.75 * vein);
     s.albedo = albedo * (0.80 + 0.40 * sand);
 
-    float height = 0.62 * large / look.second.w + 0.62 * small / (2.9 * look.second.w) + look.finish.w * (rough - 0.5) +
-                   0.0012 * sand + 0.003 * vein;
+    float height = look.finish.w * (rough - 0.5) + 0.0012 * sand + 0.0015 * vein;
+    s.slope = 0.62 * (large_slope + near * small_slope.yzx);
     s.height = height / pattern_scale;
     s.roughness = mix(0.9, 0.5, vein);
     s.reflectance = 0.03;

@@ -31,6 +31,7 @@ struct Surface
 {
     vec3 albedo;
     float height;       // of the relief, mesh units
+    vec3 slope;         // of further relief that is not in `height`: its gradient over mesh coordinates
     float roughness;    // 0: mirror, 1: chalk
     float reflectance;  // seen straight on; above 0.5 it is a metal
     float fuzz;         // shine of hair and cloth

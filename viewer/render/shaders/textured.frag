@@ -11,13 +11,18 @@ out vec4 colour;
 
 // A bump's slope from the differences to the neighbouring pixels (Mikkelsen, "Bump mapping unparametrized surfaces on
 // the GPU", 2010).
-vec3 bumped(vec3 n, float height)
+vec3 bumped(vec3 n, float height, vec3 gradient)
 {
     vec3 dx = dFdx(world_position), dy = dFdy(world_position);
     vec3 r1 = cross(dy, n), r2 = cross(n, dx);
     float det = dot(dx, r1);
     vec3 slope = sign(det) * (dFdx(height) * r1 + dFdy(height) * r2);
-    vec3 result = abs(det) * n - slope;
+    // The differences are those of two by two pixels: a step between two such blocks is seen, one within a block is a
+    // cliff. Limited, an edge is not dotted black and white.
+    const float kSteepest = 1.3;
+    float steepness = length(slope) / max(kSteepest * abs(det), 1e-20);
+    slope *= inversesqrt(1.0 + steepness * steepness);
+    vec3 result = abs(det) * (n - gradient + dot(gradient, n) * n) - slope;
     return dot(result, result) > 1e-20 ? normalize(result) : n;
 }
 
@@ -26,13 +31,13 @@ void main()
     Look look = looks[look_index];
     vec3 object = pattern_position / pattern_scale;
     Place place = Place(object, pattern_position, pattern_uv, length(fwidth(object)), is_cap);
-    Surface s = Surface(look.colour.rgb, 0.0, look.finish.x, look.finish.y, look.finish.z,
+    Surface s = Surface(look.colour.rgb, 0.0, vec3(0.0), look.finish.x, look.finish.y, look.finish.z,
                         look.colour.rgb, 0.0, 0.0, vec3(0.0));
     describe(look, place, s);
 
     vec3 n = normalize(gl_FrontFacing ? world_normal : -world_normal);
     vec3 flat_n = n;
-    n = bumped(n, s.height * length(model[0].xyz));
+    n = bumped(n, s.height * length(model[0].xyz), mat3(model) * s.slope / length(model[0].xyz));
 
     vec3 v = normalize(frame.eye.xyz - world_position);
     vec3 l = frame.to_light.xyz;
