@@ -113,11 +113,13 @@ private:
     std::array<std::unique_ptr<Cuttable>, 2> descend(ComparisonRow row, std::unique_ptr<Cuttable> baseline,
                                                      std::unique_ptr<Cuttable> halfedge, double volume)
     {
-        std::array<std::unique_ptr<Cuttable>, 2> whole{baseline->clone(), halfedge->clone()};
+        // Pieces of a piece hang together by the caps of earlier cuts as well, which are each back end's own.
+        std::array<std::unique_ptr<Cuttable>, 2> whole;
+        if (row.piece.empty()) whole = {baseline->clone(), halfedge->clone()};
         Halves a = cut_once(std::move(baseline), row, row.baseline);
         Halves b = cut_once(std::move(halfedge), row, row.halfedge);
         judge(row, a, b, volume);
-        if (row.was_cut() && row.surfaces_equal() && row.earlier_caps_fit) judge_pieces(row, *whole[0], *whole[1]);
+        if (row.piece.empty() && row.was_cut() && row.surfaces_equal()) judge_pieces(row, *whole[0], *whole[1]);
         whole = {};
         ++summary_.rows;
         if (!row.failures.empty()) ++summary_.failed_rows;
