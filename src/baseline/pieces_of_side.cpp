@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "baseline/pair_table.h"
-#include "common/cut_geometry.h"
 #include "common/disjoint_sets.h"
 #include "common/half_edge_pairs.h"
 #include "common/mass_properties.h"
@@ -22,10 +21,11 @@ public:
     {
     }
 
-    void operator()(std::span<const AxisRay> rays, const AddCrossing& add) const
+    void operator()(std::span<const AxisRay> rays, const std::vector<bool>& is_wanted, const AddCrossing& add) const
     {
         const ParallelRays bundle(rays);
         for (std::size_t t = 0; t < part_of_triangle_.size(); ++t) {
+            if (!is_wanted[part_of_triangle_[t]]) continue;
             const auto& [a, b, c] = mesh_.triangles[t];
             bundle.for_each_crossing(mesh_.vertices[a].position, mesh_.vertices[b].position, mesh_.vertices[c].position,
                                      [&](std::uint32_t ray, int term) { add(part_of_triangle_[t], ray, term); });
@@ -46,6 +46,7 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
     std::vector<MassMoments> moments(count);
     std::vector<Box> boxes(count);
     std::vector<glm::dvec3> references(count);
+    std::vector<ShellSample> samples(count);
     std::vector<bool> is_far(count, false);
     for (const TriangleGroup& group : mesh.groups)
         for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
@@ -54,11 +55,11 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
             const std::array<glm::vec3, 3> p{mesh.vertices[mesh.triangles[t][0]].position,
                                              mesh.vertices[mesh.triangles[t][1]].position,
                                              mesh.vertices[mesh.triangles[t][2]].position};
-            if (boxes[i].empty()) references[i] = part.sample = p[0];
+            if (boxes[i].empty()) references[i] = p[0];
             part.solid = group.solid;
             moments[i].add(references[i], p[0], p[1], p[2]);
+            if (!part.is_cut) samples[i].add(p[0], p[1], p[2]);
             for (const glm::vec3& corner : p) {
-                if (lexicographically_less(corner, part.sample)) part.sample = corner;
                 boxes[i].add(corner);
                 const double distance = plane.signed_distance(corner);
                 is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);
@@ -67,6 +68,7 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
     for (std::uint32_t i = 0; i < count; ++i) {
         SurfacePart& part = side.parts[i];
         part.volume6 = moments[i].volume6;
+        if (!part.is_cut) part.sample = samples[i].point();
         part.is_flat = part.is_cut ? !is_far[i] : has_no_volume(part.volume6, boxes[i], noise);
     }
 }

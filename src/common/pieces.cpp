@@ -367,9 +367,9 @@ private:
             int term;
         };
         std::vector<Term> terms;
-        side_.count_crossings(rays, [&](std::uint32_t part, std::uint32_t ray, int term) {
-            if (is_shown[part] && solid_of_[part] == solid_of_[sought[ray].cavity])
-                terms.push_back({ray, pieces.find(part), term});
+        // Cavities in rows would cross one another's rays, and nothing else.
+        side_.count_crossings(rays, is_shown, [&](std::uint32_t part, std::uint32_t ray, int term) {
+            if (solid_of_[part] == solid_of_[sought[ray].cavity]) terms.push_back({ray, pieces.find(part), term});
         });
         std::sort(terms.begin(), terms.end(),
                   [](const Term& a, const Term& b) { return std::tie(a.ray, a.piece) < std::tie(b.ray, b.piece); });
@@ -436,6 +436,22 @@ void join_where_loops_need_it(const SortedOutline& outline, const std::array<Sid
 }
 
 }  // namespace
+
+void ShellSample::add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    std::array<glm::vec3, 3> corners{a, b, c};
+    const auto is_less = [](const glm::vec3& p, const glm::vec3& q) {
+        return !same_position(p, q) && lexicographically_less(p, q);
+    };
+    std::sort(corners.begin(), corners.end(), is_less);
+    if (std::lexicographical_compare(corners.begin(), corners.end(), first_.begin(), first_.end(), is_less))
+        first_ = corners;
+}
+
+glm::vec3 ShellSample::point() const
+{
+    return glm::vec3((glm::dvec3(first_[0]) + glm::dvec3(first_[1]) + glm::dvec3(first_[2])) / 3.0);
+}
 
 bool has_no_volume(double volume6, const Box& box, double noise)
 {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -23,19 +24,35 @@ struct SurfacePart
     std::uint32_t solid = 0;  ///< TriangleGroup::solid of its triangles
     bool is_cut = false;      ///< an edge of the outline bounds it; otherwise it is a whole shell
     bool is_flat = false;     ///< cut: no vertex beyond the noise of the plane; whole: no volume to speak of
-    glm::vec3 sample{0.0f};   ///< whole shells: the first of its vertices by x, y, z
+    glm::vec3 sample{0.0f};   ///< whole shells: ShellSample::point()
     double volume6 = 0.0;     ///< whole shells: MassMoments::volume6; negative for a cavity
+};
+
+/// A point of a shell that does not depend on the order of its triangles: the middle of the first one by the x, y, z of
+/// its corners. A corner would do, but a ray from it runs along the faces that meet there, caps of earlier cuts among
+/// them, and has to be tested with all their triangles.
+class ShellSample
+{
+public:
+    void add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+    /// The first corner so far; triangles that lie behind it need not be added.
+    const glm::vec3& first_corner() const { return first_[0]; }
+    glm::vec3 point() const;
+
+private:
+    std::array<glm::vec3, 3> first_{glm::vec3(std::numeric_limits<float>::infinity()), {}, {}};
 };
 
 /// Whether a closed shell has no volume to speak of: no more than its box has surface times `noise`, plane_noise().
 /// volume6 is MassMoments::volume6.
 bool has_no_volume(double volume6, const Box& box, double noise);
 
-/// Calls add(part, ray, term) for each crossing of a ray with a triangle of a part: the term is ray_crossing()'s, +1
-/// from behind a triangle to its front, -1 for the other way round. Rays are asked for all at once; they point away
-/// from the plane in one direction, so that caps of this cut do not matter.
+/// Calls add(part, ray, term) for each crossing of a ray with a triangle of a part that is wanted: the term is
+/// ray_crossing()'s, +1 from behind a triangle to its front, -1 for the other way round. Rays are asked for all at
+/// once; they point away from the plane in one direction, so that caps of this cut do not matter.
 using AddCrossing = std::function<void(std::uint32_t part, std::uint32_t ray, int term)>;
-using CountCrossings = std::function<void(std::span<const AxisRay> rays, const AddCrossing& add)>;
+using CountCrossings =
+    std::function<void(std::span<const AxisRay> rays, const std::vector<bool>& is_wanted, const AddCrossing& add)>;
 
 /// What lies on one side.
 struct SideParts

@@ -1,7 +1,6 @@
 #include "halfedge/piece_plan.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <unordered_map>
 
@@ -97,7 +96,7 @@ public:
 
     void describe(SurfacePart& part)
     {
-        part.sample = first_vertex();
+        part.sample = sample();
         part.volume6 = volume6_ + sum_of_triangles(u_.reference);
         // Sums about a point far away have no digits left for what is very small.
         const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kUnitsAcross * u_.noise;
@@ -119,24 +118,21 @@ private:
     static constexpr double kLostDigits = 1e-11;
     static constexpr double kUnitsAcross = 0x1p20;  ///< noise units that a mesh reaches from the origin
 
-    /// The first by x, y, z; nodes whose boxes begin behind it are skipped.
-    glm::vec3 first_vertex() const
+    /// Nodes whose boxes begin behind the first corner are skipped.
+    glm::vec3 sample() const
     {
-        constexpr float kFar = std::numeric_limits<float>::max();
-        glm::vec3 first{kFar};
-        const auto look_at = [&](const glm::vec3& p) {
-            if (lexicographically_less(p, first)) first = p;
-        };
-        for (const auto& triangle : triangles_)
-            for (const glm::vec3& p : triangle) look_at(p);
+        ShellSample sample;
+        for (const auto& [a, b, c] : triangles_) sample.add(a, b, c);
         std::vector<Index> stack(roots_);
         while (!stack.empty()) {
             const Node& node = u_.tree.nodes[stack.back()];
             stack.pop_back();
-            if (!lexicographically_less(node.box.lo, first)) continue;
+            if (lexicographically_less(sample.first_corner(), node.box.lo)) continue;
             if (node.is_leaf()) {
-                for (Index slot = node.first; slot < node.first + node.count; ++slot)
-                    for (const Index v : u_.slots[slot]) look_at(u_.vertices[v].position);
+                for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+                    const Triangle& t = u_.slots[slot];
+                    sample.add(u_.vertices[t[0]].position, u_.vertices[t[1]].position, u_.vertices[t[2]].position);
+                }
                 continue;
             }
             Index nearer = node.left, other = node.right;
@@ -145,7 +141,7 @@ private:
             stack.push_back(other);
             stack.push_back(nearer);
         }
-        return first;
+        return sample.point();
     }
 
     double sum_of_triangles(const glm::dvec3& reference) const
@@ -246,7 +242,8 @@ public:
             if (whole_number[i] != kNone) closed[whole_number[i]].describe(parts_[i]);
     }
 
-    void count_crossings(std::span<const AxisRay> rays, const AddCrossing& add) const
+    void count_crossings(std::span<const AxisRay> rays, const std::vector<bool>& is_wanted,
+                         const AddCrossing& add) const
     {
         const ParallelRays bundle(rays);
         const auto add_to = [&](Index part) {
@@ -254,12 +251,16 @@ public:
         };
         for_each_on_side(
             u_, s_, side_,
-            [&](Index target, Index node) { halfedge::count_crossings(u_, node, bundle, add_to(of_target_[target])); },
+            [&](Index target, Index node) {
+                if (is_wanted[of_target_[target]])
+                    halfedge::count_crossings(u_, node, bundle, add_to(of_target_[target]));
+            },
             [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-                bundle.for_each_crossing(a, b, c, add_to(of_target_[target]));
+                if (is_wanted[of_target_[target]]) bundle.for_each_crossing(a, b, c, add_to(of_target_[target]));
             });
         for (Index i = 0; i < whole_.size(); ++i)
-            halfedge::count_crossings(u_, whole_[i].root, bundle, add_to(cut_count_ + i));
+            if (is_wanted[cut_count_ + i])
+                halfedge::count_crossings(u_, whole_[i].root, bundle, add_to(cut_count_ + i));
     }
 
     /// Makes a bundle of the targets of each piece.
@@ -433,9 +434,9 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
 
     std::array<SideParts, 2> input;
     for (std::size_t at = 0; at < 2; ++at)
-        input[at] = {sides[at].parts(), [&parts = sides[at]](std::span<const AxisRay> rays, const AddCrossing& add) {
-                         parts.count_crossings(rays, add);
-                     }};
+        input[at] = {sides[at].parts(),
+                     [&parts = sides[at]](std::span<const AxisRay> rays, const std::vector<bool>& is_wanted,
+                                          const AddCrossing& add) { parts.count_crossings(rays, is_wanted, add); }};
     const std::array<std::vector<std::uint32_t>, 2> piece = group_pieces(plane, input, outline.points, outline.edges);
     PiecePlan plan;
     for (std::size_t at = 0; at < 2; ++at)

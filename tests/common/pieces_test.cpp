@@ -13,7 +13,7 @@
 namespace kerf {
 namespace {
 
-void no_crossings(std::span<const AxisRay>, const AddCrossing&)
+void no_crossings(std::span<const AxisRay>, const std::vector<bool>&, const AddCrossing&)
 {
     ADD_FAILURE() << "nobody should have to count crossings";
 }
@@ -264,7 +264,7 @@ public:
     {
         const Plane plane{{0, 0, 1}, 0.0};
         return pieces_of(plane, Side::positive, parts, loops_,
-                         [&](std::span<const AxisRay> rays, const AddCrossing& add) {
+                         [&](std::span<const AxisRay> rays, const std::vector<bool>&, const AddCrossing& add) {
                              for (std::uint32_t i = 0; i < rays.size(); ++i) {
                                  EXPECT_EQ(rays[i].axis, 2);
                                  EXPECT_TRUE(rays[i].ascending);
