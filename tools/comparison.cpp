@@ -119,8 +119,7 @@ private:
         Halves a = cut_once(std::move(baseline), row, row.baseline);
         Halves b = cut_once(std::move(halfedge), row, row.halfedge);
         judge(row, a, b, volume);
-        if (row.piece.empty() && row.was_cut() && row.surfaces_equal()) judge_pieces(row, *whole[0], *whole[1]);
-        whole = {};
+        if (row.piece.empty() && row.was_cut() && row.surfaces_equal()) judge_pieces(row, std::move(whole));
         ++summary_.rows;
         if (!row.failures.empty()) ++summary_.failed_rows;
         take_row_(row);
@@ -213,9 +212,10 @@ private:
     }
 
     /// Takes the sides apart and compares their pieces.
-    void judge_pieces(ComparisonRow& row, const Cuttable& baseline, const Cuttable& halfedge)
+    void judge_pieces(ComparisonRow& row, std::array<std::unique_ptr<Cuttable>, 2> objects)
     {
-        const auto a = pieces_of(baseline, row.plane.plane), b = pieces_of(halfedge, row.plane.plane);
+        const auto a = pieces_of(std::move(objects[0]), row.plane.plane),
+                   b = pieces_of(std::move(objects[1]), row.plane.plane);
         row.pieces_equal = are_alike(a[0], b[0]) && are_alike(a[1], b[1]);
         if (!row.pieces_equal && row.open_chains == 0)
             row.failures.push_back("pieces differ: " + std::to_string(a[0].size()) + " and " +
@@ -224,12 +224,12 @@ private:
     }
 
     /// The pieces of the positive and of the negative side.
-    std::array<std::vector<IndexedMesh>, 2> pieces_of(const Cuttable& object, const Plane& plane) const
+    std::array<std::vector<IndexedMesh>, 2> pieces_of(std::unique_ptr<Cuttable> object, const Plane& plane) const
     {
         CutOptions options;
         options.split_components = true;
         options.cap_material = first_cap_;
-        const CutResult result = cut(object.clone(), plane, options);
+        const CutResult result = cut(std::move(object), plane, options);
         if (result.status == Status::out_of_memory)
             throw std::runtime_error("there is not enough memory to compare the back ends");
         std::array<std::vector<IndexedMesh>, 2> pieces;
