@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "viewer/game/games.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/script.h"
@@ -79,10 +81,11 @@ INSTANTIATE_TEST_SUITE_P(Modes, ScriptedGame,
 
 namespace {
 
+// A game of dozens of fruit, with the back end that it was recorded with.
 struct LongGame
 {
-    const char* script;  // says the back end that it was recorded with
-    std::int64_t score, fruit_cut, criticals;
+    const char* script;
+    std::int64_t score, fruit_cut, criticals, combos;
 };
 
 void PrintTo(const LongGame& game, std::ostream* out)
@@ -93,55 +96,104 @@ void PrintTo(const LongGame& game, std::ostream* out)
 class LongScriptedGame : public testing::TestWithParam<LongGame>
 {
 protected:
-    // Plays the recording until the game is over, at the latest after half a minute.
-    static test::Game play(const sim::Script& script, const std::string& backend)
+    // Plays the recording until the game is over, at the latest after a minute and a half.
+    test::Game play(const std::string& backend) const
     {
-        test::Game game(GameMode::classic, script.seed.value(), backend);
-        game.simulation().push(script.events);
-        game.play_until([&] { return game.is_over(); }, 30 * sim::kTicksPerSecond);
+        const GameMode mode = script_.scene == name_of(GameMode::classic) ? GameMode::classic : GameMode::arcade;
+        test::Game game(mode, script_.seed.value(), backend);
+        game.simulation().push(script_.events);
+        game.play_until([&] { return game.is_over(); }, 90 * sim::kTicksPerSecond);
         return game;
     }
 
     const sim::Script script_ = sim::read_script(KERF_SCRIPTS_DIR "/" + std::string(GetParam().script) + ".kerf");
 };
 
+// The points of all events before one of them.
+std::int64_t points_before(const test::Game& game, const GameEvent& event)
+{
+    std::int64_t sum = 0;
+    for (const GameEvent& each : game.scene().events()) {
+        if (each.tick >= event.tick) break;
+        sum += each.points;
+    }
+    return sum;
+}
+
+class LongClassicGame : public LongScriptedGame
+{
+};
+
+class LongArcadeGame : public LongScriptedGame
+{
+};
+
 }  // namespace
 
-TEST_P(LongScriptedGame, HasACombosPointsAndAnExtraLifeAndEndsWithABomb)
+TEST_P(LongScriptedGame, EndsWithItsScore)
 {
     const LongGame& expected = GetParam();
-    const test::Game game = play(script_, script_.backend);
+    const test::Game game = play(script_.backend);
     const GameState& state = game.state();
     EXPECT_EQ(state.phase, GamePhase::over);
-    EXPECT_EQ(state.end, GameEnd::bomb);
     EXPECT_EQ(state.score, expected.score);
     EXPECT_EQ(state.fruit_cut, expected.fruit_cut);
     EXPECT_EQ(state.criticals, expected.criticals);
-    EXPECT_EQ(state.combos, 1);
+    EXPECT_EQ(state.combos, expected.combos);
     EXPECT_EQ(state.longest_combo, 3);
-    const std::vector<GameEvent> extra_lives = game.events(GameEventKind::extra_life);
-    ASSERT_EQ(extra_lives.size(), 1u);
-    std::int64_t before = 0;
-    for (const GameEvent& event : game.scene().events())
-        if (event.tick < extra_lives[0].tick) before += event.points;
-    EXPECT_LT(before, 100) << "the life came with the hundredth point";
-    EXPECT_GT(state.score, 100);
 }
 
 TEST_P(LongScriptedGame, RunsToItsEndWithTheOtherBackEndsToo)
 {
     for (const std::string& backend : sim::backend_names()) {
         SCOPED_TRACE(backend);
-        const test::Game game = play(script_, backend);
+        const test::Game game = play(backend);
         EXPECT_EQ(game.state().phase, GamePhase::over);
         EXPECT_GT(game.state().score, 0);
     }
 }
 
-// Each is over because a bomb was cut, or, with another back end, because there is nobody who plays on.
-INSTANTIATE_TEST_SUITE_P(Classic, LongScriptedGame,
-                         testing::Values(LongGame{"classic_bomb_halfedge", 104, 38, 11},
-                                         LongGame{"classic_bomb_baseline", 103, 37, 11}),
-                         [](const auto& each) { return std::string(each.param.script); });
+TEST_P(LongClassicGame, HasAnExtraLifeAndEndsWithABomb)
+{
+    const test::Game game = play(script_.backend);
+    EXPECT_EQ(game.state().end, GameEnd::bomb);
+    const std::vector<GameEvent> extra_lives = game.events(GameEventKind::extra_life);
+    ASSERT_EQ(extra_lives.size(), 1u);
+    EXPECT_LT(points_before(game, extra_lives[0]), 100) << "the life came with the hundredth point";
+    EXPECT_GT(game.state().score, 100);
+}
+
+TEST_P(LongArcadeGame, PaysForABombAndHasEachSpecialAndEndsWithTheTime)
+{
+    const test::Game game = play(script_.backend);
+    EXPECT_EQ(game.state().end, GameEnd::time);
+    const std::vector<GameEvent> bombs = game.events(GameEventKind::bomb);
+    ASSERT_EQ(bombs.size(), 1u);
+    EXPECT_EQ(bombs[0].points, -10);
+    EXPECT_GE(points_before(game, bombs[0]), 10);
+    std::set<FruitKind> specials;
+    for (const GameEvent& event : game.events(GameEventKind::special_started)) specials.insert(event.fruit.value());
+    EXPECT_EQ(specials, (std::set{FruitKind::freeze, FruitKind::frenzy, FruitKind::double_points}));
+}
+
+namespace {
+
+constexpr LongGame kClassicHalfedge{"classic_bomb_halfedge", 104, 38, 11, 1};
+constexpr LongGame kClassicBaseline{"classic_bomb_baseline", 103, 37, 11, 1};
+constexpr LongGame kArcadeHalfedge{"arcade_specials_halfedge", 169, 63, 7, 4};
+constexpr LongGame kArcadeBaseline{"arcade_specials_baseline", 208, 71, 10, 3};
+
+constexpr auto kScriptsName = [](const testing::TestParamInfo<LongGame>& each) {
+    return std::string(each.param.script);
+};
+
+}  // namespace
+
+// Each ends as recorded, or, with another back end, because there is nobody who plays on.
+INSTANTIATE_TEST_SUITE_P(Recorded, LongScriptedGame,
+                         testing::Values(kClassicHalfedge, kClassicBaseline, kArcadeHalfedge, kArcadeBaseline),
+                         kScriptsName);
+INSTANTIATE_TEST_SUITE_P(Recorded, LongClassicGame, testing::Values(kClassicHalfedge, kClassicBaseline), kScriptsName);
+INSTANTIATE_TEST_SUITE_P(Recorded, LongArcadeGame, testing::Values(kArcadeHalfedge, kArcadeBaseline), kScriptsName);
 
 }  // namespace kerf::game
