@@ -13,12 +13,13 @@ float lattice_value(ivec3 p)
     return float(lattice_hash(p) & 0xFFFFu) / 65535.0;
 }
 
-// 0 to 1
-float noise(vec3 p)
+// 0 to 1. `slope`: its gradient.
+float noise(vec3 p, out vec3 slope)
 {
     vec3 cell = floor(p);
     ivec3 i = ivec3(cell);
     vec3 t = p - cell;
+    vec3 rise = 6.0 * t * (1.0 - t);
     t = t * t * (3.0 - 2.0 * t);
     vec4 low = vec4(lattice_value(i), lattice_value(i + ivec3(1, 0, 0)), lattice_value(i + ivec3(0, 1, 0)),
                     lattice_value(i + ivec3(1, 1, 0)));
@@ -26,7 +27,41 @@ float noise(vec3 p)
                      lattice_value(i + ivec3(0, 1, 1)), lattice_value(i + ivec3(1, 1, 1)));
     vec4 along_z = mix(low, high, t.z);
     vec2 along_y = mix(along_z.xy, along_z.zw, t.y);
+    vec2 up_y = along_z.zw - along_z.xy, up_z = mix(high.xy - low.xy, high.zw - low.zw, t.y);
+    slope = rise * vec3(along_y.y - along_y.x, mix(up_y.x, up_y.y, t.x), mix(up_z.x, up_z.y, t.x));
     return mix(along_y.x, along_y.y, t.x);
+}
+
+float noise(vec3 p)
+{
+    vec3 slope;
+    return noise(p, slope);
+}
+
+// 1 for relief that a picture can show, 0 for waves that are too short for it. `pixel`: Place::pixel in waves.
+float shown(float pixel)
+{
+    return clamp(2.0 - 3.0 * pixel, 0.0, 1.0);
+}
+
+// Octaves of noise, 0 to 1. `slope`: the gradient of what a picture with pixels of this size can show.
+float cloud(vec3 p, int octaves, float pixel, out vec3 slope)
+{
+    float sum = 0.0, weight = 0.5, weights = 0.0;
+    slope = vec3(0.0);
+    for (int i = 0; i < octaves; ++i) {
+        vec3 along;
+        sum += weight * noise(p, along);
+        // What each octave turns and shrinks is turned back.
+        float size = pow(2.03, float(i));
+        along *= weight * size * shown(pixel * size);
+        slope += i % 3 == 0 ? along : i % 3 == 1 ? along.zxy : along.yzx;
+        weights += weight;
+        p = p.yzx * 2.03 + 17.1;
+        weight *= 0.5;
+    }
+    slope /= weights;
+    return sum / weights;
 }
 
 // Octaves of noise, 0 to 1.

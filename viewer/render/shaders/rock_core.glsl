@@ -6,8 +6,9 @@ void describe(Look look, Place place, inout Surface s)
     float pixel = place.pixel * pattern_scale;
     vec3 bend = vec3(noise(p * 5.0), noise(p * 5.0 + 31.0), noise(p * 5.0 + 57.0)) - 0.5;
     float depth = length(p + 0.10 * bend);
-    float rough = cloud(p * 34.0, 3);
-    float sand = mix(0.5, noise(p.zxy * 290.0), clamp(1.4 - 230.0 * pixel, 0.0, 1.0));
+    vec3 rough_slope, sand_slope;
+    float rough = cloud(p * 34.0, 3, 34.0 * pixel, rough_slope);
+    float sand = mix(0.5, noise(p.zxy * 290.0, sand_slope), clamp(1.4 - 230.0 * pixel, 0.0, 1.0));
 
     // Strata like shells that were folded.
     float layer = 26.0 * (depth + 0.05 * bend.y + 0.012 * rough);
@@ -30,10 +31,11 @@ void describe(Look look, Place place, inout Surface s)
 
     // Crystals in pockets of the layers.
     float pocket = smoothstep(0.60, 0.64, cloud(p * 7.5 + 23.0, 2)) * (1.0 - smoothstep(0.02, 0.2, heat));
-    vec3 crystal = cells(p.yxz * 58.0);
+    vec3 away;
+    vec3 crystal = cells(p.yxz * 58.0, away);
     vec3 gem = mix(vec3(0.30, 0.13, 0.50), vec3(0.22, 0.52, 0.66), smoothstep(0.35, 0.65, noise(p * 6.0 + 70.0)));
     gem *= 0.35 + 1.3 * crystal.z;
-    float facet = smoothstep(0.0, 0.12, crystal.y);
+    float facet = smoothstep(0.0, 0.12 + 116.0 * pixel, crystal.y);
     s.albedo = mix(s.albedo, gem * mix(1.9, 1.0, facet), pocket);
     // The crust was melted once.
     float crust = smoothstep(0.31, 0.35, depth + 0.02 * (rough - 0.5));
@@ -47,8 +49,10 @@ void describe(Look look, Place place, inout Surface s)
     s.glow = hot * melt + vec3(0.16, 0.022, 0.004) * heat * (0.5 + 0.5 * rough);
     s.albedo *= 1.0 - 0.8 * melt;
 
-    s.height = (0.0030 * rough + 0.0012 * grain.x + 0.0010 * sand - 0.002 * crack * (1.0 - heart) +
-                pocket * 0.006 * (crystal.z * smoothstep(0.0, 0.25, crystal.y) - crystal.x)) / pattern_scale;
+    // Each crystal is a flat face with a tilt of its own. All slopes are worked out: this relief is as fine as pixels.
+    vec3 tilt = fract(crystal.z * vec3(17.0, 113.0, 761.0)) - 0.5;
+    s.slope = (1.0 - pocket) * (0.16 * rough_slope + 0.29 * shown(290.0 * pixel) * sand_slope.yzx) +
+              pocket * (0.9 * tilt - 0.2 * away.yxz / max(crystal.x, 1e-4));
     s.roughness = mix(mix(0.85, 0.95, heat), 0.22, pocket);
     s.reflectance = mix(0.03, 0.08, pocket);
 }

@@ -32,8 +32,9 @@ void describe(Look look, Place place, inout Surface s)
     float near = 1.0 - smoothstep(0.003, 0.008, pixel);
     small *= near;
     small_bowl *= 0.3 + 0.7 * near;
-    float rough = cloud(p * 38.0, 3);
-    float sand = mix(0.5, noise(p.yzx * 310.0 + 2.0), clamp(1.4 - 250.0 * pixel, 0.0, 1.0));
+    vec3 rough_slope, sand_slope;
+    float rough = cloud(p * 38.0, 3, 38.0 * pixel, rough_slope);
+    float sand = mix(0.5, noise(p.yzx * 310.0 + 2.0, sand_slope), clamp(1.4 - 250.0 * pixel, 0.0, 1.0));
 
     // Bare dark stone, dust where it stayed, rust here and there.
     float patches = cloud(p * 4.2 + 3.0, 3);
@@ -55,9 +56,9 @@ void describe(Look look, Place place, inout Surface s)
     albedo = mix(albedo, look.third.rgb * 1.25, 0.75 * vein);
     s.albedo = albedo * (0.80 + 0.40 * sand);
 
-    float height = look.finish.w * (rough - 0.5) + 0.0012 * sand + 0.0015 * vein;
-    s.slope = 0.62 * (large_slope + near * small_slope.yzx);
-    s.height = height / pattern_scale;
+    // All slopes are worked out: this relief is as fine as pixels.
+    s.slope = 0.62 * (large_slope + near * small_slope.yzx) + 48.0 * look.finish.w * rough_slope +
+              0.37 * shown(310.0 * pixel) * sand_slope.zxy;
     s.roughness = mix(0.9, 0.5, vein);
     s.reflectance = 0.03;
 }
