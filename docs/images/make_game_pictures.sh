@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Makes the pictures and the recording of the game anew: docs/images/game_*.jpg and game.gif. They follow from seeds and
-# scripts; only times that are shown differ. Of the giant's frames each 17th is drawn, the last but one
-# among them: the time of a frame that it shows is of one that was drawn. Needs ImageMagick, FFmpeg and gifsicle (apt-get
-# install imagemagick ffmpeg gifsicle).
+# make_game_pictures.sh [BUILD]: makes the pictures and the recording of the game and the sheets of fruit anew:
+# docs/images/game_*.jpg, fruit_*.jpg and game.gif, in some four minutes. They follow from seeds and scripts; only times that
+# are shown differ. Of the giant's frames each 17th is drawn, the last but one among them: the time of a frame that it shows
+# is of one that was drawn. Needs ImageMagick, FFmpeg and gifsicle (apt-get install imagemagick ffmpeg gifsicle).
 set -euo pipefail
+build=$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/release}")
 cd "$(dirname "${BASH_SOURCE[0]}")"
-viewer=${1:-../../build/release/viewer/app/kerf-viewer}
+viewer=$build/viewer/app/kerf-viewer
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -26,6 +27,17 @@ picture giant --scene giant --screen play --giant 400000 --script game_giant.ker
 picture duel --scene duel --autopilot --seed 1 --frames 300
 picture duel_over --scene duel --autopilot --seed 1 --frames 3602
 picture settings --scene menu --screen settings --frames 60
+
+# sheet NAME FRUIT...: whole and cut, a row for each.
+sheet() {
+    local name=$1
+    shift
+    "$build/viewer/gallery/fruit_gallery" "$work/$name.png" "$@"
+    convert "$work/$name.png" -quality 88 "fruit_$name.jpg"
+}
+
+sheet round watermelon apple orange lemon kiwi coconut
+sheet long banana pineapple bomb freeze frenzy double
 
 # Ten seconds, ten frames each.
 "$viewer" --headless --scene arcade --autopilot --seed 1 --frames 800 --draw 0 --size 400x225 --record "$work/all" \
