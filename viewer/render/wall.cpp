@@ -12,13 +12,14 @@ constexpr GLsizei kReliefWidth = 2048, kReliefHeight = 1024;
 constexpr float kReliefDepth = 0.02f;  // in heights of the texture
 constexpr GLsizei kGrainSide = 512;    // plaster_grain.frag knows it, too
 
-GlTexture wall_texture(GLsizei width, GLsizei height, GLenum internal_format, GLenum format, GLenum type)
+GlTexture wall_texture(GLsizei width, GLsizei height, GLenum internal_format, GLenum format, GLenum type,
+                       GLint wrap = GL_MIRRORED_REPEAT)
 {
     GlTexture texture = GlTexture::create();
     glBindTexture(GL_TEXTURE_2D, texture.id());
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), width, height, 0, format, type, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_MIRRORED_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     return texture;
 }
@@ -59,7 +60,7 @@ Wall::Wall()
     plaster.use();
     draw_over(height, kReliefWidth, kReliefHeight);
 
-    grain_ = wall_texture(kGrainSide, kGrainSide, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+    grain_ = wall_texture(kGrainSide, kGrainSide, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_REPEAT);
     const ShaderProgram grain({"screen.vert"}, {"noise.glsl", "plaster_grain.frag"});
     grain.use();
     draw_over(grain_, kGrainSide, kGrainSide);

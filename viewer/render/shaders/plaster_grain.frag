@@ -13,13 +13,29 @@ float fine_height(vec2 p)
     vec2 q = vec2(dot(p, along), dot(p, vec2(-along.y, along.x)));
     float scratch = smoothstep(0.74, 0.86, noise(vec3(q * vec2(3.0, 88.0), 17.0))) * noise(vec3(q * 5.0, 2.0));
     float lumps = cloud(vec3(p * 9.0, 29.0), 3);
-    return 0.30 * sand + 0.55 * lumps - 0.50 * pits - 0.22 * scratch;
+    return 0.30 * sand + 0.55 * lumps - 0.24 * pits - 0.22 * scratch;
+}
+
+// The same, made periodic: towards the far sides it turns into what comes before the near ones. Mirrored instead, the
+// scratches would be rows of arrows.
+float tiled_height(vec2 p)
+{
+    const float kMean = 0.40;  // of fine_height()
+    vec2 far = smoothstep(0.6, 1.0, p);
+    vec2 near = 1.0 - far;
+    float sum = near.x * near.y * (fine_height(p) - kMean) +
+                far.x * near.y * (fine_height(p - vec2(1.0, 0.0)) - kMean) +
+                near.x * far.y * (fine_height(p - vec2(0.0, 1.0)) - kMean) +
+                far.x * far.y * (fine_height(p - 1.0) - kMean);
+    // Averages are flatter than what they are made of.
+    vec2 weight = near * near + far * far;
+    return kMean + sum * inversesqrt(weight.x * weight.y);
 }
 
 void main()
 {
     vec2 texel = vec2(1.0 / 512.0);
-    float here = fine_height(place);
-    vec2 slope = vec2(fine_height(place + vec2(texel.x, 0.0)), fine_height(place + vec2(0.0, texel.y))) - here;
+    float here = tiled_height(place);
+    vec2 slope = vec2(tiled_height(place + vec2(texel.x, 0.0)), tiled_height(place + vec2(0.0, texel.y))) - here;
     grain = vec4(0.5 + 0.5 * clamp(4.0 * slope, -1.0, 1.0), clamp(0.25 + here, 0.0, 1.0), 1.0);
 }
