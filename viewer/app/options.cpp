@@ -164,6 +164,8 @@ ParsedOptions parse_options(int argc, char** argv)
         const bool has_runs = options.backends.size() > 1 && !is_duel;
         if (has_runs && !options.headless) throw CLI::ValidationError("--backend", "several need --headless");
         const bool has_output = !options.screenshot.empty() || !options.record.empty() || !options.save_script.empty();
+        if (has_runs && (options.scene == "menu" || !options.screen.empty()))
+            throw CLI::ValidationError("--backend", "the menu and the game's screens are shown with one");
         if (has_runs && has_output)
             throw CLI::ValidationError("--backend", "several cannot share one file for pictures or script");
         if (!options.files.empty() && !options.scene.empty() && options.scene != "report")

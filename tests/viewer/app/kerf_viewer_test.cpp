@@ -471,6 +471,8 @@ TEST_F(KerfViewerTest, ExplainsWrongUse)
                                   "--what",
                                   "--backend halfedge,baseline --frames 3",
                                   "--headless --frames 3 --backend halfedge,baseline --screenshot a.png",
+                                  "--headless --frames 3 --backend halfedge,baseline --scene menu",
+                                  "--headless --frames 3 --backend halfedge,baseline --scene zen --screen over",
                                   "--scene chess",
                                   "--zoom nan",
                                   "--zoom 0.5",
