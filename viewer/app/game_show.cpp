@@ -79,6 +79,8 @@ void GameShow::start(const std::string& scene)
     demo_ = {};
     demo_fruit_ = 0;
     swiping_ = false;
+    pressed_.reset();
+    unread_ = 0.0;
     wanted_.clear();
     over_at_.reset();
     latest_place_.reset();
@@ -184,6 +186,7 @@ void GameShow::press(ui::MenuKey key)
         if (scene_ == "giant") set_giant(giant_share_ + (key == ui::MenuKey::left ? -0.1 : 0.1));
         return;
     }
+    if (unread_ > 0.0 && (key == ui::MenuKey::accept || key == ui::MenuKey::back)) return;
     if (const std::optional<ui::Request> request = screens_.press(key)) carry_out(*request);
 }
 
@@ -229,7 +232,7 @@ void GameShow::set_fullscreen(bool on)
 
 void GameShow::play_again()
 {
-    if (screens_.screen() != ui::Screen::over) return;
+    if (screens_.screen() != ui::Screen::over || unread_ > 0.0) return;
     if (const std::optional<ui::Request> request = screens_.click(0)) carry_out(*request);
 }
 
@@ -243,10 +246,17 @@ void GameShow::show_screen(ui::Screen screen)
     screens_.show(screen);
 }
 
+/// A line of the screen as it was written; none when another one is shown since.
+std::optional<ui::Pointed> GameShow::line_at(const glm::vec2& place) const
+{
+    if (hotspots_of_ != screens_.shown()) return std::nullopt;
+    return ui::item_at(hotspots_, place);
+}
+
 /// A button that is seen while a game is played. False: there is none.
 bool GameShow::press_button(const glm::vec2& place)
 {
-    if (const std::optional<ui::Pointed> pointed = ui::item_at(hotspots_, place)) {
+    if (const std::optional<ui::Pointed> pointed = line_at(place)) {
         screens_.click(pointed->item);
         speaker_.play(sound::Sound::click);
         return true;
@@ -280,15 +290,24 @@ void GameShow::point(const WindowPointer& change, const glm::vec2& size)
         return;
     }
     if (in_menu) {
-        const std::optional<ui::Pointed> pointed = ui::item_at(hotspots_, place);
+        if (change.kind == Kind::press && unread_ > 0.0) return;
+        const std::optional<ui::Pointed> pointed = line_at(place);
         if (change.kind == Kind::release) sliding_.reset();
         if (pointed && change.kind == Kind::move && !swiping_) screens_.point_at(pointed->item);
-        const bool slides = change.kind == Kind::move && sliding_ && pointed && pointed->item == *sliding_;
-        if (pointed && (change.kind == Kind::press || slides)) {
-            if (screens_.items()[pointed->item].share) sliding_ = pointed->item;
-            if (const auto request = screens_.click(pointed->item, pointed->share)) carry_out(*request);
-            return;
+        // A slider follows at once; other lines are chosen by pressing and letting go, so that no swipe across chooses.
+        const auto pressed = change.kind == Kind::move ? pressed_ : std::exchange(pressed_, std::nullopt);
+        if (pointed && change.kind == Kind::press) {
+            if (screens_.items()[pointed->item].share)
+                sliding_ = pointed->item;
+            else
+                pressed_.emplace(screens_.shown(), pointed->item);
         }
+        const bool slides = change.kind != Kind::release && pointed && sliding_ == pointed->item;
+        const bool chooses =
+            change.kind == Kind::release && pointed && pressed == std::pair(screens_.shown(), pointed->item);
+        if (slides || chooses)
+            if (const auto request = screens_.click(pointed->item, pointed->share)) carry_out(*request);
+        if (slides || chooses || pressed_) return;
     }
     // What the pointer does while a game stands still is no swipe.
     if (is_held()) return;
@@ -341,6 +360,7 @@ void GameShow::advance(double seconds)
     if (!setup_.fixed_step || (simulation_ && simulation_->now() > kMaking)) frames_.add(1e3 * seconds);
     const double frame_seconds = setup_.fixed_step ? double(sim::kTicksPerFrame) * sim::kTickSeconds : seconds;
     notice_.advance(frame_seconds);
+    unread_ = std::max(0.0, unread_ - frame_seconds);
     tell(files_.take_message());
     double scale = effects_.time_scale();
     if (simulation_) scale *= simulation_->scene().time_scale();
@@ -406,7 +426,13 @@ void GameShow::simulate(sim::Tick ticks)
 
 void GameShow::watch_duel()
 {
-    if (duel_->is_over() && screens_.screen() == ui::Screen::play) screens_.show(ui::Screen::over);
+    if (duel_->is_over() && screens_.screen() == ui::Screen::play) show_balance();
+}
+
+void GameShow::show_balance()
+{
+    screens_.show(ui::Screen::over);
+    unread_ = kBalanceShown;
 }
 
 void GameShow::watch_game()
@@ -422,8 +448,7 @@ void GameShow::watch_game()
         over_at_ = simulation_->now();
         speaker_.set_fuse(false);
     }
-    if (simulation_->now() - *over_at_ >= kEndShown && screens_.screen() == ui::Screen::play)
-        screens_.show(ui::Screen::over);
+    if (simulation_->now() - *over_at_ >= kEndShown && screens_.screen() == ui::Screen::play) show_balance();
 }
 
 /// Once a game: when it is over, or when it is left.
@@ -560,6 +585,7 @@ void GameShow::write(ui::Canvas& canvas)
     }
     if (screens_.screen() == ui::Screen::play && keyboard_blade_.is_shown()) write_cross(canvas);
     hotspots_ = ui::show_screen(canvas, screens_, content);
+    hotspots_of_ = screens_.shown();
 }
 
 }  // namespace kerf::app

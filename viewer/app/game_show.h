@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viewer/app/cut_times.h"
@@ -53,6 +54,10 @@ public:
     ~GameShow();
     GameShow(const GameShow&) = delete;
     GameShow& operator=(const GameShow&) = delete;
+
+    /// From the moment the balance is seen to the first press or key that chooses something on it: who still swipes, or
+    /// cuts with Space, would throw it away unread.
+    static constexpr double kBalanceShown = 0.8;  ///< seconds: a swipe that is under way, and a glance
 
     // What the player does.
 
@@ -125,6 +130,8 @@ private:
     void watch_menu();
     void watch_game();
     void watch_duel();
+    void show_balance();
+    std::optional<ui::Pointed> line_at(const glm::vec2& place) const;
     void move_demo_blade();
     void show_first_cut(const game::GameScene& played);
     void move_keyboard_blade(double seconds);
@@ -159,6 +166,9 @@ private:
     bool swiping_ = false;
     std::size_t pressed_half_ = 0;        ///< of a duel: where the swipe began, and where its places are read
     std::optional<std::size_t> sliding_;  ///< the line whose slider is being moved
+    /// The screen as Screens counts them, and the line on it that is chosen when the button is let go there.
+    std::optional<std::pair<std::uint64_t, std::size_t>> pressed_;
+    double unread_ = 0.0;  ///< seconds for which the balance takes nothing but arrow keys
     double fraction_ = 1.0;
 
     std::string wanted_;  ///< the mode that was chosen by key, while its fruit is being cut
@@ -177,7 +187,8 @@ private:
     std::array<ui::Box2, 2> giant_buttons_;  ///< another back end, another giant
     bool giant_sliding_ = false;
     std::vector<ui::Hotspot> hotspots_;
-    glm::vec2 pointed_at_{-1.0f};  ///< of the picture
+    std::uint64_t hotspots_of_ = 0;  ///< the screen they belong to, as Screens counts them
+    glm::vec2 pointed_at_{-1.0f};    ///< of the picture
     ui::Notice notice_;
     bool has_ended_ = false;
 };

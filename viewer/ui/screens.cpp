@@ -111,6 +111,7 @@ void Screens::show(Screen screen)
         }
     }
     screen_ = screen;
+    ++shown_;
     selected_ = screen == Screen::menu ? last_played() : 0;
     column_ = last_played();
     list_items();

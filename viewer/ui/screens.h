@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -86,6 +87,9 @@ public:
     Screens(game::StoredSettings settings, std::vector<std::string> backends);
 
     Screen screen() const { return screen_; }
+    /// Grows whenever another screen is shown, or the same one anew: whoever remembers where its lines are sees by it
+    /// that they are others now.
+    std::uint64_t shown() const { return shown_; }
     /// Goes to a screen as the program sees fit: the game is over, the window lost its focus.
     void show(Screen screen);
     /// A game of this scene has begun: the settings remember it, and the menu will choose it.
@@ -121,6 +125,7 @@ private:
     game::StoredSettings settings_;
     std::vector<std::string> backends_;
     Screen screen_ = Screen::menu;
+    std::uint64_t shown_ = 1;
     Screen before_ = Screen::menu;     ///< where settings and scores were asked for
     std::size_t selected_before_ = 0;  ///< the line there that did
     std::string scene_;                ///< that is played, or was

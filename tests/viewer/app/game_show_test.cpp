@@ -86,6 +86,31 @@ protected:
         frames(show, 1);
     }
 
+    /// From the first frame of a balance to the last in which nothing on it can be chosen.
+    void expect_balance_is_read_first(GameShow& show)
+    {
+        using Kind = app::WindowPointer::Kind;
+        ASSERT_EQ(show.screens().screen(), Screen::over);
+        picture(show, 1280, 720, false);
+        const glm::dvec2 again(show.hotspots().at(0).box.middle());
+        const std::string scene = show.scene();
+        for (double shown = 0.0; shown < GameShow::kBalanceShown - 1.0 / 60.0; shown += 1.0 / 60.0) {
+            show.point({Kind::press, again}, {1280.0f, 720.0f});
+            show.point({Kind::release, again}, {1280.0f, 720.0f});
+            show.press(MenuKey::accept);
+            show.press(MenuKey::back);
+            show.play_again();
+            ASSERT_EQ(show.screens().screen(), Screen::over) << "after " << shown << " s";
+            frames(show, 1);
+        }
+        // A swipe that goes on beyond that, and ends on the button.
+        show.point({Kind::press, again}, {1280.0f, 720.0f});
+        frames(show, 2);
+        show.point({Kind::release, again}, {1280.0f, 720.0f});
+        EXPECT_EQ(show.screens().screen(), Screen::over);
+        EXPECT_EQ(show.scene(), scene);
+    }
+
     void expect_texts_fit(GameShow& show, const std::string& what)
     {
         for (const glm::ivec2 size :
@@ -456,9 +481,64 @@ TEST_F(GameShowTest, AGameThatIsLostLeadsToItsBalanceAndFromThereToTheNext)
     for (int i = 0; i < 2400 && show.screens().screen() != Screen::over; ++i) frames(show, 1);
     ASSERT_EQ(show.screens().screen(), Screen::over);
     expect_texts_fit(show, "balance");
+    frames(show, 60);
     choose(show, "Play again");
     EXPECT_EQ(show.screens().screen(), Screen::play);
     EXPECT_LT(show.simulation()->now(), 3);
+}
+
+TEST_F(GameShowTest, ABalanceIsNotThrownAwayByWhoStillSwipesOrCutsWithSpace)
+{
+    GameShow show(setup("classic"), painter, speaker);
+    for (int i = 0; i < 2400 && show.screens().screen() != Screen::over; ++i) frames(show, 1);
+    expect_balance_is_read_first(show);
+    show.press(MenuKey::accept);
+    EXPECT_EQ(show.screens().screen(), Screen::play);
+}
+
+TEST_F(GameShowTest, ALineIsChosenByPressingAndLettingGoOnIt)
+{
+    using Kind = app::WindowPointer::Kind;
+    const glm::vec2 size(1280.0f, 720.0f);
+    GameShow show(setup("zen"), painter, speaker);
+    frames(show, 2);
+    show.pause();
+    picture(show, 1280, 720, false);
+    const glm::dvec2 go_on(show.hotspots().at(0).box.middle()), menu(show.hotspots().back().box.middle());
+    const auto drag = [&](const glm::dvec2& from, const glm::dvec2& to) {
+        show.point({Kind::press, from}, size);
+        show.point({Kind::move, to}, size);
+        show.point({Kind::release, to}, size);
+        frames(show, 1);
+    };
+    drag(menu, {5.0, 5.0});
+    drag({5.0, 5.0}, menu);
+    drag(menu, go_on);
+    EXPECT_EQ(show.screens().screen(), Screen::paused);
+    show.point({Kind::press, go_on}, size);
+    show.press(MenuKey::back);
+    show.pause();
+    picture(show, 1280, 720, false);
+    show.point({Kind::release, go_on}, size);
+    EXPECT_EQ(show.screens().screen(), Screen::paused) << "what was pressed is another screen's";
+    drag(go_on, go_on);
+    EXPECT_EQ(show.screens().screen(), Screen::play);
+}
+
+TEST_F(GameShowTest, APressIsNotForTheScreenThatWasShownBefore)
+{
+    using Kind = app::WindowPointer::Kind;
+    const glm::vec2 size(1280.0f, 720.0f);
+    GameShow show(setup("zen"), painter, speaker);
+    frames(show, 2);
+    show.show_screen(Screen::over);
+    picture(show, 1280, 720, false);
+    const glm::dvec2 again(show.hotspots().at(0).box.middle());
+    // All within a frame: the second press is where "Play again" was, and not on the button that pauses.
+    for (const Kind kind : {Kind::press, Kind::release, Kind::press}) show.point({kind, again}, size);
+    EXPECT_EQ(show.screens().screen(), Screen::play);
+    frames(show, 1);
+    EXPECT_TRUE(show.simulation()->blade().pressed()) << "it begins a swipe";
 }
 
 // In real time: no frame waits for the thread that makes the giant, and none uploads more of it than is allowed.
@@ -547,6 +627,7 @@ TEST_F(GameShowTest, ADuelEndsWithAResultAndLeadsToARematch)
     EXPECT_LE(show.duel()->now(), duel::TimetableScene::kLength + 2);
     for (const duel::Score& score : show.duel()->scores()) EXPECT_GE(score.cuts, 20u) << score.backend;
     expect_texts_fit(show, "duel's end");
+    expect_balance_is_read_first(show);
     show.play_again();
     EXPECT_EQ(show.screens().screen(), Screen::play);
     EXPECT_EQ(show.scene(), "duel");
