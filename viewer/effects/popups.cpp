@@ -20,7 +20,7 @@ float Popup::rise() const
 
 float Popup::opacity() const
 {
-    constexpr float kFadeFrom = 0.6f;  // share of its life
+    constexpr float kFadeFrom = 0.72f;  // share of its life
     return std::clamp((1.0f - age / life) / (1.0f - kFadeFrom), 0.0f, 1.0f);
 }
 

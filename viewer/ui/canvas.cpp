@@ -80,7 +80,11 @@ void Canvas::text(const glm::vec2& place, const glm::vec2& anchor, std::string_v
     // Small letters are read better with a thin rim.
     const bool is_small = height <= 26.0f;
     const float rim = std::max(is_small ? 0.7f : 1.0f, (is_small ? 0.045f : 0.035f) * height * unit());
-    const ImU32 ink = packed(kInk, (is_small ? 0.38f : 0.62f) * opacity), fill = packed(colour, opacity);
+    // Copies of the outline lie over one another, and behind the letters too. Letters that fade over it would turn dark
+    // and muddy before they vanish: it goes first. Of n copies 1 - (1 - a)^n is seen, so the share is an exponent.
+    const float share = std::pow(std::min(opacity, 1.0f), 4.0f);
+    const float ink_opacity = 1.0f - std::pow(is_small ? 0.62f : 0.38f, share);
+    const ImU32 ink = packed(kInk, ink_opacity), fill = packed(colour, opacity);
 
     // Dark letters are for bright grounds.
     const bool is_dark = colour.x + colour.y + colour.z < 0.6f;
