@@ -47,25 +47,28 @@ std::vector<NamedBackend> both_back_ends()
     return chosen;
 }
 
-/// Turns the direction `from` towards the eye, somewhat aside.
-glm::mat4 facing(const glm::vec3& from)
+/// Towards the eye and the light, somewhat aside; and 60 degrees off the eye, away from the light.
+const glm::vec3 kBright = glm::normalize(glm::vec3(0.2f, 0.25f, 1.0f)), kShady(0.5f, -0.7071f, 0.5f);
+
+/// Turns the direction `from` towards `to`.
+glm::mat4 facing(const glm::vec3& from, const glm::vec3& to = kBright)
 {
-    const glm::vec3 to = glm::normalize(glm::vec3(0.2f, 0.25f, 1.0f));
     const glm::vec3 axis = glm::cross(from, to);
     const float sine = glm::length(axis);
     if (sine < 1e-4f) return glm::mat4(1.0f);
     return glm::rotate(glm::mat4(1.0f), std::atan2(sine, glm::dot(from, to)), axis / sine);
 }
 
-/// The pieces behind a plane, their caps towards the eye.
-std::vector<StagedPiece> opened(const Backend& backend, io::LoadedMesh loaded, const Plane& plane)
+/// The pieces behind a plane, their caps turned towards `to`.
+std::vector<StagedPiece> opened(const Backend& backend, io::LoadedMesh loaded, const Plane& plane,
+                                const glm::vec3& to = kBright)
 {
     const bool is_closed = loaded.is_closed();
     const Box box = loaded.mesh.bounds();
     const float radius = 0.5f * glm::length(box.hi - box.lo);
     CutResult result = cut(backend.prepare(std::move(loaded.mesh)).object, plane);
     std::vector<StagedPiece> pieces;
-    glm::mat4 model = glm::scale(facing(glm::vec3(plane.normal)), glm::vec3(1.0f / radius));
+    glm::mat4 model = glm::scale(facing(glm::vec3(plane.normal), to), glm::vec3(1.0f / radius));
     model = glm::translate(model, -glm::vec3(box.centre()));
     for (auto& piece : result.negative) pieces.push_back({std::move(piece), model, 0.5f / radius, plane, is_closed});
     return pieces;
@@ -88,6 +91,22 @@ double luminance(const std::uint8_t* pixel)
     return (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]) / 255.0;
 }
 
+/// What is seen of the caps of a picture.
+struct SeenCaps
+{
+    std::set<std::array<std::uint8_t, 3>> colours;
+    std::size_t pixels = 0;
+    glm::dvec3 mean{0.0};  ///< sRGB, 0 to 1
+
+    double light() const { return glm::dot(mean, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+    /// Degrees: 0 red, 120 green, 240 blue.
+    double hue() const
+    {
+        const double angle = std::atan2(std::sqrt(3.0) * (mean.y - mean.z), 2.0 * mean.x - mean.y - mean.z);
+        return angle * 57.29577951308232;
+    }
+};
+
 class FruitLook : public GlTest
 {
 protected:
@@ -109,6 +128,20 @@ protected:
     }
 
     View view(std::vector<StagedPiece> pieces) { return view(std::move(pieces), {}, near_viewpoint(kWidth, kHeight)); }
+
+    static SeenCaps caps_of(const View& seen)
+    {
+        SeenCaps caps;
+        for (std::size_t i = 0; i < seen.facts.size(); ++i) {
+            if (!seen.facts[i].is_cap()) continue;
+            const std::uint8_t* p = seen.picture.rgba.data() + 4 * i;
+            caps.colours.insert({p[0], p[1], p[2]});
+            caps.mean += glm::dvec3(p[0], p[1], p[2]) / 255.0;
+            ++caps.pixels;
+        }
+        caps.mean /= static_cast<double>(std::max<std::size_t>(caps.pixels, 1));
+        return caps;
+    }
 
     render::LookTable looks;
     render::FragmentStore store{looks};
@@ -151,6 +184,24 @@ TEST_P(FruitCap, IsNeitherClayNorBlackWhateverThePlane)
             EXPECT_LE(static_cast<double>(black), 0.01 * static_cast<double>(light.size()));
             EXPECT_LE(static_cast<double>(clipped), 0.01 * static_cast<double>(light.size()));
         }
+}
+
+// A cut that faces away from the light shows the light in the flesh: darker, but of the same colours.
+TEST_P(FruitCap, IsFleshInTheShadeToo)
+{
+    const Plane plane = *Plane::through(glm::dvec3(0.02, 0.03, 0.02), glm::dvec3(0.1, 1.0, 0.15));
+    for (const std::string& name : kFruit) {
+        if (name == "bomb") continue;  // light does not get into powder
+        const SeenCaps shady = caps_of(view(opened(*GetParam().make(), fruit(name), plane, kShady)));
+        const SeenCaps bright = caps_of(view(opened(*GetParam().make(), fruit(name), plane)));
+        SCOPED_TRACE(name);
+        ASSERT_GT(shady.pixels, 100u);
+        EXPECT_GE(shady.colours.size(), 30u);
+        EXPECT_GE(shady.light(), 0.65 * bright.light());
+        EXPECT_LE(shady.light(), 0.92 * bright.light()) << "it has no form";
+        const double apart = std::abs(shady.hue() - bright.hue());
+        EXPECT_LE(std::min(apart, 360.0 - apart), 13.0) << shady.hue() << " and " << bright.hue() << " degrees";
+    }
 }
 
 // Eye, lamp and object turned alike: nothing that is seen may depend on where the object is.

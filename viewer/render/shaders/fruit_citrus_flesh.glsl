@@ -43,7 +43,8 @@ void paint(Look look, Place place, inout Surface s)
     // They fan out: seen along the axis they are as wide as far out as near the column.
     vec3 sac_space = vec3(rho * 6.0, rho * sin(lean) * 24.0 + 31.0 * number, 14.5 * p.y / (0.32 + rho));
     sac_space.x += 1.1 * noise(sac_space * 0.6) + 0.45 * sac_space.z * step(0.5, fract(0.37 * number));
-    vec3 sac = cells(sac_space + 0.6 * lump);
+    // Where a pixel is as large as a sac, they would hide the segments under dots.
+    vec3 sac = mix(cells(sac_space + 0.6 * lump), vec3(0.45, 0.2, 0.5), 0.85 * smoothstep(0.018, 0.036, place.pixel));
     float tear = smoothstep(-0.05, 0.24, sac.y);
     vec3 juice = mix(look.colour.rgb, look.second.rgb, 0.55 * sac.z + 0.25 * noise(p * 38.0));
     juice *= 1.10 - 0.45 * sac.x * sac.x;

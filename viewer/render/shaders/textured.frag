@@ -26,11 +26,24 @@ vec3 bumped(vec3 n, float height, vec3 gradient)
     return dot(result, result) > 1e-20 ? normalize(result) : n;
 }
 
+// Place.pixel of a cut. Seen aslant a pixel is long there: taken for its length, as fwidth() takes it, the segments of an
+// orange would be one brown.
+float pixel_of(vec3 object)
+{
+    vec3 dx = dFdx(object), dy = dFdy(object);
+    float sum = dot(dx, dx) + dot(dy, dy), area = length(cross(dx, dy));
+    // The axes of a pixel's outline on the cut: singular values.
+    float longer = sqrt(0.5 * (sum + sqrt(max(sum * sum - 4.0 * area * area, 0.0))));
+    float shorter = area / max(longer, 1e-20);
+    return min(length(fwidth(object)), max(1.42 * shorter, 0.5 * longer));
+}
+
 void main()
 {
     Look look = looks[look_index];
     vec3 object = pattern_position / pattern_scale;
-    Place place = Place(object, pattern_position, pattern_uv, length(fwidth(object)), is_cap);
+    float pixel = is_cap ? pixel_of(object) : length(fwidth(object));
+    Place place = Place(object, pattern_position, pattern_uv, pixel, is_cap);
     Surface s = Surface(look.colour.rgb, 0.0, vec3(0.0), look.finish.x, look.finish.y, look.finish.z,
                         look.colour.rgb, 0.0, 0.0, vec3(0.0));
     describe(look, place, s);
@@ -61,6 +74,12 @@ void main()
     // What comes through from the other side, and round the edge of the light, is as warm as the flesh.
     float round_edge = max((nl + s.depth) / (1.0 + s.depth), 0.0) - lit;
     light += s.depth * s.through * (0.35 * up + frame.light_colour.rgb * (0.08 + 0.8 * round_edge));
+    if (is_cap) {
+        // Flesh is full of the light that falls on its other sides, and a cut in the shade shows it: in the flesh's own
+        // colours, and not where light comes straight.
+        float shade = 1.0 - smoothstep(0.0, 0.45, max(dot(flat_n, l), 0.0) * arriving);
+        light += shade * min(8.0 * s.depth, 1.0) * (0.14 + 0.27 * s.depth) * frame.light_colour.rgb * s.albedo;
+    }
     light += frame.light_colour.rgb * arriving * lit * (diffuse + 3.14159 * d * masking * fresnel);
 
     // The room is mirrored as a bright ceiling over a dark floor, blurred by roughness.
