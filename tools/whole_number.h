@@ -17,7 +17,9 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
                                          : "of " + std::to_string(least) + " or more";
     const auto check = [least, most, range](std::string& text) -> std::string {
         std::uint64_t value = 0;
-        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
+        // CLI11 takes a minus and counts down from the largest number.
+        const bool is_negative = text.starts_with('-');
+        if (!is_negative && CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
         return "'" + text + "' is no whole number " + range;
     };
     return CLI::Validator(check, "");

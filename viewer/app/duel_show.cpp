@@ -47,7 +47,7 @@ std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
 
 /// Boulder and fruit in turn, prepared for both. @param steps  counts DuelShow::kSteps
 std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std::int64_t triangles,
-                                                    const std::array<std::string, 2>& opponents,
+                                                    const std::array<std::string, 2>& opponents, ProxyKind proxy,
                                                     std::atomic<int>& steps)
 {
     const std::size_t boulder = add_boulder(models, triangles);
@@ -61,7 +61,7 @@ std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std
     for (const std::string& backend : opponents) {
         for (const duel::TimetableScene::Item& item : thrown) models.prepare(item.model, backend);
         ++steps;
-        models.stock(boulder, backend);
+        models.stock(boulder, backend, proxy);
         ++steps;
     }
     return thrown;
@@ -76,9 +76,10 @@ DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings&
       triangles_(triangles),
       opponents_(opponents(wanted)),
       prepared_(std::make_shared<std::atomic<int>>(0)),
-      preparing_(std::async(std::launch::async, [shelf = models_, triangles, both = opponents_, steps = prepared_] {
-          return prepare_all(*shelf, triangles, both, *steps);
-      }))
+      preparing_(std::async(std::launch::async,
+                            [shelf = models_, triangles, both = opponents_, proxy = settings.proxy, steps = prepared_] {
+                                return prepare_all(*shelf, triangles, both, proxy, *steps);
+                            }))
 {
 }
 
@@ -103,7 +104,7 @@ bool DuelShow::ready()
                                          [&] { return std::make_unique<duel::TimetableScene>(thrown); });
     stocking_ = std::thread([this, boulder = thrown.front().model] {
         while (!ends_) {
-            for (const std::string& backend : opponents_) models_->stock(boulder, backend);
+            for (const std::string& backend : opponents_) models_->stock(boulder, backend, settings_.proxy);
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
     });

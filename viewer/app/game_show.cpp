@@ -90,7 +90,9 @@ void GameShow::start(const std::string& scene)
     sim::Settings how;
     how.scene = scene;
     how.backend = settings().backend;
+    how.proxy = setup_.proxy;
     how.seed = setup_.seed + games_++;
+    how.record = setup_.record;
     if (scene == "duel") {
         duel_ = std::make_unique<DuelShow>(models_, how, setup_.boulder, setup_.duelists);
         if (setup_.fixed_step) duel_->wait_until_ready();

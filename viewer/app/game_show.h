@@ -36,7 +36,9 @@ struct ShowSetup
     std::string scene = "menu";
     std::string backend;                     ///< empty: the stored one
     std::vector<std::string> duelists = {};  ///< back ends of a duel; as DuelShow takes them
+    ProxyKind proxy = ProxyKind::bounded_hull;
     std::uint64_t seed = 1;
+    bool record = false;      ///< keep what is pushed, for Simulation::recording()
     bool fixed_step = false;  ///< every frame is two ticks, nothing depends on the time of day or on a thread's speed
     std::int64_t boulder = DuelShow::kBoulder;  ///< triangles, of the duel
     std::int64_t giant = 0;                     ///< triangles, of the giant; 0: as stored

@@ -9,6 +9,7 @@
 #include "viewer/app/game_overlay.h"
 #include "viewer/app/painter.h"
 #include "viewer/app/panel.h"
+#include "viewer/app/run_length.h"
 #include "viewer/app/run_report.h"
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
@@ -21,14 +22,6 @@ namespace kerf::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Frames until a second after the last input: time to see what it did.
-std::int64_t frames_of(const Options& options, const sim::Script& script)
-{
-    if (options.frames > 0) return options.frames;
-    const sim::Microseconds end = script.events.empty() ? 0 : script.events.back().time;
-    return sim::tick_of(end + 1'000'000) / sim::kTicksPerFrame;
-}
 
 /// One run with one back end.
 class HeadlessRun

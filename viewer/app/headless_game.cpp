@@ -4,10 +4,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/app/game_show.h"
+#include "viewer/app/run_length.h"
+#include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/render/offscreen_context.h"
@@ -28,11 +31,9 @@ std::string hexadecimal(std::uint64_t word)
 
 Json report_of(const sim::Simulation& simulation)
 {
-    return {{"scene", simulation.scene().name()},
-            {"backend", simulation.backend()},
-            {"ticks", simulation.now()},
-            {"cuts", simulation.cuts().size()},
-            {"state_hash", hexadecimal(simulation.state_hash())}};
+    return {{"scene", simulation.scene().name()},   {"backend", simulation.backend()},
+            {"proxy", name_of(simulation.proxy())}, {"ticks", simulation.now()},
+            {"cuts", simulation.cuts().size()},     {"state_hash", hexadecimal(simulation.state_hash())}};
 }
 
 Json report_of(DuelShow& show)
@@ -50,6 +51,26 @@ Json report_of(DuelShow& show)
     return halves;
 }
 
+ShowSetup setup_of(const Options& options, const sim::Script& script)
+{
+    const sim::Settings said = settings_of(options, script, "menu");
+    if (said.record && (said.scene == "menu" || said.scene == "duel"))
+        throw std::invalid_argument("menu and duel are not recorded");
+    ShowSetup setup;
+    setup.data_folder = options.data_folder;
+    setup.scene = said.scene;
+    setup.backend = said.backend;
+    setup.proxy = said.proxy;
+    setup.seed = said.seed;
+    setup.record = said.record;
+    if (said.scene == "duel") setup.duelists = options.backends;
+    if (setup.duelists.empty() && said.scene == "duel" && !said.backend.empty()) setup.duelists = {said.backend};
+    setup.fixed_step = true;
+    setup.giant = options.giant;
+    if (options.boulder > 0) setup.boulder = options.boulder;
+    return setup;
+}
+
 }  // namespace
 
 int run_headless_game(const Options& options)
@@ -62,24 +83,17 @@ int run_headless_game(const Options& options)
 
     sim::Script script;
     if (!options.script.empty()) script = sim::read_script(options.script);
-    ShowSetup setup;
-    setup.data_folder = options.data_folder;
-    setup.scene = options.scene.empty() ? script.scene : options.scene;
-    if (!options.backends.empty()) setup.backend = options.backends.front();
-    if (setup.scene == "duel") setup.duelists = options.backends;
-    setup.seed = options.seed.value_or(script.seed.value_or(1));
-    setup.fixed_step = true;
-    setup.giant = options.giant;
-    if (options.boulder > 0) setup.boulder = options.boulder;
+    const ShowSetup setup = setup_of(options, script);
     GameShow show(setup, painter, speaker);
     show.push(script.events);
     game::Autopilot autopilot(setup.seed);
+    const std::int64_t frames = frames_of(options, script);
     std::optional<render::Recording> recording;
     if (!options.record.empty()) recording.emplace(options.record);
 
     Stopwatch frame_time;
-    for (std::int64_t frame = 0; frame < options.frames; ++frame) {
-        const bool is_last = frame + 1 == options.frames;
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+        const bool is_last = frame + 1 == frames;
         if (is_last && !options.screen.empty()) show.show_screen(*ui::find_screen(options.screen));
         if (options.autopilot) show.let_play(autopilot);
         // What a frame took is shown by the giant's panel; the simulation goes in fixed steps.
@@ -99,6 +113,7 @@ int run_headless_game(const Options& options)
         if (recording) recording->add(painter.target().read());
         if (is_last && !options.screenshot.empty()) render::write_png(options.screenshot, painter.target().read());
     }
+    if (!options.save_script.empty()) sim::write_script(options.save_script, show.simulation()->recording());
     errors.check();
     Json report{{"version", KERF_VERSION},     {"graphics", render::describe_current_context()},
                 {"width", options.width},      {"height", options.height},

@@ -168,6 +168,15 @@ ParsedOptions parse_options(int argc, char** argv)
             throw CLI::ValidationError("--backend", "the menu and the game's screens are shown with one");
         if (has_runs && has_output)
             throw CLI::ValidationError("--backend", "several cannot share one file for pictures or script");
+        const bool is_menu_or_duel = is_duel || options.scene == "menu";
+        const bool is_menu = options.scene.empty() && options.script.empty() && !options.screen.empty();
+        if ((is_menu_or_duel || is_menu) && !options.save_script.empty())
+            throw CLI::ValidationError("--save-script", "menu and duel are not recorded");
+        const bool has_steps =
+            options.frames > 0 || options.autopilot || !options.script.empty() || !options.record.empty();
+        if (is_menu_or_duel && !options.headless && has_steps)
+            throw CLI::ValidationError(
+                "--scene", "menu and duel take --frames, --autopilot, --script and --record only with --headless");
         if (!options.files.empty() && !options.scene.empty() && options.scene != "report")
             throw CLI::ValidationError("FILE", "only the scene report throws models of your own");
         if (options.headless && options.frames == 0 && options.script.empty())

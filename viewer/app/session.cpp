@@ -6,6 +6,7 @@
 #include "common/io/mesh_file.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_mode.h"
+#include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"
 
 namespace kerf::app {
@@ -45,22 +46,31 @@ game::GiantArrival arrival_for(const Options& options, const sim::Script& script
 
 }  // namespace
 
-Session open_session(const Options& options)
+sim::Settings settings_of(const Options& options, const sim::Script& script, const std::string& otherwise)
 {
-    Session session;
-    if (!options.script.empty()) session.script = sim::read_script(options.script);
-    sim::Settings& settings = session.settings;
-    settings.scene = first_said(options.scene, session.script.scene, settings.scene);
-    settings.backend =
-        first_said(options.backends.empty() ? std::string() : options.backends.front(), session.script.backend, {});
-    if (const std::string proxy = first_said(options.proxy, session.script.proxy, {}); !proxy.empty()) {
+    sim::Settings settings;
+    settings.scene = first_said(options.scene, script.scene, otherwise);
+    const std::string backend =
+        first_said(options.backends.empty() ? std::string() : options.backends.front(), script.backend, {});
+    settings.backend = sim::find_backend(backend);
+    if (!backend.empty() && settings.backend.empty())
+        throw std::invalid_argument("there is no back end '" + backend + "'");
+    if (const std::string proxy = first_said(options.proxy, script.proxy, {}); !proxy.empty()) {
         const std::optional<ProxyKind> kind = sim::find_proxy(proxy);
         if (!kind) throw std::invalid_argument("there is no collision proxy '" + proxy + "'");
         settings.proxy = *kind;
     }
-    settings.seed = options.seed.value_or(session.script.seed.value_or(settings.seed));
+    settings.seed = options.seed.value_or(script.seed.value_or(settings.seed));
     settings.record = !options.save_script.empty();
+    return settings;
+}
 
+Session open_session(const Options& options)
+{
+    Session session;
+    if (!options.script.empty()) session.script = sim::read_script(options.script);
+    session.settings = settings_of(options, session.script, "report");
+    const sim::Settings& settings = session.settings;
     if (options.giant > 0 && settings.scene == "giant") {
         const std::string size = "size " + std::to_string(options.giant);
         session.script.events.insert(session.script.events.begin(), {1, sim::InputKind::command, {}, size});

@@ -31,7 +31,12 @@ struct Session
     }
 };
 
-/// Reads the script and the models that its scene throws. What the command line says goes before what the script says.
+/// What a run starts with: what the command line says goes before what the script says.
+/// @param otherwise  the scene that is played when neither names one
+/// @throws std::invalid_argument  the script names a back end or a collision proxy that there is not
+sim::Settings settings_of(const Options& options, const sim::Script& script, const std::string& otherwise);
+
+/// Reads the script and the models that its scene throws, for settings_of() them.
 /// A model that cannot be read is a message as long as there is another one.
 /// @throws io::FileError          no model can be read, or the script cannot
 /// @throws std::invalid_argument  the script names a collision proxy that there is not

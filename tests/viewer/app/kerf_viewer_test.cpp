@@ -240,6 +240,44 @@ TEST_F(KerfViewerTest, LetsTheBackEndsOfADuelBeChosen)
     EXPECT_EQ(names("baseline,baseline/remap --screenshot a.png"), "baseline/hash baseline/remap");
 }
 
+TEST_F(KerfViewerTest, PlaysAScriptToItsEndInADuelAndBehindAScreen)
+{
+    write("swipe.kerf",
+          "kerf-script 1\nscene zen\nbackend baseline/remap\nproxy sphere\n"
+          "1000 press -4 0\n500000 move 4 0\n1000000 release 4 1\n");
+    const std::string run = "--headless --draw 0 --size 16x9 --script swipe.kerf --screenshot ";
+    const Json duel = report(run + "duel.png --scene duel --boulder 1000");
+    EXPECT_EQ(read_png("duel.png").width, 16);
+    for (const Json& half : duel["halves"]) {
+        EXPECT_EQ(half["ticks"], 240) << "a second beyond the last input";
+        EXPECT_EQ(half["proxy"], "sphere");
+    }
+    EXPECT_EQ(duel["halves"][1]["backend"], "baseline/remap") << "it meets the default";
+    const Json over = report(run + "over.png --screen over");
+    EXPECT_EQ(read_png("over.png").width, 16);
+    EXPECT_EQ(over["scene"], "zen");
+    EXPECT_EQ(over["runs"][0]["ticks"], 240);
+    EXPECT_EQ(over["runs"][0]["backend"], "baseline/remap");
+    EXPECT_EQ(over["runs"][0]["proxy"], "sphere");
+    const Json said = report(run + "over.png --screen over --backend halfedge --proxy box --frames 2")["runs"][0];
+    EXPECT_EQ(said["ticks"], 4);
+    EXPECT_EQ(said["backend"], "halfedge");
+    EXPECT_EQ(said["proxy"], "box");
+    EXPECT_EQ(report("--headless --frames 2 --draw 0 --size 16x9 --screen scores")["scene"], "menu");
+}
+
+TEST_F(KerfViewerTest, RecordsTheGameBehindAScreen)
+{
+    const std::string run = "--headless --draw 0 --size 16x9 --frames 150 ";
+    const Json played = report(run + "--scene zen --screen paused --autopilot --save-script played.kerf")["runs"][0];
+    const Json repeated = report(run + "--script played.kerf --screen paused")["runs"][0];
+    EXPECT_GE(played["cuts"], 1);
+    EXPECT_EQ(repeated["state_hash"], played["state_hash"]);
+    write("menu.kerf", "kerf-script 1\nscene menu\n");
+    expect_unusable(kerf(run + "--screen menu --script menu.kerf --save-script no.kerf"), "not recorded");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "no.kerf"));
+}
+
 /// No tick of a run prepares a mesh: another thread has done it before.
 TEST_F(KerfViewerTest, ThrowsWhatWasMadeReadyBefore)
 {
@@ -446,6 +484,9 @@ TEST_F(KerfViewerTest, RefusesBadScripts)
     expect_unusable(kerf("--headless --script empty.kerf"), "empty.kerf: this is no script");
     write("egg.kerf", "kerf-script 1\nproxy egg\n");
     expect_unusable(kerf("--headless --frames 1 --script egg.kerf"), "egg");
+    write("axe.kerf", "kerf-script 1\nscene zen\nbackend axe\n");
+    for (const std::string screen : {"", " --screen over"})
+        expect_unusable(kerf("--headless --frames 1 --script axe.kerf" + screen), "axe");
 }
 
 TEST_F(KerfViewerTest, RefusesScenesThatItCannotPlay)
@@ -473,6 +514,14 @@ TEST_F(KerfViewerTest, ExplainsWrongUse)
                                   "--headless --frames 3 --backend halfedge,baseline --screenshot a.png",
                                   "--headless --frames 3 --backend halfedge,baseline --scene menu",
                                   "--headless --frames 3 --backend halfedge,baseline --scene zen --screen over",
+                                  "--scene menu --frames 3",
+                                  "--scene duel --autopilot",
+                                  "--scene duel --script a.kerf",
+                                  "--scene menu --record all",
+                                  "--scene duel --save-script a.kerf",
+                                  "--headless --frames 3 --scene duel --save-script a.kerf",
+                                  "--headless --frames 3 --screen scores --save-script a.kerf",
+                                  "--seed -5",
                                   "--scene chess",
                                   "--zoom nan",
                                   "--zoom 0.5",
