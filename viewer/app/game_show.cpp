@@ -363,7 +363,7 @@ void GameShow::advance(double seconds)
     const double frame_seconds = setup_.fixed_step ? double(sim::kTicksPerFrame) * sim::kTickSeconds : seconds;
     notice_.advance(frame_seconds);
     unread_ = std::max(0.0, unread_ - frame_seconds);
-    tell(files_.take_message());
+    notice_.say_next(files_.take_message());
     double scale = effects_.time_scale();
     if (simulation_) scale *= simulation_->scene().time_scale();
     clock_.set_time_scale(scale);

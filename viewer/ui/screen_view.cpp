@@ -263,7 +263,11 @@ std::vector<Hotspot> show_scores(Layout& layout, const Screens& screens, const S
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const float y = card.low.y + (172.0f + 34.0f * static_cast<float>(i)) * u;
             const glm::vec3 colour = lines[i].is_latest ? kAccent : kPaper;
-            canvas.text({middle - 30.0f * u, y}, {1.0f, 0.5f}, std::to_string(lines[i].score), 26.0f, colour);
+            // A number of any length stays in its column.
+            const std::string score = std::to_string(lines[i].score);
+            const float room = 0.5f * width - 46.0f * u, wide = canvas.measure(score, 26.0f).x;
+            const float height = 26.0f * std::min(1.0f, room / wide);
+            canvas.text({middle - 30.0f * u, y}, {1.0f, 0.5f}, score, height, colour);
             canvas.text({middle - 8.0f * u, y}, {0.0f, 0.5f}, lines[i].date, 18.0f, kDim);
         }
     }

@@ -42,7 +42,7 @@ double window_share(double scale)
 
 game::StoredSettings within_bounds(game::StoredSettings p, const std::vector<std::string>& backends)
 {
-    p.volume = p.volume > 0.0 ? std::min(p.volume, 1.0) : 0.0;
+    p.volume = p.volume > 0.0 ? std::round(100.0 * std::min(p.volume, 1.0)) / 100.0 : 0.0;  // as it is shown
     p.window_scale = std::isfinite(p.window_scale) ? std::clamp(p.window_scale, kSmallestWindow, kLargestWindow) : 1.0;
     if (std::find(backends.begin(), backends.end(), p.backend) == backends.end())
         p.backend = backends.empty() ? std::string() : backends.front();
@@ -173,9 +173,9 @@ void Screens::step_in_menu(MenuKey key)
     const std::size_t games = modes().size(), others = items_.size() - games;
     const bool is_game = selected_ < games;
     if (key == MenuKey::up || key == MenuKey::down) {
-        // What lies below: the outer games have the outer lines, those between them the ones between.
+        // Below any game is the first of the other lines: from none of them do two keys end the program.
         if (is_game) column_ = selected_;
-        selected_ = is_game ? games + (2 * selected_ * (others - 1) + games - 1) / (2 * (games - 1)) : column_;
+        selected_ = is_game ? games : column_;
         return;
     }
     const std::size_t first = is_game ? 0 : games, count = is_game ? games : others;

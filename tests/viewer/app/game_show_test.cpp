@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <set>
 #include <thread>
 
 #include "viewer/app/user_interface.h"
@@ -170,6 +172,20 @@ TEST_F(GameShowTest, AllTextsFitIntoTheSmallAndTheLargePicture)
     GameShow show(setup("duel"), painter, speaker);
     frames(show, 60);
     expect_texts_fit(show, "duel");
+}
+
+TEST_F(GameShowTest, AScoreOfAnyLengthStaysOnItsCard)
+{
+    // The largest number that is read from a file.
+    std::ofstream(folder / "scores.json")
+        << R"({"format": "kerf-scores", "version": 1, "modes": {"classic": [{"score": 9223372036854775807,
+               "date": "2026-11-21T15:08:00Z", "backend": "halfedge", "seed": 7, "fruit": 9, "longest_combo": 5}]}})";
+    GameShow show(setup(), painter, speaker);
+    ASSERT_EQ(show.files().best(game::GameMode::classic), 9223372036854775807);
+    show.show_screen(Screen::scores);
+    const ui::Box2 reach = picture(show, 1280, 720, false);
+    constexpr float kHalfACard = 510.0f;
+    EXPECT_GT(reach.low.x, 640.0f - kHalfACard * interface.letters().unit);
 }
 
 TEST_F(GameShowTest, EveryGameIsReachedAndLeftByKeyboardAlone)
@@ -450,6 +466,20 @@ TEST_F(GameShowTest, SaysThatTheSoundIsOffForSomeSeconds)
     frames(show, 60);
     EXPECT_EQ(show.message(), "Sound off");
     frames(show, 400);
+    EXPECT_EQ(show.message(), "");
+}
+
+TEST_F(GameShowTest, SaysOfEveryDamagedFileThatItIs)
+{
+    for (const char* name : {"scores.json", "settings.json"}) std::ofstream(folder / name) << "{ torn";
+    GameShow show(setup(), painter, speaker);
+    std::set<std::string> said;
+    for (int i = 0; i < 900; ++i) {
+        frames(show, 1);
+        for (const char* name : {"scores.json", "settings.json"})
+            if (show.message().find(name) != std::string::npos) said.insert(name);
+    }
+    EXPECT_EQ(said, (std::set<std::string>{"scores.json", "settings.json"}));
     EXPECT_EQ(show.message(), "");
 }
 

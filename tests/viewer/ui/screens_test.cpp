@@ -92,15 +92,27 @@ TEST(Screens, TheMenusRowsAreCrossedUpAndDownAndWalkedLeftAndRight)
     };
     EXPECT_EQ(after({MenuKey::right}), "Arcade");
     EXPECT_EQ(after({MenuKey::left, MenuKey::left}), "Duel") << "round and round in a row";
-    EXPECT_EQ(after({MenuKey::down}), "Quit") << "what lies below it";
-    EXPECT_EQ(after({MenuKey::right}), "High scores");
-    EXPECT_EQ(after({MenuKey::left, MenuKey::left}), "Settings");
+    EXPECT_EQ(after({MenuKey::down}), "High scores");
+    EXPECT_EQ(after({MenuKey::left}), "Quit");
+    EXPECT_EQ(after({MenuKey::left}), "Settings");
     EXPECT_EQ(after({MenuKey::up}), "Duel") << "back to where it came from";
     EXPECT_EQ(after({MenuKey::right, MenuKey::up}), "High scores");
-    EXPECT_EQ(after({MenuKey::down, MenuKey::right, MenuKey::right, MenuKey::down}), "Settings");
+    EXPECT_EQ(after({MenuKey::down, MenuKey::right, MenuKey::right, MenuKey::down}), "High scores");
     s.press(MenuKey::back);
     EXPECT_EQ(after({}), "Quit");
     EXPECT_EQ(after({MenuKey::up}), "Zen");
+}
+
+TEST(Screens, NoGameThatWasPlayedLeadsToQuitByUpOrDown)
+{
+    for (const ui::Mode& mode : ui::modes())
+        for (const MenuKey key : {MenuKey::up, MenuKey::down}) {
+            Screens s = screens();
+            s.play(std::string(mode.scene));
+            s.show(Screen::menu);
+            s.press(key);
+            EXPECT_EQ(s.items()[s.selected()].label, "High scores") << mode.title;
+        }
 }
 
 TEST(Screens, ADuelThatIsOverLeadsToARematchOrToTheMenu)
@@ -176,6 +188,10 @@ TEST(Screens, SettingsChangeByArrowsAndStayWithinBounds)
     s.show(Screen::settings);
     for (int i = 0; i < 50; ++i) EXPECT_EQ(s.press(MenuKey::right), Request{Request::Kind::settings});
     EXPECT_DOUBLE_EQ(s.settings().volume, 1.0);
+    for (int i = 19; i >= 0; --i) {
+        s.press(MenuKey::left);
+        EXPECT_EQ(s.settings().volume, double(5 * i) / 100.0) << "what is shown: whole percents";
+    }
     for (int i = 0; i < 50; ++i) s.press(MenuKey::left);
     EXPECT_DOUBLE_EQ(s.settings().volume, 0.0);
     s.press(MenuKey::down);
