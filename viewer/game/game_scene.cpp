@@ -96,7 +96,7 @@ void GameScene::throw_fruit(sim::Simulation& simulation, const PlannedThrow& wha
     const double reach = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
     const double scale = reach > 0.0 ? fruit_of(what.kind).radius / reach : 1.0;
     const sim::Flight& flight = what.flight;
-    const sim::Body* const body = simulation.place_object(model, scale, flight.centre, flight.rotation, flight.motion);
+    const sim::Body* const body = simulation.let_enter(model, scale, flight.centre, flight.rotation, flight.motion);
     if (body == nullptr) return;
     flying_[body->id()] = what.kind;
     rules_.thrown(simulation.now(), what.kind, inside_stage(glm::dvec2(flight.centre)), body->id());

@@ -129,6 +129,7 @@ void Body::hash(StateHash& hash) const
     hash.add(identity_.birth);
     hash.add(identity_.last_swipe);
     hash.add(missed_swipe_);
+    hash.add(std::uint64_t(is_entering_));
     hash.add(object_->triangle_count());
     hash.add(solid_.mass);
     hash.add(solid_.moments);

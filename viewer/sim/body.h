@@ -105,6 +105,11 @@ public:
     glm::dvec3 momentum() const { return solid_.mass * motion().velocity; }
     double radius() const { return proxy_->radius(); }
 
+    /// On its way to the stage: touches nothing until all of it is there (World::step()), so that nobody is knocked
+    /// away unseen.
+    bool is_entering() const { return is_entering_; }
+    void set_entering(bool entering) { is_entering_ = entering; }
+
     /// True when both come from one cut that is younger than kSiblingTicks.
     static bool are_siblings(const Body& a, const Body& b, Tick now);
 
@@ -127,6 +132,7 @@ private:
     std::unique_ptr<ProxyShape> proxy_;
     std::unique_ptr<btRigidBody> rigid_;
     std::uint32_t missed_swipe_ = 0;
+    bool is_entering_ = false;
     glm::dvec3 last_centre_{0.0};
     glm::dmat3 last_rotation_{1.0};
 };

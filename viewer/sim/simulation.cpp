@@ -250,6 +250,14 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
         std::make_unique<Body>(std::move(identity), std::move(taken.object), solid, pose, motion, *taken.proxy));
 }
 
+const Body* Simulation::let_enter(std::size_t model, double scale, const glm::dvec3& centre, const glm::dmat3& rotation,
+                                  const Motion& motion)
+{
+    const Body* const placed = place_object(model, scale, centre, rotation, motion);
+    if (placed != nullptr) world_.find(placed->id())->set_entering(true);
+    return placed;
+}
+
 bool Simulation::move_object(ObjectId id, const Motion& motion)
 {
     Body* const body = world_.find(id);

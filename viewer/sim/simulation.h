@@ -97,6 +97,9 @@ public:
     /// Puts an object into the world as it is said.
     const Body* place_object(std::size_t model, double scale, const glm::dvec3& centre, const glm::dmat3& rotation,
                              const Motion& motion);
+    /// The same for one that comes from outside: Body::is_entering().
+    const Body* let_enter(std::size_t model, double scale, const glm::dvec3& centre, const glm::dmat3& rotation,
+                          const Motion& motion);
     /// Makes an object move otherwise from now on. False: there is none of that id.
     bool move_object(ObjectId id, const Motion& motion);
     /// The last throw; empty before the first.

@@ -21,11 +21,11 @@ constexpr double kFarInDepth = 8.0;
 /// Higher than this, in half stages, is out of reach as well: 40 m, after a collision gone wrong.
 constexpr double kFarUp = 10.0;
 
-/// Pairs of siblings are not handed to the narrow phase.
-class SiblingDispatcher : public btCollisionDispatcher
+/// Siblings, and what is still on its way to the stage, are not handed to the narrow phase.
+class SelectiveDispatcher : public btCollisionDispatcher
 {
 public:
-    SiblingDispatcher(btCollisionConfiguration* configuration, const Tick& now)
+    SelectiveDispatcher(btCollisionConfiguration* configuration, const Tick& now)
         : btCollisionDispatcher(configuration), now_(now)
     {
     }
@@ -34,7 +34,8 @@ public:
     {
         const auto* first = static_cast<const Body*>(a->getUserPointer());
         const auto* second = static_cast<const Body*>(b->getUserPointer());
-        return !Body::are_siblings(*first, *second, now_) && btCollisionDispatcher::needsCollision(a, b);
+        return !first->is_entering() && !second->is_entering() && !Body::are_siblings(*first, *second, now_) &&
+               btCollisionDispatcher::needsCollision(a, b);
     }
 
 private:
@@ -67,6 +68,14 @@ bool is_gone(const Body& body)
            c.y > kFarUp * kStageHalfHeight;
 }
 
+/// All of it is where the stage is seen, at the depth of the stage.
+bool is_on_stage(const Body& body)
+{
+    const glm::dvec3 c = body.centre();
+    const double r = body.radius();
+    return std::abs(c.x) + r <= kStageHalfWidth && std::abs(c.y) + r <= kStageHalfHeight;
+}
+
 }  // namespace
 
 struct World::Engine
@@ -84,7 +93,7 @@ struct World::Engine
     }
 
     btDefaultCollisionConfiguration configuration;
-    SiblingDispatcher dispatcher;
+    SelectiveDispatcher dispatcher;
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
     btDiscreteDynamicsWorld world;
@@ -103,6 +112,8 @@ void World::step()
     ++now_;
     engine_->solver.setRandSeed(0);
     engine_->world.stepSimulation(btScalar(kTickSeconds), 0);
+    for (const auto& body : bodies_)
+        if (body->is_entering() && is_on_stage(*body)) body->set_entering(false);
 }
 
 Body& World::add(std::unique_ptr<Body> body)
