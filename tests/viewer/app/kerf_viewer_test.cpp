@@ -195,6 +195,21 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOfEachGameOnBothBackEnds)
     }
 }
 
+// The games of tests/viewer/game/scripted_games_test.cpp.
+TEST_F(KerfViewerTest, PlaysAWholeGameOfEachModeToItsScoreOnBothBackEnds)
+{
+    for (const auto& [scene, score] : {std::pair("classic", 46), std::pair("arcade", 91), std::pair("zen", 79)}) {
+        const Json json = report("--headless --draw 0 --size 16x9 --backend halfedge,baseline --frames 5700 --script " +
+                                 std::string(KERF_SCRIPTS_DIR "/") + scene + ".kerf");
+        ASSERT_EQ(json["runs"].size(), 2u);
+        for (const Json& run : json["runs"]) {
+            EXPECT_EQ(run["game"]["mode"], scene);
+            EXPECT_EQ(run["game"]["phase"], "over") << scene;
+            EXPECT_EQ(run["game"]["score"], score) << scene;
+        }
+    }
+}
+
 TEST_F(KerfViewerTest, PlaysNinetyFramesOfAGiantOnBothBackEnds)
 {
     report(

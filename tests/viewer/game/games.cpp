@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/shapes.h"
+#include "viewer/game/fruit_models.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::test {
@@ -49,9 +50,19 @@ std::shared_ptr<sim::ModelShelf> fruit_shelf()
     return shelf;
 }
 
-Game::Game(game::GameMode mode, std::uint64_t seed, const std::string& backend)
+std::shared_ptr<sim::ModelShelf> real_fruit()
 {
-    const auto models = fruit_shelf();
+    static const auto shelf = [] {
+        auto models = std::make_shared<sim::ModelShelf>();
+        game::add_fruit_models(*models, KERF_FRUIT_DIR);
+        return models;
+    }();
+    return shelf;
+}
+
+Game::Game(game::GameMode mode, std::uint64_t seed, const std::string& backend,
+           const std::shared_ptr<sim::ModelShelf>& models)
+{
     sim::Settings settings;
     settings.seed = seed;
     settings.backend = backend;

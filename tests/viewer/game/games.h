@@ -13,11 +13,15 @@ namespace kerf::test {
 /// banana and the pineapple, a hollow one for the coconut. Rules don't depend on looks.
 std::shared_ptr<sim::ModelShelf> fruit_shelf();
 
+/// The game's own fruit, read once.
+std::shared_ptr<sim::ModelShelf> real_fruit();
+
 /// A game under way.
 class Game
 {
 public:
-    explicit Game(game::GameMode mode, std::uint64_t seed = 1, const std::string& backend = {});
+    explicit Game(game::GameMode mode, std::uint64_t seed = 1, const std::string& backend = {},
+                  const std::shared_ptr<sim::ModelShelf>& models = fruit_shelf());
 
     sim::Simulation& simulation() const { return *simulation_; }
     const game::GameScene& scene() const { return *game::game_of(simulation_->scene()); }

@@ -6,9 +6,9 @@
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/script.h"
 
-// Whole games from recorded input, from the first tick to the last: a few seconds of swipes, then nobody plays on. The
-// seeds are chosen so that the back ends agree on the score; where pieces touch, their positions part in the last
-// digit.
+// Whole games with the game's own fruit from recorded input, from the first tick to the last: some seconds of swipes,
+// then nobody plays on. The seeds of the short ones are chosen so that all back ends agree on the score; where pieces
+// touch, their positions part in the last digit.
 
 namespace kerf::game {
 namespace {
@@ -35,7 +35,7 @@ protected:
     {
         const sim::Script script =
             sim::read_script(KERF_SCRIPTS_DIR "/" + std::string(name_of(expected.mode)) + ".kerf");
-        test::Game game(expected.mode, script.seed.value(), backend);
+        test::Game game(expected.mode, script.seed.value(), backend, test::real_fruit());
         game.simulation().push(script.events);
         game.play_until([&] { return game.is_over(); }, sim::Tick(expected.seconds * double(sim::kTicksPerSecond)));
         return game;
@@ -74,9 +74,9 @@ TEST_P(ScriptedGame, EndsInTheSameStateTwice)
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, ScriptedGame,
-                         testing::Values(Outcome{GameMode::classic, 60.0, 56, 13, 8, 0, 0, GameEnd::missed},
-                                         Outcome{GameMode::arcade, 75.0, 71, 31, 6, 0, 2, GameEnd::time},
-                                         Outcome{GameMode::zen, 90.5, 26, 13, 1, 1, 0, GameEnd::time}),
+                         testing::Values(Outcome{GameMode::classic, 60.0, 46, 20, 4, 1, 0, GameEnd::missed},
+                                         Outcome{GameMode::arcade, 75.0, 91, 46, 6, 1, 2, GameEnd::time},
+                                         Outcome{GameMode::zen, 90.5, 79, 37, 6, 1, 0, GameEnd::time}),
                          [](const auto& each) { return std::string(name_of(each.param.mode)); });
 
 namespace {
@@ -100,7 +100,7 @@ protected:
     test::Game play(const std::string& backend) const
     {
         const GameMode mode = script_.scene == name_of(GameMode::classic) ? GameMode::classic : GameMode::arcade;
-        test::Game game(mode, script_.seed.value(), backend);
+        test::Game game(mode, script_.seed.value(), backend, test::real_fruit());
         game.simulation().push(script_.events);
         game.play_until([&] { return game.is_over(); }, 90 * sim::kTicksPerSecond);
         return game;
@@ -178,10 +178,10 @@ TEST_P(LongArcadeGame, PaysForABombAndHasEachSpecialAndEndsWithTheTime)
 
 namespace {
 
-constexpr LongGame kClassicHalfedge{"classic_bomb_halfedge", 104, 38, 11, 1};
-constexpr LongGame kClassicBaseline{"classic_bomb_baseline", 103, 37, 11, 1};
-constexpr LongGame kArcadeHalfedge{"arcade_specials_halfedge", 169, 63, 7, 4};
-constexpr LongGame kArcadeBaseline{"arcade_specials_baseline", 208, 71, 10, 3};
+constexpr LongGame kClassicHalfedge{"classic_bomb_halfedge", 117, 55, 9, 1};
+constexpr LongGame kClassicBaseline{"classic_bomb_baseline", 121, 54, 10, 1};
+constexpr LongGame kArcadeHalfedge{"arcade_specials_halfedge", 249, 73, 17, 1};
+constexpr LongGame kArcadeBaseline{"arcade_specials_baseline", 253, 72, 17, 1};
 
 constexpr auto kScriptsName = [](const testing::TestParamInfo<LongGame>& each) {
     return std::string(each.param.script);
