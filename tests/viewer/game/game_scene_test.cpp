@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "viewer/game/autopilot.h"
@@ -105,6 +106,31 @@ TEST(GameScene, TakesALifeForAFruitThatFallsDownWhole)
     const GameEvent missed = game.events(Kind::missed)[0];
     EXPECT_LE(std::abs(missed.place.x), sim::kStageHalfWidth);
     EXPECT_NEAR(missed.place.y, -sim::kStageHalfHeight, 1e-9) << "where it left";
+}
+
+TEST(GameScene, MissesNoFruitThatWasNeverWhollyOnTheStage)
+{
+    std::size_t missed = 0;
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+        Game game(GameMode::zen, seed);
+        Autopilot autopilot(seed);
+        std::set<sim::ObjectId> seen;
+        for (sim::Tick i = 0; i < 20 * sim::kTicksPerSecond; ++i) {
+            game.simulation().push(autopilot.play(game.simulation()));
+            game.simulation().advance();
+            for (const auto& body : game.simulation().bodies()) {
+                const glm::dvec3 place = body->centre();
+                if (std::abs(place.x) + body->radius() <= sim::kStageHalfWidth &&
+                    std::abs(place.y) + body->radius() <= sim::kStageHalfHeight)
+                    seen.insert(body->id());
+            }
+        }
+        for (const GameEvent& event : game.events(Kind::missed)) {
+            EXPECT_TRUE(seen.contains(event.object)) << "seed " << seed << ", tick " << event.tick;
+            ++missed;
+        }
+    }
+    EXPECT_GT(missed, 0u);
 }
 
 TEST(GameScene, TakesNoLifeForPieces)

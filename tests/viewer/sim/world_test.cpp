@@ -78,6 +78,25 @@ TEST(World, StrangersCollideAtOnce)
     }
 }
 
+TEST(World, WhatEntersTouchesNothingUntilAllOfItIsOnTheStage)
+{
+    World world(0.0);
+    Body& entering = world.add(test::body_of(brick(), 1, {0, -kStageHalfHeight - 1.5, 0}, {{0, 6, 0}, {}}));
+    entering.set_entering(true);
+    world.add(test::body_of(brick(), 2, {0, -kStageHalfHeight, 0}));  // in the way, half out of sight
+    world.add(test::body_of(brick(), 3, {0, 0, 0}));                  // in the way, on the stage
+    while (entering.is_entering()) {
+        ASSERT_LT(world.now(), kTicksPerSecond);
+        world.step();
+        EXPECT_EQ(world.contacts(), 0u) << "tick " << world.now();
+        EXPECT_EQ(entering.motion().velocity, glm::dvec3(0, 6, 0));
+        EXPECT_EQ(entering.is_entering(), entering.centre().y - entering.radius() < -kStageHalfHeight);
+    }
+    for (int i = 0; i < kTicksPerSecond; ++i) world.step();
+    EXPECT_LT(entering.motion().velocity.y, 6.0) << "it met the one on the stage";
+    EXPECT_EQ(world.find(2)->motion().velocity, glm::dvec3(0.0));
+}
+
 TEST(World, OverlapsAreResolvedWithoutAnExplosion)
 {
     World world(0.0);
