@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the fuzzers, one after the other, and keeps and minimises what they find."""
+"""Runs the fuzzers, one after the other or several at once, and keeps and minimises what they find."""
 
 import argparse
+import concurrent.futures
 import hashlib
 import os
 import pathlib
-import resource
 import subprocess
 import sys
 
@@ -46,10 +46,20 @@ def minimised(name, finding):
     return smaller if smaller.exists() else finding
 
 
-def processor_seconds():
-    """Of all programs run so far."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
+def run(command, log_path):
+    """Its exit status, and how many seconds it had of a processor."""
+    with log_path.open("wb") as log:
+        process = subprocess.Popen(command, env=environment(), stdout=log, stderr=log)
+        # The usage of this one program: others run meanwhile.
+        _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def say(text):
+    """In one piece, so that fuzzers that end at the same time don't mix their lines."""
+    sys.stdout.write(text + "\n")
+    sys.stdout.flush()
 
 
 def reason(log):
@@ -73,33 +83,54 @@ def fuzz(name, longest, seconds):
     command = [PROGRAM, f"--fuzzer={name}", f"-max_len={longest}", "-len_control=0", f"-max_total_time={seconds}",
                "-print_final_stats=1", f"-artifact_prefix={findings}/", *limits(), *dictionary, corpus,
                HERE / "seeds" / name]
-    print(f"{name}: {seconds} s", flush=True)
+    say(f"{name}: {seconds} s")
     log_path = FINDINGS / f"{name}.log"
-    before = processor_seconds()
-    with log_path.open("wb") as log:
-        status = subprocess.run(command, env=environment(), stdout=log, stderr=log, check=False).returncode
+    status, processor_seconds = run(command, log_path)
     log = log_path.read_text(errors="replace")
     executed = [line.split()[-1] for line in log.splitlines() if "number_of_executed_units" in line]
     new = sorted(set(findings.iterdir()) - known)
     if status == 0:
         # A machine that does much else gives a fuzzer far less than the time on the clock.
-        print(f"{name}: clean after {executed[-1] if executed else '?'} inputs, "
-              f"{processor_seconds() - before:.0f} s of processor time", flush=True)
+        say(f"{name}: clean after {executed[-1] if executed else '?'} inputs, "
+            f"{processor_seconds:.0f} s of processor time")
         return True
-    print(f"{name}: {reason(log)}\n  the log: {log_path}")
+    lines = [f"{name}: {reason(log)}", f"  the log: {log_path}"]
     for finding in new:
         # Inputs that are merely slow have no smaller form that is wrong.
         small = finding if finding.name.startswith("slow-unit") else minimised(name, finding)
         digest = hashlib.sha1(small.read_bytes()).hexdigest()[:8]
-        print(f"  to repeat it:  {PROGRAM} --fuzzer={name} {small}\n"
-              f"  to keep it:    cp {small} {HERE.relative_to(PROJECT)}/seeds/{name}/CAUSE_{digest}")
+        lines += [f"  to repeat it:  {PROGRAM} --fuzzer={name} {small}",
+                  f"  to keep it:    cp {small} {HERE.relative_to(PROJECT)}/seeds/{name}/CAUSE_{digest}"]
+    say("\n".join(lines))
     return False
+
+
+def fuzz_all(names, longest, seconds, jobs):
+    """All of them, also after a finding; `jobs` at a time. True when nothing was found."""
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        running = [pool.submit(fuzz, name, longest[name], seconds) for name in names]
+        try:
+            return all([one.result() for one in running])
+        except BaseException:
+            # Interrupted: those that run got the signal too, the others don't begin.
+            pool.shutdown(cancel_futures=True)
+            raise
+
+
+def whole_number(text):
+    value = int(text)
+    if value < 1:
+        raise ValueError
+    return value
 
 
 def main():
     parser = argparse.ArgumentParser(prog="./run fuzz", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="fuzzers to run (default: all)")
-    parser.add_argument("--seconds", type=int, default=600, help="for each fuzzer (default: 600)")
+    parser.add_argument("--seconds", type=whole_number, default=600, metavar="N",
+                        help="for each fuzzer (default: 600)")
+    parser.add_argument("--jobs", type=whole_number, default=1, metavar="N",
+                        help="how many fuzzers run at once (default: 1)")
     parser.add_argument("--list", action="store_true", help="name the fuzzers")
     arguments = parser.parse_args()
     known = fuzzers()
@@ -109,9 +140,9 @@ def main():
     for name in arguments.names:
         if name not in known:
             parser.error(f"there is no fuzzer '{name}', only {', '.join(known)}")
-    # All of them, also after a finding.
-    clean = [fuzz(name, known[name], arguments.seconds) for name in arguments.names or known]
-    return 0 if all(clean) else 1
+    # Two runs of one fuzzer would share its log and its findings.
+    names = list(dict.fromkeys(arguments.names or known))
+    return 0 if fuzz_all(names, known, arguments.seconds, arguments.jobs) else 1
 
 
 if __name__ == "__main__":
