@@ -1,4 +1,3 @@
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -52,19 +51,11 @@ int report_wrong_use(const CLI::App& program, const CLI::ParseError& error)
     return kWrongUse;
 }
 
-/// An interrupted program leaves no half a file behind, and ends as if the signal had not been caught.
-void remove_unfinished_and_end(int signal_number)
-{
-    kerf::io::remove_unfinished_files();
-    std::signal(signal_number, SIG_DFL);
-    std::raise(signal_number);
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, remove_unfinished_and_end);
+    kerf::io::remove_unfinished_files_on_signals();
 
     CLI::App program("Kerf cuts triangle meshes by a plane.", "kerf");
     program.set_version_flag("--version", "kerf " KERF_VERSION);

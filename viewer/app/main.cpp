@@ -1,4 +1,3 @@
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -13,14 +12,6 @@
 #include "viewer/render/render_error.h"
 
 namespace {
-
-/// An interrupted program leaves no half a file behind, and ends as if the signal had not been caught.
-void remove_unfinished_and_end(int signal_number)
-{
-    kerf::io::remove_unfinished_files();
-    std::signal(signal_number, SIG_DFL);
-    std::raise(signal_number);
-}
 
 /// The game is played in real time and by hand; whoever brings models, a script or a number of frames wants to see a
 /// simulation.
@@ -41,7 +32,7 @@ bool needs_game(const kerf::app::Options& options)
 int main(int argc, char** argv)
 {
     using namespace kerf::app;
-    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, remove_unfinished_and_end);
+    kerf::io::remove_unfinished_files_on_signals();
     try {
         const ParsedOptions parsed = parse_options(argc, argv);
         if (!parsed.options) return parsed.exit_status;

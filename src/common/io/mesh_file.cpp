@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "common/io/output_file.h"
 #include "common/io/read_formats.h"
@@ -40,7 +42,16 @@ Reader reader_for(const fs::path& path)
     fail(path, "the extension is not one of obj, ply, stl, off, gltf, glb; convert the file to one of these");
 }
 
+thread_local std::vector<fs::path>* files_read = nullptr;
+
 }  // namespace
+
+ReadRecord::ReadRecord(std::vector<fs::path>& files) : outer_(std::exchange(files_read, &files)) {}
+
+ReadRecord::~ReadRecord()
+{
+    files_read = outer_;
+}
 
 void fail(const fs::path& path, const std::string& reason)
 {
@@ -68,7 +79,7 @@ std::string read_bytes(const fs::path& path)
     if (status.type() == fs::file_type::not_found) fail(path, "there is no such file; look at its name and folder");
     if (error) fail(path, "it cannot be read (" + error.message() + "); look at its name and folder");
     // A device or a pipe has no size to hold a claim against, and may never end.
-    if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name a mesh file");
+    if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name one that is");
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(path, "it cannot be read (" + error.message() + ")");
 
@@ -78,6 +89,7 @@ std::string read_bytes(const fs::path& path)
     file.read(bytes.data(), static_cast<std::streamsize>(size));
     if (file.bad() || static_cast<std::uintmax_t>(file.gcount()) != size)
         fail(path, "it cannot be read to its end; copy it again");
+    if (files_read != nullptr) files_read->push_back(path);
     return bytes;
 }
 
@@ -101,49 +113,86 @@ const std::vector<std::string>& writable_formats()
     return formats;
 }
 
+void refuse_to_replace(const fs::path& output, std::span<const fs::path> inputs)
+{
+    std::error_code ignored;
+    for (const fs::path& input : inputs)
+        if (fs::equivalent(output, input, ignored))
+            fail(output, "it would replace what is read, " + input.string() + "; choose another name");
+}
+
 struct MeshFileSet::Impl
 {
+    std::vector<fs::path> inputs;
     std::vector<OutputFile> files;
+    std::map<fs::path, std::size_t> places;  ///< where each of the files appears
+
+    OutputFile& open(const fs::path& path)
+    {
+        refuse_to_replace(path, inputs);
+        OutputFile& file = files.emplace_back(path);
+        std::error_code error;
+        const fs::path folder = fs::canonical(file.place().parent_path() / ".", error);
+        if (!places.emplace(folder / file.place().filename(), files.size() - 1).second)
+            fail(path, "another file of the same call is written to this place; choose another name");
+        return file;
+    }
+
+    /// Lets go of all files but the first `count`.
+    void keep(std::size_t count) noexcept
+    {
+        std::erase_if(places, [&](const auto& place) { return place.second >= count; });
+        while (files.size() > count) files.pop_back();
+    }
 };
 
-MeshFileSet::MeshFileSet() : impl_(std::make_unique<Impl>()) {}
+MeshFileSet::MeshFileSet(std::vector<fs::path> inputs) : impl_(std::make_unique<Impl>())
+{
+    impl_->inputs = std::move(inputs);
+}
+
 MeshFileSet::~MeshFileSet() = default;
 
 void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
 {
     const std::string extension = extension_of(path);
-    std::vector<OutputFile>& files = impl_->files;
+    const std::size_t before = impl_->files.size();
     try {
         if (extension == "obj") {
             // The materials first: the OBJ file that names them appears last.
             if (needs_mtl(mesh)) {
-                files.emplace_back(mtl_path(path));
-                write_mtl(files.back(), mesh);
-                files.back().finish();
+                if (!can_name_mtl(path))
+                    fail(path,
+                         "an OBJ file cannot name its material file like this; leave out line ends, control "
+                         "characters and a blank at the beginning, or choose another format");
+                OutputFile& materials = impl_->open(mtl_path(path));
+                write_mtl(materials, mesh);
+                materials.finish();
             }
-            files.emplace_back(path);
-            write_obj(files.back(), mesh);
+            write_obj(impl_->open(path), mesh);
         } else if (extension == "ply") {
-            files.emplace_back(path);
-            write_ply(files.back(), mesh);
+            write_ply(impl_->open(path), mesh);
         } else if (extension == "stl") {
-            files.emplace_back(path);
-            write_stl(files.back(), mesh);
+            write_stl(impl_->open(path), mesh);
         } else if (extension == "glb") {
-            files.emplace_back(path);
-            write_glb(files.back(), mesh);
+            write_glb(impl_->open(path), mesh);
         } else {
             fail(path, "the extension is not one of obj, ply, stl, glb; choose one of these");
         }
-        files.back().finish();
+        impl_->files.back().finish();
     } catch (const std::bad_alloc&) {
+        impl_->keep(before);
         fail(path, "there is not enough memory to write it; free some");
+    } catch (...) {
+        impl_->keep(before);
+        throw;
     }
 }
 
 void MeshFileSet::commit()
 {
     std::vector<OutputFile>& files = impl_->files;
+    const SignalsWait signals_wait;
     std::size_t done = 0;
     try {
         for (; done < files.size(); ++done) files[done].commit();
@@ -151,7 +200,7 @@ void MeshFileSet::commit()
         for (std::size_t i = 0; i < done; ++i) files[i].withdraw();
         throw;
     }
-    files.clear();
+    impl_->keep(0);
 }
 
 void write_mesh(const fs::path& path, const IndexedMesh& mesh)

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -40,7 +41,8 @@ TriangleSoup read_soup(const std::filesystem::path& path);
 struct LoadedMesh
 {
     IndexedMesh mesh;
-    MeshFacts facts;  ///< before repair
+    std::vector<std::filesystem::path> files;  ///< all that were read: the mesh, its material libraries and buffers
+    MeshFacts facts;                           ///< before repair
     Repairs repairs;
 
     /// Whether the mesh as it was repaired has no boundary: the surface of solids, of which one never sees the back.
@@ -55,20 +57,26 @@ LoadedMesh read_mesh(const std::filesystem::path& path);
 /// Writes OBJ, PLY, STL or GLB, by extension. What is written as OBJ or PLY reads back bit for bit (positions, normals,
 /// uv, and streams in PLY; points by equal positions). OBJ and GLB keep materials, OBJ in an .mtl file beside it if
 /// they say more than a name; OBJ has the groups `surface` and `cap`. The file appears complete or not at all: it is
-/// written beside its place and renamed.
+/// written beside its place and renamed. Where a symbolic link has the name, the file that it leads to is replaced.
 /// @throws FileError
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 
-/// Several mesh files that appear together or not at all.
+/// @throws FileError  `output` is one of `inputs`, by whatever name: another spelling, a symbolic or a hard link
+void refuse_to_replace(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
+
+/// Several mesh files that appear together or not at all, also when the program is interrupted
+/// (common/io/unfinished_files.h).
 class MeshFileSet
 {
 public:
-    MeshFileSet();
+    /// @param inputs  files that stay as they are: LoadedMesh::files of what is written in parts
+    explicit MeshFileSet(std::vector<std::filesystem::path> inputs = {});
     ~MeshFileSet();  ///< removes what was not committed
     MeshFileSet(const MeshFileSet&) = delete;
     MeshFileSet& operator=(const MeshFileSet&) = delete;
 
-    /// Writes a mesh as write_mesh() does, under a temporary name beside its place.
+    /// Writes a mesh as write_mesh() does, under a temporary name beside its place. Refuses to replace an input, and to
+    /// write two files to one place.
     /// @throws FileError
     void add(const std::filesystem::path& path, const IndexedMesh& mesh);
 

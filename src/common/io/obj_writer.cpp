@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -171,6 +172,13 @@ bool needs_mtl(const IndexedMesh& mesh)
 std::filesystem::path mtl_path(const std::filesystem::path& obj_path)
 {
     return std::filesystem::path(obj_path).replace_extension(".mtl");
+}
+
+bool can_name_mtl(const std::filesystem::path& obj_path)
+{
+    const std::string name = mtl_path(obj_path).filename().string();
+    return name.front() != ' ' &&
+           std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
 }
 
 void write_mtl(OutputFile& file, const IndexedMesh& mesh)

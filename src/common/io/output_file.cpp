@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "common/io/read_formats.h"
-#include "common/io/unfinished_files.h"
 
 namespace kerf::io {
 
@@ -16,18 +15,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name in the same folder that nobody else uses: hidden, with process and serial number.
+/// A name in the same folder that nobody else uses: hidden, with process and serial number, and short, because a name
+/// made longer might be longer than the file system allows.
 fs::path temporary_beside(const fs::path& path)
 {
     static std::atomic<unsigned> serial{0};
-    std::string name(1, '.');
-    name.append(path.filename().string());
-    name.append(1, '.').append(std::to_string(::getpid()));
-    name.append(1, '-').append(std::to_string(serial++)).append(".tmp");
-    return path.parent_path() / name;
+    return path.parent_path() / (".kerf-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp");
 }
 
 }  // namespace
+
+fs::path behind_links(const fs::path& path)
+{
+    constexpr int kMostLinks = 40;  // what Linux follows in one name
+    fs::path place = path;
+    std::error_code error;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
+        const fs::path target = fs::read_symlink(place, error);
+        if (error) fail(path, "the link of this name cannot be read (" + error.message() + ")");
+        if (links == kMostLinks) fail(path, "the link of this name leads nowhere; choose another name");
+        place = place.parent_path() / target;  // an absolute target takes the place of all
+    }
+    return place;
+}
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path))
 {
@@ -35,12 +45,20 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path))
     const fs::file_status status = fs::status(path_, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
         fail(path_, "it exists and is not a regular file; choose another name");
-    const fs::path temporary = temporary_beside(path_);
-    file_.reset(std::fopen(temporary.c_str(), "wbx"));
-    if (!file_ && errno == ENOENT) fail(path_, "it cannot be written: its folder does not exist; make that first");
-    if (!file_) fail_to_write();
-    temporary_ = temporary;
-    unfinished_ = remember_unfinished(temporary_);
+    if (error && status.type() != fs::file_type::not_found) fail_to_write(error.value());
+    place_ = behind_links(path_);
+    int reason = 0;
+    do {  // one that another process left behind may have the name
+        temporary_ = temporary_beside(place_);
+        unfinished_ = remember_unfinished(temporary_);
+        file_.reset(std::fopen(temporary_.c_str(), "wbx"));
+        reason = file_ ? 0 : errno;
+        if (!file_) unfinished_.reset();
+    } while (reason == EEXIST);
+    if (!file_) {
+        if (reason == ENOENT) fail(path_, "it cannot be written: its folder does not exist; make that first");
+        fail_to_write(reason);
+    }
     constexpr std::size_t kBufferBytes = 1 << 20;
     std::setvbuf(file_.get(), nullptr, _IOFBF, kBufferBytes);
 }
@@ -49,39 +67,37 @@ OutputFile::~OutputFile()
 {
     file_.reset();
     std::error_code ignored;
-    if (temporary_.empty()) return;
-    fs::remove(temporary_, ignored);
-    forget_unfinished(unfinished_);
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
 
 void OutputFile::write(std::string_view bytes)
 {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail_to_write();
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail_to_write(errno);
 }
 
 void OutputFile::finish()
 {
-    if (std::fclose(file_.release()) != 0) fail_to_write();
+    if (std::fclose(file_.release()) != 0) fail_to_write(errno);
 }
 
 void OutputFile::commit()
 {
     std::error_code error;
-    fs::rename(temporary_, path_, error);
-    if (error) fail(path_, "it cannot be written (" + error.message() + "); choose another place");
-    forget_unfinished(unfinished_);
+    fs::rename(temporary_, place_, error);
+    if (error) fail_to_write(error.value());
+    unfinished_.reset();
     temporary_.clear();
 }
 
 void OutputFile::withdraw() noexcept
 {
     std::error_code ignored;
-    fs::remove(path_, ignored);
+    fs::remove(place_, ignored);
 }
 
-void OutputFile::fail_to_write() const
+void OutputFile::fail_to_write(int reason) const
 {
-    fail(path_, std::string("it cannot be written (") + std::strerror(errno) + "); choose another place");
+    fail(path_, std::string("it cannot be written (") + std::strerror(reason) + "); choose another place");
 }
 
 }  // namespace kerf::io

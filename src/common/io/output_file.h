@@ -6,9 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/unfinished_files.h"
+
 namespace kerf::io {
 
-/// A file that appears complete or not at all: it is written under a temporary name beside its place, and renamed.
+/// The file that a name stands for: where symbolic links lead, whether there is something or not; otherwise the name.
+/// @throws FileError  they lead in a circle
+std::filesystem::path behind_links(const std::filesystem::path& path);
+
+/// A file that appears complete or not at all: it is written under a temporary name beside its place, and renamed. A
+/// symbolic link of its name stays; what it leads to is replaced, or made.
 class OutputFile
 {
 public:
@@ -19,6 +26,8 @@ public:
     OutputFile& operator=(OutputFile&&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
+    /// Where it appears: behind the links of its name.
+    const std::filesystem::path& place() const { return place_; }
 
     /// Appends bytes. @throws FileError  for example: the disk is full
     void write(std::string_view bytes);
@@ -38,11 +47,13 @@ private:
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
-    [[noreturn]] void fail_to_write() const;
+    /// For a reason as errno gives it.
+    [[noreturn]] void fail_to_write(int reason) const;
 
     std::filesystem::path path_;
+    std::filesystem::path place_;      ///< behind links
     std::filesystem::path temporary_;  ///< empty: committed, or moved from
-    int unfinished_ = -1;              ///< its number in unfinished_files.h
+    UnfinishedFile unfinished_;
     std::unique_ptr<std::FILE, Close> file_;
 };
 

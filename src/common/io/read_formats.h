@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/assemble.h"
 
@@ -17,6 +18,20 @@ namespace kerf::io {
 
 /// All bytes of a regular file.
 std::string read_bytes(const std::filesystem::path& path);
+
+/// While this lives, what read_bytes() reads in this thread is noted: a mesh file names others, and only its reader
+/// knows which.
+class ReadRecord
+{
+public:
+    explicit ReadRecord(std::vector<std::filesystem::path>& files);
+    ~ReadRecord();
+    ReadRecord(const ReadRecord&) = delete;
+    ReadRecord& operator=(const ReadRecord&) = delete;
+
+private:
+    std::vector<std::filesystem::path>* outer_;
+};
 
 /// The file of this name in the folder of `path` or below it; nothing for an absolute path, one with "..", one of
 /// another system or an address. A file from somewhere else must not make us read what its sender cannot.

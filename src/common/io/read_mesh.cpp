@@ -8,9 +8,13 @@ namespace kerf::io {
 
 LoadedMesh read_mesh(const std::filesystem::path& path)
 {
-    TriangleSoup soup = read_soup(path);
+    LoadedMesh loaded;
+    TriangleSoup soup;
+    {
+        const ReadRecord record(loaded.files);
+        soup = read_soup(path);
+    }
     try {
-        LoadedMesh loaded;
         loaded.facts = measure(soup);
         Assembled assembled = assemble(std::move(soup));
         if (!assembled.error.empty()) fail(path, assembled.error);

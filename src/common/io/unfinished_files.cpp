@@ -2,56 +2,123 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
-#include <climits>
-#include <cstring>
+#include <mutex>
+#include <string>
 
 namespace kerf::io {
 
 namespace {
 
-enum : int
+enum State : int
 {
-    kFree,
-    kChanging,
-    kSet
+    kFree,     ///< its owner may change the path
+    kSet,      ///< the path is that of an unfinished file
+    kRemoved,  ///< a signal handler has it, for ever: the program ends
 };
-
-/// A signal handler may neither allocate nor wait: places and paths are of fixed size.
-struct Place
-{
-    std::atomic<int> state{kFree};
-    std::array<char, PATH_MAX> path{};
-};
-std::array<Place, 32> places;  // as many files as one program writes at a time, and more
-static_assert(std::atomic<int>::is_always_lock_free);
 
 }  // namespace
 
-int remember_unfinished(const std::filesystem::path& path) noexcept
+struct UnfinishedPlace
 {
-    const std::string& name = path.native();
-    if (name.size() >= PATH_MAX) return -1;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        int expected = kFree;
-        if (!places[i].state.compare_exchange_strong(expected, kChanging)) continue;
-        std::memcpy(places[i].path.data(), name.c_str(), name.size() + 1);
-        places[i].state.store(kSet);
-        return static_cast<int>(i);
-    }
-    return -1;
+    std::atomic<int> state{kFree};
+    std::string path;
+    UnfinishedPlace* next = nullptr;       ///< of all places; set before the place is published
+    UnfinishedPlace* next_free = nullptr;  ///< guarded by free_places_mutex
+};
+
+namespace {
+
+// A signal handler may neither allocate nor wait. It walks this list, which only grows; places are used again.
+std::atomic<UnfinishedPlace*> all_places{nullptr};
+static_assert(std::atomic<UnfinishedPlace*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+std::mutex free_places_mutex;
+UnfinishedPlace* free_places = nullptr;
+
+UnfinishedPlace* take_free_place() noexcept
+{
+    const std::lock_guard lock(free_places_mutex);
+    UnfinishedPlace* const place = free_places;
+    if (place != nullptr) free_places = place->next_free;
+    return place;
 }
 
-void forget_unfinished(int number) noexcept
+void publish(UnfinishedPlace* place) noexcept
 {
-    if (number >= 0) places[static_cast<std::size_t>(number)].state.store(kFree);
+    place->next = all_places.load();
+    while (!all_places.compare_exchange_weak(place->next, place)) {
+    }
+}
+
+constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+sigset_t ending_signals() noexcept
+{
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int signal_number : kEndingSignals) sigaddset(&set, signal_number);
+    return set;
+}
+
+void remove_and_end(int signal_number)
+{
+    remove_unfinished_files();
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);  // waits until this handler has returned
+}
+
+}  // namespace
+
+UnfinishedFile remember_unfinished(const std::filesystem::path& path)
+{
+    std::string name = path.native();
+    UnfinishedPlace* place = take_free_place();
+    if (place == nullptr) publish(place = new UnfinishedPlace);
+    place->path = std::move(name);
+    place->state.store(kSet);
+    return UnfinishedFile(place);
+}
+
+void ForgetUnfinished::operator()(UnfinishedPlace* place) const noexcept
+{
+    int expected = kSet;
+    if (!place->state.compare_exchange_strong(expected, kFree)) return;
+    const std::lock_guard lock(free_places_mutex);
+    place->next_free = free_places;
+    free_places = place;
 }
 
 void remove_unfinished_files() noexcept
 {
-    for (Place& place : places)
-        if (place.state.load() == kSet) ::unlink(place.path.data());
+    for (UnfinishedPlace* place = all_places.load(); place != nullptr; place = place->next) {
+        int expected = kSet;
+        if (place->state.compare_exchange_strong(expected, kRemoved)) ::unlink(place->path.c_str());
+    }
+}
+
+void remove_unfinished_files_on_signals() noexcept
+{
+    struct sigaction action = {};
+    action.sa_handler = remove_and_end;
+    // None of them interrupts the removal that another began.
+    action.sa_mask = ending_signals();
+    for (const int signal_number : kEndingSignals) {
+        struct sigaction before = {};
+        const bool is_ignored = ::sigaction(signal_number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
+        if (signal_number != SIGHUP || !is_ignored) ::sigaction(signal_number, &action, nullptr);
+    }
+}
+
+SignalsWait::SignalsWait() noexcept
+{
+    const sigset_t set = ending_signals();
+    ::pthread_sigmask(SIG_BLOCK, &set, &before_);
+}
+
+SignalsWait::~SignalsWait()
+{
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
 }  // namespace kerf::io

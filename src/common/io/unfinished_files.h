@@ -1,16 +1,45 @@
 #pragma once
 
+#include <csignal>
 #include <filesystem>
+#include <memory>
 
 namespace kerf::io {
 
-/// Remembers a temporary file until forget_unfinished() gets the number that this returns, so that
-/// remove_unfinished_files() can find it; -1 when there is no room (then an interruption leaves the file behind).
-int remember_unfinished(const std::filesystem::path& path) noexcept;
-void forget_unfinished(int number) noexcept;
+/// What a signal handler must know of a temporary file.
+struct UnfinishedPlace;
+struct ForgetUnfinished
+{
+    void operator()(UnfinishedPlace* place) const noexcept;
+};
 
-/// Removes the temporary files of all output that is being written. For the signal handlers of programs:
-/// async-signal-safe.
+/// While this lives, remove_unfinished_files() removes a temporary file. As many as memory has room for.
+using UnfinishedFile = std::unique_ptr<UnfinishedPlace, ForgetUnfinished>;
+
+/// Call it before the file is made, with a name that is nobody else's, so that no moment is without it. O(1).
+/// @throws std::bad_alloc
+[[nodiscard]] UnfinishedFile remember_unfinished(const std::filesystem::path& path);
+
+/// Removes the temporary files of all output that is being written. Async-signal-safe. O(files that were ever
+/// unfinished at one time).
 void remove_unfinished_files() noexcept;
+
+/// For programs: SIGINT, SIGTERM and SIGHUP remove unfinished files first, and then end the program as if they had not
+/// been caught. A SIGHUP that is ignored (nohup) stays ignored.
+void remove_unfinished_files_on_signals() noexcept;
+
+/// While this lives, the signals of remove_unfinished_files_on_signals() wait if they come to this thread: what takes
+/// its names in several steps takes all or none.
+class SignalsWait
+{
+public:
+    SignalsWait() noexcept;
+    ~SignalsWait();
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+
+private:
+    sigset_t before_;
+};
 
 }  // namespace kerf::io

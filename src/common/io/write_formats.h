@@ -17,6 +17,8 @@ void write_glb(OutputFile& file, const IndexedMesh& mesh);
 /// The materials of an OBJ file have a file of their own if they say more than a name.
 bool needs_mtl(const IndexedMesh& mesh);
 std::filesystem::path mtl_path(const std::filesystem::path& obj_path);
+/// Whether a line of the OBJ file can hold that file's name: there are no escapes.
+bool can_name_mtl(const std::filesystem::path& obj_path);
 void write_mtl(OutputFile& file, const IndexedMesh& mesh);
 
 }  // namespace kerf::io

@@ -1,0 +1,46 @@
+#include <csignal>
+#include <random>
+
+#include "common/stopwatch.h"
+#include "tools/program.h"
+
+namespace kerf::tools {
+namespace {
+
+using KerfInterrupt = ProgramTest;
+
+TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInterrupted)
+{
+    ASSERT_EQ(kerf("shape comb -n 9600 -o comb.ply").status, 0);
+    const std::vector<std::string> before = names_in_folder();
+    const std::string cut =
+        "cut comb.ply --backend baseline --normal 0,1,0 --point 0,0.2,0 --components --format stl --out q";
+    Stopwatch watch;
+    ASSERT_EQ(kerf(cut).status, 0);
+    const double ms = watch.lap();
+    const std::vector<std::string> all = names_in_folder();
+    ASSERT_GT(all.size(), 300u);
+
+    int interrupted = 0;
+    std::mt19937 random(20261122);
+    for (int round = 0; round < 50; ++round) {
+        for (const std::string& name : all)
+            if (name != "comb.ply") std::filesystem::remove(folder_ / name);
+        const double seconds = 0.001 * std::uniform_real_distribution(0.0, 1.1 * ms)(random);
+        const char* const name = round % 3 == 0 ? "INT" : (round % 3 == 1 ? "TERM" : "HUP");
+        const Outcome outcome =
+            kerf(cut, "timeout --preserve-status -s " + std::string(name) + " " + std::to_string(seconds));
+        const std::vector<std::string> names = names_in_folder();
+        if (outcome.status == 0) {
+            EXPECT_EQ(names, all);
+            continue;
+        }
+        ++interrupted;
+        EXPECT_EQ(outcome.status, 128 + (round % 3 == 0 ? SIGINT : (round % 3 == 1 ? SIGTERM : SIGHUP)));
+        EXPECT_TRUE(names == before || names == all) << names.size() << " files after " << seconds << " s";
+    }
+    EXPECT_GT(interrupted, 10);
+}
+
+}  // namespace
+}  // namespace kerf::tools
