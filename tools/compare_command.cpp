@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -208,6 +209,7 @@ std::string tally_text(const std::string& name, const Tally& tally)
     text += formatted("; volume error %.1e/%.1e", tally.baseline_volume_error, tally.halfedge_volume_error);
     text += formatted("; median ms %.4g/%.4g", median(tally.baseline_ms), median(tally.halfedge_ms));
     if (tally.failed > 0) return text + "; " + counted(tally.failed, "row") + " FAILED\n";
+    if (tally.rows == 0) return text + "; nothing was compared\n";
     return text + (tally.crossed_sections + tally.unjudged_sections > 0 ? "; agree where judged\n" : "; agree\n");
 }
 
@@ -310,15 +312,16 @@ void run(const CompareCommandOptions& options)
     }
 
     Tally total;
-    std::size_t bad_meshes = 0;
+    std::size_t bad_meshes = 0, unusable_files = 0;
     Json files = Json::array();
     for (const std::string& file : options.files) {
-        io::LoadedMesh loaded = io::read_mesh(file);
         Tally tally;
         Json rows = Json::array();
-        if (!options.json && !options.quiet) print(file + "\n" + table_head());
         ComparedMesh mesh;
+        std::string error;
         try {
+            io::LoadedMesh loaded = io::read_mesh(file);
+            if (!options.json && !options.quiet) print(file + "\n" + table_head());
             mesh =
                 compare_mesh(std::move(loaded.mesh), *baseline, *halfedge, comparison, [&](const ComparisonRow& row) {
                     tally.add(row);
@@ -328,11 +331,27 @@ void run(const CompareCommandOptions& options)
                     } else if (!options.quiet || !row.failures.empty())
                         print(row_text(row));
                 });
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(file + ": " + error.what());
+        } catch (const OutputError&) {
+            throw;
+        } catch (const io::FileError& reason) {
+            error = reason.what();
+        } catch (const std::runtime_error& reason) {
+            error = file + ": " + reason.what();
+        } catch (const std::bad_alloc&) {
+            error = file + ": there is not enough memory to compare it";
         }
         total.add(tally);
         if (!mesh.failures.empty()) ++bad_meshes;
+        if (!error.empty()) {
+            // One of thousands is a row. One alone is the end, with nothing on standard output but rows.
+            if (options.files.size() == 1) throw std::runtime_error(error);
+            ++unusable_files;
+            if (options.json)
+                files.push_back(Json{{"file", file}, {"error", error}, {"rows", std::move(rows)}});
+            else
+                print("NOT COMPARED: " + error + "\n" + (options.quiet ? "" : "\n"));
+            continue;
+        }
         const std::string name = std::filesystem::path(file).filename().string();
         if (options.json) {
             files.push_back(
@@ -354,14 +373,21 @@ void run(const CompareCommandOptions& options)
         print(Json{{"baseline", baseline->name()},
                    {"halfedge", halfedge->name()},
                    {"seed", comparison.seed},
+                   {"unusable_files", unusable_files},
                    {"files", std::move(files)},
                    {"total", tally_json(total)}});
     else if (options.files.size() > 1)
-        print(tally_text("all " + counted(options.files.size(), "file"), total));
+        print(tally_text("all " + counted(options.files.size(), "file") +
+                             (unusable_files > 0 ? ", " + grouped(unusable_files) + " of them NOT COMPARED" : ""),
+                         total));
+    std::string failed;
     if (total.failed > 0 || bad_meshes > 0)
-        throw std::runtime_error("the comparison failed in " + grouped(total.failed) + " of " +
-                                 counted(total.rows, "row") +
-                                 (bad_meshes > 0 ? " and when preparing " + counted(bad_meshes, "mesh") : ""));
+        failed = "the comparison failed in " + grouped(total.failed) + " of " + counted(total.rows, "row") +
+                 (bad_meshes > 0 ? " and when preparing " + counted(bad_meshes, "mesh") : "");
+    if (unusable_files > 0)
+        failed += (failed.empty() ? "" : "; ") + grouped(unusable_files) + " of " +
+                  counted(options.files.size(), "file") + " could not be compared";
+    if (!failed.empty()) throw std::runtime_error(failed);
 }
 
 }  // namespace
@@ -398,7 +424,10 @@ void add_compare_command(CLI::App& program)
         "included. fan and cap: by how much the caps of baseline and halfedge miss the section's area. Open edges and\n"
         "triangles with two equal corners: baseline/halfedge. volume error: relative to the whole mesh. The name of a\n"
         "piece has a + or - for each cut before; wrong caps change the shape that later planes meet. "
-        "Exit status 1 when something is not as it must be.\n\n"
+        "Exit status 1 when something\n"
+        "is not as it must be. Of several files one that cannot be used is a row and exit status 1 at the end; the "
+        "others "
+        "are compared.\n\n"
         "Examples:\n"
         "  kerf compare rook.obj\n"
         "  kerf compare *.obj --planes 200 --seed 3 --quiet\n"

@@ -419,8 +419,8 @@ ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backe
     const double unit = plane_noise(mesh.bounds().largest_coordinate()) / kNoiseInUnits;
     summary.judged_volume = std::abs(summary.volume) + unit * area_of(mesh) / kAgreement;
     Comparison comparison(options, take_row, summary, unit, first_cap);
-    for (std::uint64_t i = options.first_plane; i < options.first_plane + options.planes; ++i)
-        comparison.run(*a, *b, surface, summary.volume, i);
+    for (std::uint64_t i = 0; i < options.planes; ++i)  // the last number may be the largest that there is
+        comparison.run(*a, *b, surface, summary.volume, options.first_plane + i);
     return summary;
 }
 

@@ -39,29 +39,78 @@ Json vector_json(const glm::dvec3& v)
     return {v.x, v.y, v.z};
 }
 
-glm::dvec3 parse_vector(const std::string& option, const std::string& text)
+namespace {
+
+/// Reads a finite number at the beginning of a text. Null if there is none; otherwise where it ends.
+const char* parse_number(const char* at, const char* end, double& value)
 {
-    const auto refuse = [&]() -> CLI::ValidationError {
-        return CLI::ValidationError(option,
-                                    "'" + text + "' is not three numbers with commas between them, like 0,1.5,-2");
-    };
+    if (at != end && *at == '+') ++at;
+    const auto [behind, error] = std::from_chars(at, end, value);
+    return error == std::errc() && std::isfinite(value) ? behind : nullptr;
+}
+
+/// The same, rounded once from the decimal digits to what a mesh's coordinate of these digits is. Numbers that no mesh
+/// has stay what they are.
+const char* parse_coordinate(const char* at, const char* end, double& value)
+{
+    const char* const behind = parse_number(at, end, value);
+    if (behind == nullptr) return nullptr;
+    if (*at == '+') ++at;
+    float coordinate = 0.0f;
+    const auto [ignored, error] = std::from_chars(at, behind, coordinate);
+    if (error == std::errc() || std::abs(value) < 1.0) value = double(coordinate);  // 0 below the smallest
+    return behind;
+}
+
+using ParseNumber = const char* (*)(const char*, const char*, double&);
+
+glm::dvec3 parse_three(const std::string& option, const std::string& text, ParseNumber parse)
+{
     glm::dvec3 v;
     const char* at = text.data();
     const char* const end = text.data() + text.size();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (axis > 0 && (at == end || *at++ != ',')) throw refuse();
-        if (at != end && *at == '+') ++at;
-        const auto [behind, error] = std::from_chars(at, end, v[axis]);
-        if (error != std::errc() || !std::isfinite(v[axis])) throw refuse();
-        at = behind;
+    for (int axis = 0; axis < 3 && at != nullptr; ++axis) {
+        if (axis > 0) at = at != end && *at == ',' ? at + 1 : nullptr;
+        if (at != nullptr) at = parse(at, end, v[axis]);
     }
-    if (at != end) throw refuse();
+    if (at != end)
+        throw CLI::ValidationError(option,
+                                   "'" + text + "' is not three numbers with commas between them, like 0,1.5,-2");
     return v;
+}
+
+}  // namespace
+
+glm::dvec3 parse_vector(const std::string& option, const std::string& text)
+{
+    return parse_three(option, text, parse_number);
+}
+
+glm::dvec3 parse_point(const std::string& option, const std::string& text)
+{
+    return parse_three(option, text, parse_coordinate);
+}
+
+Plane parse_axis_plane(const std::string& option, const std::string& text)
+{
+    const char* at = text.data();
+    const char* const end = text.data() + text.size();
+    const bool is_turned = at != end && *at == '-';
+    if (is_turned) ++at;
+    Plane plane;
+    if (end - at > 2 && *at >= 'x' && *at <= 'z' && at[1] == '=' &&
+        parse_coordinate(at + 2, end, plane.offset) == end) {
+        plane.normal = glm::dvec3(0.0);
+        plane.normal[*at - 'x'] = is_turned ? -1.0 : 1.0;
+        if (is_turned) plane.offset = -plane.offset;
+        return plane;
+    }
+    throw CLI::ValidationError(option, "'" + text + "' is no axis with a coordinate, like x=0.5 or z=-2");
 }
 
 void print(const std::string& text)
 {
-    if (!(std::cout << text << std::flush)) throw std::runtime_error("the result cannot be written to standard output");
+    if (!(std::cout << text << std::flush)) throw OutputError();
 }
 
 void print(const Json& document)

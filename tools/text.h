@@ -3,7 +3,10 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
+
+#include "common/plane.h"
 
 // How the program writes numbers and reads vectors.
 
@@ -28,8 +31,25 @@ Json vector_json(const glm::dvec3& v);
 /// @throws CLI::ValidationError
 glm::dvec3 parse_vector(const std::string& option, const std::string& text);
 
+/// The same for a point, each coordinate rounded to float as those of meshes are: digits copied from a file mean that
+/// vertex.
+/// @throws CLI::ValidationError
+glm::dvec3 parse_point(const std::string& option, const std::string& text);
+
+/// "x=0.5": the plane through that coordinate, rounded like a point's, across the axis; its normal points along it, or
+/// against it with a minus in front.
+/// @throws CLI::ValidationError
+Plane parse_axis_plane(const std::string& option, const std::string& text);
+
+/// Standard output cannot be written. what() is one sentence.
+class OutputError : public std::runtime_error
+{
+public:
+    OutputError() : std::runtime_error("the result cannot be written to standard output") {}
+};
+
 /// Prints a JSON document, or what `text` holds, to standard output.
-/// @throws std::runtime_error  it cannot be written
+/// @throws OutputError
 void print(const std::string& text);
 void print(const Json& document);
 

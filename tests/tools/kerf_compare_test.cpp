@@ -155,6 +155,47 @@ TEST_F(KerfCompare, RefusesFilesThatCannotBeUsedInOneLine)
     expect_unusable(kerf("compare none.ply --json"), "none.ply: there is no such file");
 }
 
+TEST_F(KerfCompare, OneUnusableFileOfManyIsARowAndTheOthersAreCompared)
+{
+    write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+    const Outcome json = kerf("compare a.obj broken.obj none.ply a.obj --planes 5 --json");
+    EXPECT_EQ(json.status, 1);
+    EXPECT_EQ(json.error_lines(), 1) << json.err;
+    EXPECT_NE(json.err.find("2 of 4 files could not be compared"), std::string::npos) << json.err;
+    const Json result = Json::parse(json.out, nullptr, false);
+    ASSERT_FALSE(result.is_discarded());
+    ASSERT_EQ(result["files"].size(), 4u);
+    EXPECT_EQ(result["unusable_files"], 2);
+    EXPECT_NE(result["files"][1]["error"].get<std::string>().find("broken.obj: line 4"), std::string::npos);
+    EXPECT_NE(result["files"][2]["error"].get<std::string>().find("none.ply: there is no such file"),
+              std::string::npos);
+    EXPECT_EQ(result["files"][3]["rows"].size(), 5u);
+    EXPECT_EQ(result["total"]["rows"], 10);
+
+    const Outcome text = kerf("compare broken.obj a.obj --planes 5 --quiet");
+    EXPECT_EQ(text.status, 1);
+    EXPECT_EQ(text.error_lines(), 1) << text.err;
+    EXPECT_NE(text.out.find("NOT COMPARED: broken.obj: line 4"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("all 2 files, 1 of them NOT COMPARED: "), std::string::npos) << text.out;
+}
+
+TEST_F(KerfCompare, ComparesThePlaneOfAnyNumberAlone)
+{
+    for (const char* number : {"0", "77", "18446744073709551614", "18446744073709551615"}) {
+        const Json result = kerf_json(std::string("compare a.obj --only ") + number);
+        ASSERT_EQ(result["total"]["rows"], 1) << number;
+        EXPECT_EQ(result["files"][0]["rows"][0]["number"], std::stoull(number));
+    }
+}
+
+TEST_F(KerfCompare, AResultThatCannotBePrintedEndsIt)
+{
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+    const Outcome outcome = kerf("compare a.obj a.obj > /dev/full");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "kerf: the result cannot be written to standard output\n");
+}
+
 TEST_F(KerfCompare, WrongUseExitsWith2)
 {
     for (const char* arguments : {"compare", "compare a.obj --planes 0", "compare a.obj --planes many",

@@ -31,7 +31,13 @@ TEST_F(KerfUse, WrongUseExitsWith2AndShowsUsage)
                                   "shape teapot -o a.obj",
                                   "shape box --triangles 0 -o b.obj",
                                   "shape box --triangles -5 -o b.obj",
-                                  "shape box --triangles many -o b.obj"}) {
+                                  "shape box --triangles many -o b.obj",
+                                  "shape box --seed 18446744073709551616 -o b.obj",
+                                  "shape box --seed ' -1' -o b.obj",
+                                  "shape box --seed 0x10000000000000000 -o b.obj",
+                                  "compare a.obj --seed 99999999999999999999999",
+                                  "compare a.obj --only 18446744073709551616",
+                                  "compare a.obj --only -1"}) {
         const Outcome outcome = kerf(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_NE(outcome.err.find("Usage: kerf"), std::string::npos) << arguments << ": " << outcome.err;
