@@ -23,8 +23,9 @@ namespace {
 struct CutCommandOptions
 {
     std::string file;
-    std::optional<glm::dvec3> point;  ///< default: centre of the bounds
-    glm::dvec3 normal{0.0, 0.0, 1.0};
+    std::optional<glm::dvec3> point;   ///< default: centre of the bounds
+    std::optional<glm::dvec3> normal;  ///< this or the plane
+    std::optional<Plane> plane;
     std::string backend = registered_backends().front().name;
     std::string lookup;
     bool no_cap = false;
@@ -104,7 +105,8 @@ CutReport perform(const CutCommandOptions& options)
 {
     io::LoadedMesh loaded = io::read_mesh(options.file);
     const std::optional<Plane> plane =
-        Plane::through(options.point.value_or(loaded.mesh.bounds().centre()), options.normal);
+        options.plane ? options.plane
+                      : Plane::through(options.point.value_or(loaded.mesh.bounds().centre()), *options.normal);
     if (!plane) throw std::runtime_error("the plane's numbers are too large to calculate with");
     const std::unique_ptr<Backend> backend = make_backend(options.backend, options.lookup);
 
@@ -139,7 +141,7 @@ CutReport perform(const CutCommandOptions& options)
     if (result.status != Status::cut && result.status != Status::open_section)
         throw std::runtime_error(options.file + ": it could not be cut (" + std::string(name_of(result.status)) + ")");
 
-    io::MeshFileSet files;
+    io::MeshFileSet files(std::move(loaded.files));
     report.positive = add_side(files, options, "positive", result.positive);
     report.negative = add_side(files, options, "negative", result.negative);
     files.commit();
@@ -251,6 +253,15 @@ std::vector<std::string> backend_names()
     return names;
 }
 
+/// Who asks for a lookup wants the back end that has it.
+std::string backend_with(const std::string& lookup)
+{
+    for (const RegisteredBackend& backend : registered_backends())
+        for (const std::string& one : backend.lookups)
+            if (one == lookup) return backend.name;
+    return registered_backends().front().name;
+}
+
 void run(const CutCommandOptions& options)
 {
     const CutReport report = perform(options);
@@ -267,26 +278,36 @@ void add_cut_command(CLI::App& program)
     auto options = std::make_shared<CutCommandOptions>();
     CLI::App* command = program.add_subcommand("cut", "Cut a mesh by a plane and write both sides");
     command->add_option("FILE", options->file, "Mesh: obj, ply, stl, off, gltf or glb")->required();
+    CLI::Option* point =
+        command
+            ->add_option_function<std::string>(
+                "--point", [options](const std::string& text) { options->point = parse_point("--point", text); },
+                "A point of the plane, each coordinate rounded to float as in the mesh; default: the centre of the "
+                "mesh's bounds")
+            ->type_name("X,Y,Z");
+    CLI::Option* normal = command
+                              ->add_option_function<std::string>(
+                                  "--normal",
+                                  [options](const std::string& text) {
+                                      options->normal = parse_vector("--normal", text);
+                                      if (!Plane::through({0, 0, 0}, *options->normal))
+                                          throw CLI::ValidationError("--normal", "'" + text + "' has no direction");
+                                  },
+                                  "The plane's normal, of any length; it points to the positive side")
+                              ->type_name("X,Y,Z");
     command
         ->add_option_function<std::string>(
-            "--point", [options](const std::string& text) { options->point = parse_vector("--point", text); },
-            "A point of the plane; default: the centre of the mesh's bounds")
-        ->type_name("X,Y,Z");
-    command
-        ->add_option_function<std::string>(
-            "--normal",
-            [options](const std::string& text) {
-                options->normal = parse_vector("--normal", text);
-                if (!Plane::through({0, 0, 0}, options->normal))
-                    throw CLI::ValidationError("--normal", "'" + text + "' has no direction");
-            },
-            "The plane's normal, of any length; it points to the positive side")
-        ->type_name("X,Y,Z")
-        ->required();
-    command->add_option("--backend", options->backend, "Which way to cut; see below")
-        ->check(CLI::IsMember(backend_names()).description(""))
-        ->capture_default_str();
-    command->add_option("--lookup", options->lookup, "How the baseline looks up vertices; see below");
+            "--plane", [options](const std::string& text) { options->plane = parse_axis_plane("--plane", text); },
+            "A plane across an axis instead, such as x=0.5; its normal points along the axis, with --plane=-x=0.5 "
+            "against it")
+        ->type_name("AXIS=NUMBER")
+        ->excludes(point)
+        ->excludes(normal);
+    CLI::Option* backend = command->add_option("--backend", options->backend, "Which way to cut; see below")
+                               ->check(CLI::IsMember(backend_names()).description(""))
+                               ->capture_default_str();
+    command->add_option("--lookup", options->lookup,
+                        "How the baseline, which this implies, looks up vertices; see below");
     command->add_flag("--no-cap", options->no_cap, "Leave the section open");
     command->add_flag("--components", options->components, "Write the connected pieces of each side one by one");
     command->add_option("--out", options->prefix, "Beginning of the names of the files to write")
@@ -310,8 +331,11 @@ void add_cut_command(CLI::App& program)
         list_of_backends() +
         "\nExamples:\n"
         "  kerf cut rook.obj --normal 0,1,0 --out /tmp/rook\n"
+        "  kerf cut rook.obj --plane y=0.5 --out /tmp/rook\n"
         "  kerf cut knot.off --point 0.1,0,0 --normal 1,0.5,0 --components --format ply --out knot --json");
-    command->callback([options] {
+    command->callback([options, backend] {
+        if (!options->normal && !options->plane) throw CLI::RequiredError("--normal or --plane");
+        if (backend->empty()) options->backend = backend_with(options->lookup);
         try {
             make_backend(options->backend, options->lookup);
         } catch (const std::invalid_argument& error) {

@@ -47,10 +47,10 @@ RegisteredBackend halfedge_entry()
 const std::vector<RegisteredBackend>& registered_backends()
 {
     static const std::vector<RegisteredBackend> all{
-        baseline_entry(),
 #ifdef KERF_HAS_HALFEDGE
         halfedge_entry(),
 #endif
+        baseline_entry(),
     };
     return all;
 }

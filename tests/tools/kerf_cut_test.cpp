@@ -74,6 +74,102 @@ TEST_F(KerfCut, PutsThePlaneThroughTheCentreOfTheBoundsUnlessAPointIsGiven)
     EXPECT_LT(moved["positive"]["centre_of_mass"][0], 2.5);
 }
 
+/// A step with a flat floor at z = 0.1, which as a float is 0.100000001, and a wall at x = 0.3, which is 0.300000012.
+constexpr const char* kStep =
+    "v 0 0 0\nv 1 0 0\nv 1 0 0.1\nv 0.3 0 0.1\nv 0.3 0 1\nv 0 0 1\n"
+    "v 0 1 0\nv 1 1 0\nv 1 1 0.1\nv 0.3 1 0.1\nv 0.3 1 1\nv 0 1 1\n"
+    "f 1 2 3 4 5 6\nf 12 11 10 9 8 7\n"
+    "f 2 1 7 8\nf 3 2 8 9\nf 4 3 9 10\nf 5 4 10 11\nf 6 5 11 12\nf 1 6 12 7\n";
+
+TEST_F(KerfCut, ACoordinateThatIsCopiedFromTheFileMeansThatVertex)
+{
+    write("step.obj", kStep);
+    for (const char* backend : {"", " --backend baseline"})
+        for (const char* plane : {"--normal 0,0,1 --point 0,0,0.1", "--normal 0,0,1 --point +7,-3,+.1e0",
+                                  "--plane z=0.1", "--plane z=+1e-1", "--plane=-z=0.1"}) {
+            SCOPED_TRACE(plane + std::string(backend));
+            const Json cut = kerf_json("cut step.obj --out a " + std::string(plane) + backend);
+            // Not the floor's area as well: it is no part of the tower above.
+            EXPECT_NEAR(cut["section_area"].get<double>(), 0.3, 1e-6);
+            const bool is_turned = std::string(plane).find("=-") != std::string::npos;
+            EXPECT_NEAR(cut[is_turned ? "negative" : "positive"]["area"].get<double>(), 2.6 * 0.9 + 2 * 0.3, 1e-6);
+            EXPECT_EQ(std::abs(cut["plane"]["offset"].get<double>()), double(0.1f));
+        }
+}
+
+TEST_F(KerfCut, TakesAPlaneAcrossAnAxis)
+{
+    write("step.obj", kStep);
+    const Json wall = kerf_json("cut step.obj --plane x=0.3 --out a");
+    EXPECT_EQ(wall["plane"], Json({{"normal", {1.0, 0.0, 0.0}}, {"offset", double(0.3f)}}));
+    EXPECT_NEAR(wall["section_area"].get<double>(), 0.1, 1e-6);
+    const Json turned = kerf_json("cut step.obj --plane=-y=.25 --out a");
+    EXPECT_EQ(turned["plane"], Json({{"normal", {0.0, -1.0, 0.0}}, {"offset", -0.25}}));
+    EXPECT_NEAR(turned["positive"]["volume"].get<double>() * 3, turned["negative"]["volume"].get<double>(), 1e-6);
+    // No mesh has such coordinates: what is no float stays what it is.
+    EXPECT_EQ(kerf_json("cut step.obj --plane z=1e300 --out a")["status"], "missed");
+    EXPECT_EQ(kerf_json("cut step.obj --plane z=1e-300 --out a")["plane"]["offset"], 0.0);
+    for (const char* plane : {"w=1", "x", "x=", "=1", "x=nan", "x=1e999", "x=1,2", "xy=1", "--x=1",
+                              "x=1 --normal 1,0,0", "x=1 --point 0,0,0"}) {
+        const Outcome outcome = kerf("cut step.obj --out a --plane=" + std::string(plane));
+        EXPECT_EQ(outcome.status, 2) << plane;
+        EXPECT_NE(outcome.err.find("--plane"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST_F(KerfCut, CutsWithTheHalfEdgeBackEndUnlessToldOtherwise)
+{
+    make("spiral_wall", 400);
+    const std::string plane = "cut in.ply --normal 0,1,0 --out a";
+    if (kerf(plane + " --backend halfedge").status == 2) GTEST_SKIP() << "this program has no half-edge back end";
+    const Json cut = kerf_json(plane);
+    EXPECT_EQ(cut["backend"], "halfedge");
+    EXPECT_EQ(cut["warnings"], Json::array());
+    EXPECT_NEAR(cut["positive"]["cap_area"].get<double>(), cut["section_area"].get<double>(), 1e-6);
+    EXPECT_EQ(kerf_json(plane + " --backend baseline")["backend"], "baseline/hash");
+    // Who asks for a lookup asks for the back end that has it.
+    EXPECT_EQ(kerf_json(plane + " --lookup remap")["backend"], "baseline/remap");
+    EXPECT_EQ(kerf(plane + " --backend halfedge --lookup remap").status, 2);
+    EXPECT_EQ(kerf(plane + " --lookup guess").status, 2);
+}
+
+TEST_F(KerfCut, NeverReplacesWhatItReads)
+{
+    namespace fs = std::filesystem;
+    make("box", 12);
+    fs::create_directory(folder_ / "d");
+    for (const char* name : {"x.positive.ply", "d/x.negative.ply"}) fs::copy_file(folder_ / "in.ply", folder_ / name);
+    const std::string model = text_of("in.ply");
+    fs::create_hard_link(folder_ / "in.ply", folder_ / "hard.positive.ply");
+    fs::create_symlink("in.ply", folder_ / "link.negative.ply");
+    const std::string options = " --normal 0,1,0 --format ply --out ";
+    for (const char* arguments : {"x.positive.ply", "./x.positive.ply", "d/../x.positive.ply"})
+        expect_unusable(kerf("cut " + std::string(arguments) + options + "x"), "it would replace what is read");
+    expect_unusable(kerf("cut d/x.negative.ply" + options + "./d/x"), "it would replace what is read");
+    expect_unusable(kerf("cut in.ply" + options + "hard"), "it would replace what is read");
+    expect_unusable(kerf("cut in.ply" + options + "link"), "it would replace what is read");
+    EXPECT_EQ(written(), (std::vector<std::string>{"d", "hard.positive.ply", "link.negative.ply", "x.positive.ply"}));
+    for (const char* name : {"in.ply", "x.positive.ply", "d/x.negative.ply"}) EXPECT_EQ(text_of(name), model);
+
+    // The material file of an output may be that of the input.
+    write("y.positive.mtl", "newmtl red\nKd 1 0 0\n");
+    write("in.obj", "mtllib y.positive.mtl\nusemtl red\n" + std::string(kStep));
+    expect_unusable(kerf("cut in.obj --normal 0,1,0 --out y"), "y.positive.mtl: it would replace what is read");
+    EXPECT_EQ(text_of("y.positive.mtl"), "newmtl red\nKd 1 0 0\n");
+}
+
+TEST_F(KerfCut, WritesWhereALinkLeads)
+{
+    namespace fs = std::filesystem;
+    make("box", 12);
+    fs::create_directory(folder_ / "d");
+    fs::create_symlink("d/other.stl", folder_ / "a.positive.stl");
+    kerf_json("cut in.ply --normal 0,1,0 --format stl --out a");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "a.positive.stl"));
+    EXPECT_GT(fs::file_size(folder_ / "d/other.stl"), 84u);
+    EXPECT_EQ(written(), (std::vector<std::string>{"a.negative.stl", "a.positive.stl", "d"}));
+}
+
 TEST_F(KerfCut, NamesTheGroupsAndMaterialsOfObjFiles)
 {
     make("box", 12);
@@ -159,7 +255,7 @@ TEST_F(KerfCut, CutsOpenMeshesAndSaysSo)
 TEST_F(KerfCut, GivesTheSameBytesOnEveryRunAndWithEveryLookup)
 {
     make("asteroid", 1000);
-    kerf_json("cut in.ply --normal 1,1,0 --out first");
+    kerf_json("cut in.ply --normal 1,1,0 --backend baseline --out first");
     for (const std::string lookup : {"hash", "remap", "two_bucket_hash", "scan"}) {
         const Json cut = kerf_json("cut in.ply --normal 1,1,0 --out again --lookup " + lookup);
         EXPECT_NE(cut["backend"].get<std::string>().find(lookup), std::string::npos);
@@ -247,7 +343,7 @@ TEST_F(KerfCut, SaysWhenTheFanDoesNotFitTheSection)
 {
     make("torus", 2000);
     // Across the axis: two rings, one inside the other, which no fan from the middle covers.
-    const Outcome outcome = kerf("cut in.ply --normal 0,0,1 --point 0,0,0.01 --out a");
+    const Outcome outcome = kerf("cut in.ply --normal 0,0,1 --point 0,0,0.01 --backend baseline --out a");
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.out.find("the fan does not fit"), std::string::npos) << outcome.out;
 }
