@@ -41,13 +41,13 @@ public:
     }
 
     std::uint64_t triangle_count() const override { return fragment_.mesh.triangles.size(); }
-    Box bounds() const override { return fragment_.bounds(); }
+    Box bounds() const override { return fragment_.bounds; }
 
     DrawView draw_view() const override
     {
         const IndexedMesh& mesh = fragment_.mesh;
         DrawView view;
-        view.buffers = &mesh;
+        view.buffers = this;
         view.vertices = mesh.vertices;
         static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
         view.indices = {reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()), mesh.triangles.size() * 3};
@@ -66,7 +66,7 @@ public:
 
     MassProperties mass_properties() const override
     {
-        const glm::dvec3 reference = mass_reference(fragment_.bounds());
+        const glm::dvec3 reference = mass_reference(fragment_.bounds);
         return mass_moments(fragment_.mesh.vertices, fragment_.mesh.triangles, reference).properties(reference);
     }
 
@@ -122,7 +122,8 @@ private:
     {
         Fragment fragment;
         fragment.mesh = std::move(mesh);
-        fragment.noise = plane_noise(fragment.bounds().largest_coordinate());
+        fragment.bounds = fragment.mesh.bounds();
+        fragment.noise = plane_noise(fragment.bounds.largest_coordinate());
         return std::make_unique<BaselineCuttable>(std::move(fragment), method_);
     }
 

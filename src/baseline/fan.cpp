@@ -96,9 +96,8 @@ std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& cross
                 builder.append_streams_of(builder.source().triangles[edge.triangle][edge.from_corner]);
             mesh.points.push_back(point.existing != kNone ? builder.point_of_existing(point.existing)
                                                           : builder.point_of_cut(crossings, point.cut_point));
-            mesh.vertices.push_back(cap_vertex(point.position));
+            builder.append_vertex(cap_vertex(point.position));
         }
-        const auto apex = static_cast<std::uint32_t>(mesh.vertices.size());
         for (VertexStream& stream : mesh.streams)
             for (std::uint32_t w = 0; w < stream.width; ++w) {
                 double sum = 0.0;
@@ -107,7 +106,7 @@ std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& cross
                 stream.values.push_back(static_cast<float>(sum / count));
             }
         mesh.points.push_back(builder.new_point());
-        mesh.vertices.push_back(cap_vertex(clear_of_rim(section, path, centre, plane, step)));
+        const std::uint32_t apex = builder.append_vertex(cap_vertex(clear_of_rim(section, path, centre, plane, step)));
         builder.fan_centres.push_back(apex);
 
         for (std::uint32_t i = 0; i < count; ++i) {

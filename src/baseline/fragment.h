@@ -17,13 +17,7 @@ struct Fragment
     std::vector<std::uint32_t>
         fan_centres;                   ///< vertices that fans added: rounded, so they may stick out by a last place
     std::vector<SectionLoop> section;  ///< outline of the last cut
-
-    /// Smallest box around the vertices. O(n) when first asked for.
-    const Box& bounds() const
-    {
-        if (bounds_.empty()) bounds_ = mesh.bounds();
-        return bounds_;
-    }
+    Box bounds;                        ///< smallest box around the vertices
 
     /// A cut makes room for all of the object on either side. Gives that back where it is more than kSpare times what
     /// is used: a small piece is cheap to copy and must not hold on to the memory of what it was cut from; a large one
@@ -40,9 +34,6 @@ struct Fragment
             mesh.sources.shrink_to_fit();
         }
     }
-
-private:
-    mutable Box bounds_;
 };
 
 }  // namespace kerf::baseline

@@ -192,6 +192,7 @@ std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std:
             new_vertex[v] = static_cast<std::uint32_t>(piece.mesh.vertices.size());
             if (is_centre[v]) piece.fan_centres.push_back(new_vertex[v]);
             piece.mesh.vertices.push_back(mesh.vertices[v]);
+            piece.bounds.add(mesh.vertices[v].position);
             std::uint32_t& point = new_point[mesh.points[v]];
             if (point == kNone) point = piece.mesh.point_count++;
             piece.mesh.points.push_back(point);

@@ -9,6 +9,7 @@
 #include "baseline/crossing.h"
 #include "baseline/fragment.h"
 #include "baseline/pair_table.h"
+#include "baseline/vertex_box.h"
 
 namespace kerf::baseline {
 
@@ -30,6 +31,7 @@ public:
     }
 
     IndexedMesh mesh;                        ///< what has been collected
+    VertexBox bounds;                        ///< around its vertices
     std::vector<std::uint32_t> fan_centres;  ///< vertices of `mesh`
     std::uint64_t comparisons = 0;           ///< how often the lookup compared two vertices
 
@@ -39,10 +41,11 @@ public:
     void set_cut_point_count(std::size_t count) { point_of_cut_.assign(count, kNone); }
 
     /// Declares that vertices and points have been filled in bulk with `vertices` vertices of `points` points: those of
-    /// class `own`, in source order. Their streams follow here.
+    /// class `own`, in source order, and lie in `box`. Their streams follow here.
     void set_copied(std::span<const std::uint8_t> classes, std::uint8_t own, std::uint32_t vertices,
-                    std::uint32_t points)
+                    std::uint32_t points, const VertexBox& box)
     {
+        bounds = box;
         classes_ = classes;
         own_class_ = own;
         mesh.vertices.resize(vertices);
@@ -100,8 +103,7 @@ public:
     {
         append_streams_of(vertex);
         mesh.points.push_back(point_of_existing(source_.points[vertex]));
-        mesh.vertices.push_back(source_.vertices[vertex]);
-        return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+        return append_vertex(source_.vertices[vertex]);
     }
 
     /// Appends the vertex at a cut corner of a crossing triangle and returns its index.
@@ -109,7 +111,14 @@ public:
     {
         append_streams(crossing, code);
         mesh.points.push_back(point_of_cut(crossings, crossings.cut_point(crossing, code)));
-        mesh.vertices.push_back(corner_vertex(source_, crossing, code));
+        return append_vertex(corner_vertex(source_, crossing, code));
+    }
+
+    /// Appends a vertex, whose point and streams are the caller's to append, and returns its index.
+    std::uint32_t append_vertex(const Vertex& vertex)
+    {
+        mesh.vertices.push_back(vertex);
+        bounds.add(vertex);
         return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
     }
 
@@ -130,7 +139,7 @@ public:
         for (std::size_t s = 0; s < mesh.streams.size(); ++s) append_stream_values(s, vertex);
     }
 
-    /// Takes the last vertex away again.
+    /// Takes the last vertex away again. An equal one is there: the bounds stay.
     void remove_last()
     {
         mesh.vertices.pop_back();

@@ -347,6 +347,7 @@ private:
             fragment.noise = whole_.noise;
             fragment.cap_material = added_cap_material_;
             fragment.fan_centres = std::move(b.fan_centres);
+            fragment.bounds = b.bounds.box();
             fragment.mesh = std::move(b.mesh);
             fragment.mesh.materials = materials_;
             std::vector<Fragment>& out = b.side() == Side::positive ? slices_.positive : slices_.negative;
@@ -401,7 +402,7 @@ private:
 Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& options, VertexLookup lookup)
 {
     // The report's exclusion, here by the bounds: what the plane misses costs nothing.
-    const auto [least, most] = plane.distance_range(whole.bounds());
+    const auto [least, most] = plane.distance_range(whole.bounds);
     if (most <= whole.noise || least >= -whole.noise) {
         Slices missed;
         missed.statistics.triangles = whole.mesh.triangles.size();

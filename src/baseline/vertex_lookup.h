@@ -184,23 +184,26 @@ public:
         const std::uint32_t* const points = source.points.data();
         std::uint32_t *const indices = table.data(), *const point_ids = point_table.data();
         std::uint32_t next_below = 0, next_above = 0, next_point_below = 0, next_point_above = 0;
+        VertexBox box_below, box_above;
 
         const std::span<const std::uint8_t> classes = classify([&](std::uint32_t vertex, std::uint8_t vertex_class) {
             std::uint32_t& point = point_ids[points[vertex]];
             if (vertex_class == 1) {
                 if (point == SideBuilder::kNone) point = 2 * next_point_below++;
                 below[next_below] = vertices[vertex];
+                box_below.add(vertices[vertex]);
                 points_below[next_below] = point / 2;
                 indices[vertex] = 2 * next_below++;
             } else if (vertex_class == 2) {
                 if (point == SideBuilder::kNone) point = 2 * next_point_above++ + 1;
                 above[next_above] = vertices[vertex];
+                box_above.add(vertices[vertex]);
                 points_above[next_above] = point / 2;
                 indices[vertex] = 2 * next_above++ + 1;
             }
         });
-        builders[0].set_copied(classes, 1, next_below, next_point_below);
-        builders[1].set_copied(classes, 2, next_above, next_point_above);
+        builders[0].set_copied(classes, 1, next_below, next_point_below, box_below);
+        builders[1].set_copied(classes, 2, next_above, next_point_above, box_above);
     }
 
     /// Makes room for the vertices on `count` cut edges.

@@ -38,8 +38,8 @@ TEST(Fragment, ALargePieceIsNotMoved)
 TEST(Fragment, BoundsAreThoseOfItsVertices)
 {
     const Fragment fragment = fragment_of(closed_shape("cube"));
-    EXPECT_EQ(fragment.bounds().lo, glm::vec3(-0.5f));
-    EXPECT_EQ(fragment.bounds().hi, glm::vec3(0.5f));
+    EXPECT_EQ(fragment.bounds.lo, glm::vec3(-0.5f));
+    EXPECT_EQ(fragment.bounds.hi, glm::vec3(0.5f));
 }
 
 TEST(Pivot, IsTheMeanOfTheVerticesAndGoesToScratch)

@@ -104,7 +104,7 @@ TEST(Slice, GroupsOfOneKindStayTogetherHoweverOftenTheyAreCut)
     ASSERT_EQ(fragment.mesh.materials.size(), 2u);
     test::Random random(4);
     for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 centre = fragment.bounds().centre();
+        const glm::dvec3 centre = fragment.bounds.centre();
         Slices slices = slice(fragment, *Plane::through(centre, random.direction()), {}, VertexLookup::remap);
         if (slices.status != Status::cut) continue;
         fragment = std::move(slices.positive.at(0));
@@ -123,6 +123,27 @@ TEST(Slice, TheCapMaterialCanBeChosen)
     EXPECT_EQ(mesh.materials.size(), 2u);
     EXPECT_EQ(mesh.groups.back().kind, TriangleKind::cap);
     EXPECT_EQ(mesh.groups.back().material, 1u);
+}
+
+TEST(Slice, FragmentsKnowTheBoxAroundTheirVertices)
+{
+    for (const test::NamedMesh& shape : closed_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const Fragment whole = fragment_of(shape.mesh);
+        for (const test::NamedPlane& plane : test::planes_for(shape.mesh, 2, 3))
+            for (const VertexLookup lookup : kAllLookups)
+                for (const bool in_pieces : {false, true}) {
+                    CutOptions options;
+                    options.split_components = in_pieces;
+                    const Slices slices = slice(whole, plane.plane, options, lookup);
+                    for (const auto* side : {&slices.positive, &slices.negative})
+                        for (const Fragment& fragment : *side) {
+                            const Box box = fragment.mesh.bounds();
+                            EXPECT_EQ(fragment.bounds.lo, box.lo) << plane.name << ", " << name_of(lookup);
+                            EXPECT_EQ(fragment.bounds.hi, box.hi) << plane.name << ", " << name_of(lookup);
+                        }
+                }
+    }
 }
 
 TEST(Slice, BytesToUploadAreThoseOfTheFragments)

@@ -13,7 +13,8 @@ inline Fragment fragment_of(IndexedMesh mesh)
 {
     Fragment fragment;
     fragment.mesh = std::move(mesh);
-    fragment.noise = plane_noise(fragment.bounds().largest_coordinate());
+    fragment.bounds = fragment.mesh.bounds();
+    fragment.noise = plane_noise(fragment.bounds.largest_coordinate());
     return fragment;
 }
 
