@@ -42,33 +42,67 @@ private:
     std::unordered_map<Index, Index> map_;
 };
 
-/// Slots of each shell and group, in the tree's order.
-struct Bucket
+/// Slots of one shell and group that follow one another in the tree's order.
+struct Segment
 {
     Index group, shell;
-    std::vector<TriangleTree::Run> runs;
-    std::uint32_t count = 0;
+    std::span<const TriangleTree::Run> runs;
+    std::uint32_t count = 0;  ///< triangles
+    Index root = kNone;       ///< of the copy
 };
 
-std::vector<Bucket> list_buckets(const Universe& u, std::span<const Shell> shells)
+/// The segments of some shells, in the tree's order.
+class Segments
 {
-    std::vector<Bucket> buckets;
-    std::vector<TriangleTree::Run> runs;
-    for (Index s = 0; s < shells.size(); ++s) {
-        runs.clear();
-        u.tree.append_runs(shells[s].root, runs);
-        std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.group < b.group; });
-        for (const TriangleTree::Run& run : runs) {
-            if (buckets.empty() || buckets.back().shell != s || buckets.back().group != run.group)
-                buckets.push_back({run.group, s, {}, 0});
-            buckets.back().runs.push_back(run);
-            buckets.back().count += run.count;
+public:
+    Segments(const Universe& u, std::span<const Shell> shells)
+    {
+        std::vector<std::size_t> first_run;
+        std::vector<TriangleTree::Run> runs_of_shell;
+        for (Index s = 0; s < shells.size(); ++s) {
+            runs_of_shell.clear();
+            u.tree.append_runs(shells[s].root, runs_of_shell);
+            for (const TriangleTree::Run& run : runs_of_shell) {
+                if (list_.empty() || list_.back().shell != s || list_.back().group != run.group) {
+                    first_run.push_back(runs_.size());
+                    list_.push_back({run.group, s, {}, 0, kNone});
+                }
+                list_.back().count += run.count;
+                runs_.push_back(run);
+            }
         }
+        first_run.push_back(runs_.size());
+        for (std::size_t i = 0; i < list_.size(); ++i)
+            list_[i].runs = std::span(runs_).subspan(first_run[i], first_run[i + 1] - first_run[i]);
     }
-    std::stable_sort(buckets.begin(), buckets.end(), [&](const Bucket& a, const Bucket& b) {
-        return a.group != b.group && draws_before(u.groups[a.group], u.groups[b.group]);
+
+    std::vector<Segment>& list() { return list_; }
+
+private:
+    std::vector<TriangleTree::Run> runs_;
+    std::vector<Segment> list_;
+};
+
+/// Those of one group lie side by side, groups as they are drawn.
+std::vector<Segment*> in_drawing_order(const Universe& u, std::vector<Segment>& segments)
+{
+    std::vector<Segment*> order;
+    order.reserve(segments.size());
+    for (Segment& segment : segments) order.push_back(&segment);
+    std::stable_sort(order.begin(), order.end(), [&](const Segment* a, const Segment* b) {
+        return a->group != b->group && draws_before(u.groups[a->group], u.groups[b->group]);
     });
-    return buckets;
+    return order;
+}
+
+/// The balanced tree over segments of one shell, in their order.
+Index join_all(TriangleTree& tree, std::span<const Segment> segments)
+{
+    if (segments.empty()) return kNone;
+    if (segments.size() == 1) return segments.front().root;
+    const std::size_t half = segments.size() / 2;
+    const Index left = join_all(tree, segments.first(half));
+    return tree.join(left, join_all(tree, segments.subspan(half)));
 }
 
 }  // namespace
@@ -83,19 +117,20 @@ Prepared compact_copy(const Universe& u, std::span<const Shell> shells)
     v.reference = u.reference;
     v.noise = u.noise;
 
-    const std::vector<Bucket> buckets = list_buckets(u, shells);
+    Segments segments(u, shells);
+    const std::vector<Segment*> order = in_drawing_order(u, segments.list());
     std::size_t n = 0, nodes = 0;
-    for (const Bucket& bucket : buckets) {
-        n += bucket.count;
-        nodes += TriangleTree::nodes_for_run(bucket.count) + 1;
+    for (const Segment& segment : segments.list()) {
+        n += segment.count;
+        nodes += TriangleTree::nodes_for_run(segment.count) + 1;
     }
     Renumbering vertices(u.vertices.size(), n), points(u.mesh.vertices(), n), edges(u.mesh.edges(), 2 * n);
     std::vector<Index> old_face;
     old_face.reserve(n);
     const std::size_t crossings = reserved_crossings(n);
     v.slots.reserve(n + 18 * crossings);
-    for (const Bucket& bucket : buckets)
-        for (const TriangleTree::Run& run : bucket.runs)
+    for (const Segment* segment : order)
+        for (const TriangleTree::Run& run : segment->runs)
             for (Index slot = run.first; slot < run.first + run.count; ++slot) {
                 const Index face = u.face_of_slot[slot];
                 Triangle triangle;
@@ -152,23 +187,20 @@ Prepared compact_copy(const Universe& u, std::span<const Shell> shells)
     }
 
     v.tree.reserve(nodes + crossings + crossings / 4 + 64);
-    for (Shell& shell : copy.shells) shell.root = kNone;
     std::uint32_t first = 0;
-    for (const Bucket& bucket : buckets) {
-        Index& root = copy.shells[bucket.shell].root;
-        root = v.tree.join(root, v.tree.make_run(v.geometry(), first, bucket.count, bucket.group));
-        first += bucket.count;
+    for (Segment* segment : order) {
+        segment->root = v.tree.make_run(v.geometry(), first, segment->count, segment->group);
+        first += segment->count;
+    }
+    const std::span<const Segment> list = segments.list();
+    for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
+        end = begin;
+        while (end < list.size() && list[end].shell == list[begin].shell) ++end;
+        copy.shells[list[begin].shell].root = join_all(v.tree, list.subspan(begin, end - begin));
     }
     reserve_for_cuts(v, crossings);
     v.scratch->reserve(crossings_of_one_cut(n));
     return copy;
-}
-
-std::size_t count_runs(const Universe& universe, std::span<const Shell> shells)
-{
-    std::vector<TriangleTree::Run> runs;
-    for (const Shell& shell : shells) universe.tree.append_runs(shell.root, runs);
-    return runs.size();
 }
 
 }  // namespace kerf::halfedge

@@ -199,10 +199,12 @@ void Cutter::plan_cap_groups(const CutOptions& options)
     CutScratch& s = *u.scratch;
     if (s.caps.empty()) return;
     std::uint32_t material = options.cap_material;
-    if (material >= u.materials.size()) {
-        // The material is added when nothing can fail any more, so that its place is known and not taken yet.
+    if (material >= material_count_) {
+        // The material is added when nothing can fail any more, so that its place is known and not taken yet. It may be
+        // there already: added by the cut of a relative.
         adds_cap_material_ = u.cap_material == kDefaultCapMaterial;
         material = adds_cap_material_ ? static_cast<std::uint32_t>(u.materials.size()) : u.cap_material;
+        material_count_ = std::max<std::size_t>(material_count_, material + 1);
     }
     std::unordered_map<std::uint32_t, Index> group_of_solid;
     for (Index g = 0; g < u.groups.size(); ++g)
@@ -236,7 +238,8 @@ void Cutter::make_fragments()
         for (const Index fragment : pieces_.whole_fragment[at]) ++shells[fragment];
         for (const Bundle& b : s.bundles)
             if (b.side == side) ++shells[b.fragment];
-        for (Index i = 0; i < count; ++i) fragments_[at].push_back(std::make_unique<Fragment>(universe_, shells[i]));
+        for (Index i = 0; i < count; ++i)
+            fragments_[at].push_back(std::make_unique<Fragment>(universe_, shells[i], material_count_));
         if (count == 0) continue;
 
         // Every fragment gets the loops that bound it.

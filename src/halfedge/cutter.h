@@ -15,8 +15,9 @@ class Fragment;
 class Cutter
 {
 public:
-    Cutter(const std::shared_ptr<Universe>& universe, const std::vector<Shell>& shells)
-        : universe_(universe), shells_(shells)
+    /// @param material_count  of the object: the first of the universe's materials
+    Cutter(const std::shared_ptr<Universe>& universe, const std::vector<Shell>& shells, std::size_t material_count)
+        : universe_(universe), shells_(shells), material_count_(material_count)
     {
     }
 
@@ -37,6 +38,7 @@ private:
     const std::vector<Shell>& shells_;
     std::array<std::vector<Shell>, 2> whole_;  ///< shells that the plane does not cut, by side
     PiecePlan pieces_;
+    std::size_t material_count_;  ///< of the object; from plan_cap_groups() on that of the fragments
     bool adds_cap_material_ = false;
     std::vector<Group> new_groups_;
     std::array<std::vector<std::unique_ptr<Fragment>>, 2> fragments_;

@@ -9,12 +9,14 @@
 
 namespace kerf::halfedge {
 
-Fragment::Fragment(Prepared prepared) : Fragment(std::move(prepared.universe), prepared.shells.size())
+Fragment::Fragment(Prepared prepared, std::size_t material_count)
+    : Fragment(std::move(prepared.universe), prepared.shells.size(), material_count)
 {
     for (const Shell& shell : prepared.shells) add_shell(shell);
 }
 
-Fragment::Fragment(std::shared_ptr<Universe> universe, std::size_t shells) : universe_(std::move(universe))
+Fragment::Fragment(std::shared_ptr<Universe> universe, std::size_t shells, std::size_t material_count)
+    : universe_(std::move(universe)), material_count_(material_count)
 {
     shells_.reserve(shells);
 }
@@ -42,8 +44,9 @@ std::unique_ptr<Cuttable> Fragment::clone() const
 {
     // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
     const bool most = 2 * triangle_count() > universe_->slots.size();
-    auto copy = std::make_unique<Fragment>(most ? Prepared{std::make_shared<Universe>(*universe_), shells_}
-                                                : compact_copy(*universe_, shells_));
+    auto copy = std::make_unique<Fragment>(
+        most ? Prepared{std::make_shared<Universe>(*universe_), shells_} : compact_copy(*universe_, shells_),
+        material_count_);
     copy->loops_ = loops_;
     return copy;
 }
@@ -54,7 +57,7 @@ bool Fragment::wants_compaction() const
     constexpr std::size_t kRanges = 500, kFewSlots = 4096;
     const Universe& u = *universe_;
     const std::size_t dead = u.slots.size() - u.live_slots;
-    return (dead > u.live_slots && dead > kFewSlots) || count_runs(u, shells_) > kRanges;
+    return (dead > u.live_slots && dead > kFewSlots) || draw_ranges().size() > kRanges;
 }
 
 void Fragment::compact()
@@ -88,7 +91,7 @@ Box Fragment::bounds() const
     return box;
 }
 
-DrawView Fragment::draw_view() const
+std::vector<DrawRange> Fragment::draw_ranges() const
 {
     const Universe& u = *universe_;
     std::vector<TriangleTree::Run> runs;
@@ -100,24 +103,32 @@ DrawView Fragment::draw_view() const
     const auto before = [&](const auto& a, const auto& b) { return rank(a) < rank(b); };
     if (!std::is_sorted(runs.begin(), runs.end(), before)) std::sort(runs.begin(), runs.end(), before);
 
-    DrawView view;
-    view.buffers = &u;
-    view.vertices = {u.vertices.data(), u.vertices.size()};
-    view.indices = {u.slots.empty() ? nullptr : u.slots[0].data(), 3 * u.slots.size()};
-    view.materials = u.materials;
-    view.ranges.reserve(runs.size());
+    std::vector<DrawRange> ranges;
+    ranges.reserve(runs.size());
     for (const TriangleTree::Run& run : runs) {
         const Group& g = u.groups[run.group];
-        if (!view.ranges.empty()) {
-            DrawRange& last = view.ranges.back();
+        if (!ranges.empty()) {
+            DrawRange& last = ranges.back();
             if (last.kind == g.kind && last.material == g.material &&
                 last.first_index + last.index_count == 3 * run.first) {
                 last.index_count += 3 * run.count;
                 continue;
             }
         }
-        view.ranges.push_back({3 * run.first, 3 * run.count, g.material, g.kind});
+        ranges.push_back({3 * run.first, 3 * run.count, g.material, g.kind});
     }
+    return ranges;
+}
+
+DrawView Fragment::draw_view() const
+{
+    const Universe& u = *universe_;
+    DrawView view;
+    view.buffers = &u;
+    view.vertices = {u.vertices.data(), u.vertices.size()};
+    view.indices = {u.slots.empty() ? nullptr : u.slots[0].data(), 3 * u.slots.size()};
+    view.materials = {u.materials.data(), material_count_};
+    view.ranges = draw_ranges();
     const auto append = [](std::vector<ByteRange>& ranges, std::uint64_t from, std::uint64_t to, std::uint64_t size) {
         if (from < to) ranges.push_back({from * size, (to - from) * size});
     };
@@ -191,12 +202,14 @@ std::vector<Vertex> Fragment::used_vertices() const
 
 IndexedMesh Fragment::to_indexed_mesh() const
 {
-    return export_mesh(*universe_, shells_);
+    IndexedMesh mesh = export_mesh(*universe_, shells_);
+    mesh.materials.resize(material_count_);
+    return mesh;
 }
 
 CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
-    CutResult result = Cutter(universe_, shells_).cut(plane, options);
+    CutResult result = Cutter(universe_, shells_, material_count_).cut(plane, options);
     if (result.status == Status::cut || result.status == Status::open_section) release();
     return result;
 }

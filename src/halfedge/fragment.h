@@ -12,9 +12,9 @@ namespace kerf::halfedge {
 class Fragment final : public Cuttable
 {
 public:
-    explicit Fragment(Prepared prepared);
+    Fragment(Prepared prepared, std::size_t material_count);
     /// An empty fragment, to be filled without failing: has room for `shells`.
-    Fragment(std::shared_ptr<Universe> universe, std::size_t shells);
+    Fragment(std::shared_ptr<Universe> universe, std::size_t shells, std::size_t material_count);
     ~Fragment() override;
 
     std::unique_ptr<Cuttable> clone() const override;
@@ -38,11 +38,15 @@ private:
     void add_shell(const Shell& shell);
     void release();
     std::vector<Index> roots() const;
+    /// DrawView::ranges.
+    std::vector<DrawRange> draw_ranges() const;
     /// Each vertex that the fragment uses, once. O(n).
     std::vector<Vertex> used_vertices() const;
 
     std::shared_ptr<Universe> universe_;
     std::vector<Shell> shells_;
+    /// The first of the universe's materials; those behind them were added by cuts of relatives.
+    std::size_t material_count_;
     std::vector<SectionLoop> loops_;
 
     friend class Cutter;

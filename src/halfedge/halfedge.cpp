@@ -14,7 +14,8 @@ public:
 private:
     std::unique_ptr<Cuttable> make(IndexedMesh mesh) const override
     {
-        return std::make_unique<Fragment>(prepare_universe(std::move(mesh)));
+        const std::size_t material_count = mesh.materials.size();
+        return std::make_unique<Fragment>(prepare_universe(std::move(mesh)), material_count);
     }
 };
 
