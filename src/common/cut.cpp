@@ -95,6 +95,19 @@ bool caps_exceed_section(double excess, double section_area, double section_leng
     return excess > std::max(kCapAgreement * std::abs(section_area), unit * section_length);
 }
 
+Status Cuttable::detach() noexcept
+{
+    try {
+        if (has_relatives()) compact();
+        return Status::cut;
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory;
+    } catch (const std::length_error&) {
+        // A container asked for more elements than its type can count.
+        return Status::out_of_memory;
+    }
+}
+
 CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options)
 {
     CutResult result;

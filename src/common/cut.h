@@ -103,7 +103,8 @@ struct ByteRange
     std::uint64_t size = 0;
 };
 
-/// What to draw of an object, and what to upload first. Valid until the object, or one that shares its buffers, is cut.
+/// What to draw of an object, and what to upload first. Valid until cut() is called, whatever comes of it, on the
+/// object or a relative, and until the object is compacted, detached or destroyed.
 struct DrawView
 {
     const void* buffers = nullptr;           ///< identity: objects with equal values share vertex and index buffer
@@ -132,8 +133,27 @@ std::uint32_t add_cap_material(std::vector<Material>& materials);
 
 struct CutResult;
 
-/// An object that can be cut: a prepared mesh or a fragment of one. Not safe for concurrent use; objects that descend
-/// from different prepare() or clone() calls may be used from different threads.
+/// An object that can be cut: a prepared mesh or a fragment of one.
+///
+/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(),
+/// but for those that were detached or compacted since. All others are strangers. To *read* an object is to call a
+/// const member; to *change* it is cut(), compact(), detach(), mark_uploaded() or its end. While one thread is at an
+/// object, another thread may do this to the same object, a relative or a stranger:
+///
+/// | one thread                | another thread              | same object | relative     | stranger |
+/// |---------------------------|-----------------------------|-------------|--------------|----------|
+/// | reads                     | reads                       | yes         | yes          | yes      |
+/// | reads                     | changes                     | no          | yes, in turn | yes      |
+/// | changes                   | changes                     | no          | yes, in turn | yes      |
+/// | uses what a DrawView says | reads                       | yes         | yes          | yes      |
+/// | uses what a DrawView says | changes, but does not cut   | no          | yes          | yes      |
+/// | uses what a DrawView says | cuts                        | no          | no           | yes      |
+///
+/// "In turn": inside, one waits until the other is done; readers wait for nobody but a change. To cut an object that
+/// another thread is at is the caller's error, because it is gone then. Whoever draws holds off cuts of relatives from
+/// draw_view() to mark_uploaded(), or draws what was detached. A pointer to an object is handed from thread to thread
+/// as any other. Which relatives are cut when changes no byte of to_indexed_mesh(); it changes where things lie in the
+/// buffers, and CutStatistics::bytes_grown.
 class Cuttable
 {
 public:
@@ -167,6 +187,15 @@ public:
     /// and put it in the object's place, if that was not cut meanwhile.
     virtual void compact() {}
 
+    /// Whether two objects, also of different back ends, are relatives; each is its own. O(1).
+    bool shares_buffers_with(const Cuttable& other) const noexcept { return buffers() == other.buffers(); }
+    /// Makes the object a stranger to all others, so that it can be cut while they are drawn, and drawn while they are
+    /// cut: compact() where it has relatives, nothing otherwise. Never throws.
+    ///
+    /// @return  `cut` when it shares nothing (as prepare() says that a mesh is ready), or `out_of_memory` when it is as
+    ///          it was
+    Status detach() noexcept;
+
 protected:
     Cuttable() = default;
     Cuttable(const Cuttable&) = default;
@@ -178,6 +207,11 @@ private:
     /// Cuts by a valid plane. With status `cut` or `open_section` the fragments are in the result and the object is
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
+
+    /// DrawView::buffers: of an object that has buffers of its own, itself.
+    virtual const void* buffers() const noexcept { return this; }
+    /// Whether some other object has the same buffers.
+    virtual bool has_relatives() const noexcept { return false; }
 };
 
 /// What became of an object.

@@ -15,6 +15,7 @@ class Fragment;
 class Cutter
 {
 public:
+    /// @param universe        locked by the caller, until the cutter has ended
     /// @param material_count  of the object: the first of the universe's materials
     Cutter(const std::shared_ptr<Universe>& universe, const std::vector<Shell>& shells, std::size_t material_count)
         : universe_(universe), shells_(shells), material_count_(material_count)

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
+#include <shared_mutex>
 
 #include "halfedge/compaction.h"
 #include "halfedge/cutter.h"
@@ -29,21 +32,27 @@ Fragment::~Fragment()
 /// There is room for it.
 void Fragment::add_shell(const Shell& shell)
 {
+    const Node& root = universe_->tree.nodes[shell.root];
     shells_.push_back(shell);
-    universe_->live_slots += universe_->tree.nodes[shell.root].count;
+    triangle_count_ += root.count;
+    box_.add(root.box);
+    universe_->live_slots += root.count;
 }
 
 /// Lets go of all triangles.
 void Fragment::release()
 {
-    for (const Shell& shell : shells_) universe_->live_slots -= universe_->tree.nodes[shell.root].count;
+    // Without the lock and the tree: fragments end inside a cut that fails, and beside cuts of relatives.
+    universe_->live_slots -= triangle_count_;
+    triangle_count_ = 0;
     shells_.clear();
 }
 
 std::unique_ptr<Cuttable> Fragment::clone() const
 {
+    const std::shared_lock lock(universe_->mutex);
     // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
-    const bool most = 2 * triangle_count() > universe_->slots.size();
+    const bool most = 2 * triangle_count_ > universe_->slots.size();
     auto copy = std::make_unique<Fragment>(
         most ? Prepared{std::make_shared<Universe>(*universe_), shells_} : compact_copy(*universe_, shells_),
         material_count_);
@@ -56,17 +65,21 @@ bool Fragment::wants_compaction() const
     // More ranges than a renderer likes to issue for one object; more dead triangles than live ones.
     constexpr std::size_t kRanges = 500, kFewSlots = 4096;
     const Universe& u = *universe_;
+    const std::shared_lock lock(u.mutex);
     const std::size_t dead = u.slots.size() - u.live_slots;
     return (dead > u.live_slots && dead > kFewSlots) || draw_ranges().size() > kRanges;
 }
 
 void Fragment::compact()
 {
-    Prepared copy = compact_copy(*universe_, shells_);
-    release();
-    universe_ = std::move(copy.universe);
-    shells_.reserve(copy.shells.size());
-    for (const Shell& shell : copy.shells) add_shell(shell);
+    // What the copy gets in exchange ends with it, after the lock.
+    std::optional<Fragment> copy;
+    {
+        const std::shared_lock lock(universe_->mutex);
+        copy.emplace(compact_copy(*universe_, shells_), material_count_);
+    }
+    std::swap(universe_, copy->universe_);
+    std::swap(shells_, copy->shells_);
 }
 
 std::vector<Index> Fragment::roots() const
@@ -75,20 +88,6 @@ std::vector<Index> Fragment::roots() const
     roots.reserve(shells_.size());
     for (const Shell& shell : shells_) roots.push_back(shell.root);
     return roots;
-}
-
-std::uint64_t Fragment::triangle_count() const
-{
-    std::uint64_t count = 0;
-    for (const Shell& shell : shells_) count += universe_->tree.nodes[shell.root].count;
-    return count;
-}
-
-Box Fragment::bounds() const
-{
-    Box box;
-    for (const Shell& shell : shells_) box.add(universe_->tree.nodes[shell.root].box);
-    return box;
 }
 
 std::vector<DrawRange> Fragment::draw_ranges() const
@@ -123,8 +122,9 @@ std::vector<DrawRange> Fragment::draw_ranges() const
 DrawView Fragment::draw_view() const
 {
     const Universe& u = *universe_;
+    const std::shared_lock lock(u.mutex);
     DrawView view;
-    view.buffers = &u;
+    view.buffers = buffers();
     view.vertices = {u.vertices.data(), u.vertices.size()};
     view.indices = {u.slots.empty() ? nullptr : u.slots[0].data(), 3 * u.slots.size()};
     view.materials = {u.materials.data(), material_count_};
@@ -139,6 +139,7 @@ DrawView Fragment::draw_view() const
 
 void Fragment::mark_uploaded()
 {
+    const std::unique_lock lock(universe_->mutex);
     universe_->uploaded_vertices = universe_->vertices.size();
     universe_->uploaded_slots = universe_->slots.size();
 }
@@ -146,10 +147,11 @@ void Fragment::mark_uploaded()
 MassProperties Fragment::mass_properties() const
 {
     const Universe& u = *universe_;
+    const std::shared_lock lock(u.mutex);
     // A small fragment far from the universe's centre loses digits to cancellation; it is cheap to sum it anew.
     constexpr std::uint64_t kFew = 4096;
-    const bool few = triangle_count() <= kFew;
-    const glm::dvec3 reference = few ? mass_reference(bounds()) : u.reference;
+    const bool few = triangle_count_ <= kFew;
+    const glm::dvec3 reference = few ? mass_reference(box_) : u.reference;
     MassMoments moments;
     for (const Shell& shell : shells_) {
         if (few)
@@ -165,17 +167,15 @@ MassProperties Fragment::mass_properties() const
 
 CollisionProxy Fragment::collision_proxy(ProxyKind kind) const
 {
-    const Universe& u = *universe_;
-    const Box box = bounds();
     switch (kind) {
         case ProxyKind::box: {
             CollisionProxy proxy;
             proxy.kind = kind;
-            proxy.box = box;
+            proxy.box = box_;
             return proxy;
         }
         case ProxyKind::bounded_hull:
-            return bounded_hull(box, support_points(u.tree, u.geometry(), roots()));
+            return bounded_hull(box_, extreme_points());
         case ProxyKind::sphere:
         case ProxyKind::full_hull:
         case ProxyKind::every_vertex:
@@ -184,9 +184,17 @@ CollisionProxy Fragment::collision_proxy(ProxyKind kind) const
     return kerf::collision_proxy(kind, used_vertices());
 }
 
+std::array<glm::vec3, kSupportDirections> Fragment::extreme_points() const
+{
+    const Universe& u = *universe_;
+    const std::shared_lock lock(u.mutex);
+    return support_points(u.tree, u.geometry(), roots());
+}
+
 std::vector<Vertex> Fragment::used_vertices() const
 {
     const Universe& u = *universe_;
+    const std::shared_lock lock(u.mutex);
     std::vector<bool> seen(u.vertices.size());
     std::vector<Vertex> vertices;
     for (const Shell& shell : shells_)
@@ -202,6 +210,7 @@ std::vector<Vertex> Fragment::used_vertices() const
 
 IndexedMesh Fragment::to_indexed_mesh() const
 {
+    const std::shared_lock lock(universe_->mutex);
     IndexedMesh mesh = export_mesh(*universe_, shells_);
     mesh.materials.resize(material_count_);
     return mesh;
@@ -209,6 +218,7 @@ IndexedMesh Fragment::to_indexed_mesh() const
 
 CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
+    const std::unique_lock lock(universe_->mutex);
     CutResult result = Cutter(universe_, shells_, material_count_).cut(plane, options);
     if (result.status == Status::cut || result.status == Status::open_section) release();
     return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -18,8 +19,8 @@ public:
     ~Fragment() override;
 
     std::unique_ptr<Cuttable> clone() const override;
-    std::uint64_t triangle_count() const override;
-    Box bounds() const override;
+    std::uint64_t triangle_count() const override { return triangle_count_; }
+    Box bounds() const override { return box_; }
     DrawView draw_view() const override;
     void mark_uploaded() override;
     MassProperties mass_properties() const override;
@@ -34,17 +35,24 @@ public:
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
+    const void* buffers() const noexcept override { return universe_.get(); }
+    bool has_relatives() const noexcept override { return universe_.use_count() > 1; }
 
     void add_shell(const Shell& shell);
     void release();
     std::vector<Index> roots() const;
-    /// DrawView::ranges.
+    /// DrawView::ranges. The caller holds the lock.
     std::vector<DrawRange> draw_ranges() const;
+    /// The extreme vertex in each of the support directions.
+    std::array<glm::vec3, kSupportDirections> extreme_points() const;
     /// Each vertex that the fragment uses, once. O(n).
     std::vector<Vertex> used_vertices() const;
 
+    // What follows is the fragment's own: reading it needs no lock, and a fragment can end while a relative is cut.
     std::shared_ptr<Universe> universe_;
     std::vector<Shell> shells_;
+    std::uint64_t triangle_count_ = 0;
+    Box box_;
     /// The first of the universe's materials; those behind them were added by cuts of relatives.
     std::size_t material_count_;
     std::vector<SectionLoop> loops_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "common/cut.h"
 #include "common/indexed_mesh.h"
 #include "halfedge/append_buffer.h"
+#include "halfedge/fair_shared_mutex.h"
 #include "halfedge/surface_mesh.h"
 #include "halfedge/triangle_tree.h"
 
@@ -42,8 +44,12 @@ struct Stream
 ///
 /// A *face* is a triangle of the half-edge mesh. A *slot* is its place in the index buffer: a cut writes the triangles
 /// around the section to new slots at the end, and the old ones are dead.
+///
+/// Fragments may be used by different threads: who reads the arrays holds `mutex` shared, who cuts holds it alone.
 struct Universe
 {
+    mutable FairSharedMutex mutex;
+
     SurfaceMesh mesh;
     AppendBuffer<Vertex> vertices;       ///< the vertex buffer
     std::vector<Stream> streams;         ///< run parallel to `vertices`
@@ -61,12 +67,13 @@ struct Universe
 
     std::size_t uploaded_vertices = 0, uploaded_slots = 0;  ///< what the GPU has
 
-    std::size_t live_slots = 0;  ///< that some fragment draws
+    std::atomic<std::size_t> live_slots = 0;  ///< that some fragment draws; fragments end without the lock
 
     std::unique_ptr<CutScratch> scratch;  ///< reused by every cut
 
     Universe();
     ~Universe();
+    /// With a lock of its own. Call it with `other` locked.
     Universe(const Universe& other);
     Universe& operator=(const Universe&) = delete;
 

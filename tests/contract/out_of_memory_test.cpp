@@ -378,9 +378,18 @@ TEST(OutOfMemory, WhileSharedBuffersGrowChangesNothing)
     EXPECT_GT(cut_with_every_fault(make, next, {next, {next.plane.flipped(), {}}}), 10u);
 }
 
-TEST_P(OutOfMemoryOf, WhileCompactingChangesNothing)
+TEST_P(OutOfMemoryOf, WhileCompactingOrDetachingChangesNothing)
 {
     const Cut next{slanted(3, -1, 2), in_pieces()};
+    const auto move = [](Cuttable& object, bool detaches) {
+        if (detaches) return object.detach();
+        try {
+            object.compact();
+            return Status::cut;
+        } catch (const std::bad_alloc&) {
+            return Status::out_of_memory;
+        }
+    };
     for (const std::string& name : shapes_to_try()) {
         SCOPED_TRACE(name);
         const auto make = [&] {
@@ -390,29 +399,30 @@ TEST_P(OutOfMemoryOf, WhileCompactingChangesNothing)
         const Subject untouched = make();
         const Bytes before = bytes_of(*untouched.object), beside = bytes_of(*untouched.witness);
         const std::vector<Bytes> parts = bytes_of(cut(make().object, next.plane, next.options));
-        const std::uint64_t faults = with_every_fault([&](const Fault& fault) {
-            Subject subject = make();
-            bool happened = false, failed = false;
-            {
-                const FailingAllocation failing(fault.number, fault.failure);
-                try {
-                    subject.object->compact();
-                } catch (const std::bad_alloc&) {
-                    failed = true;
+        for (const bool detaches : {false, true}) {
+            const std::uint64_t faults = with_every_fault([&](const Fault& fault) {
+                Subject subject = make();
+                const bool are_relatives = subject.object->shares_buffers_with(*subject.witness);
+                bool happened = false;
+                Status status;
+                {
+                    const FailingAllocation failing(fault.number, fault.failure);
+                    status = move(*subject.object, detaches);
+                    happened = failing.happened();
                 }
-                happened = failing.happened();
-            }
-            EXPECT_EQ(bytes_of(*subject.object), before);
-            EXPECT_EQ(bytes_of(*subject.witness), beside);
-            if (failed) {
+                EXPECT_TRUE(status == Status::cut || (happened && status == Status::out_of_memory));
+                EXPECT_EQ(subject.object->shares_buffers_with(*subject.witness),
+                          are_relatives && status == Status::out_of_memory);
+                EXPECT_EQ(bytes_of(*subject.object), before);
+                EXPECT_EQ(bytes_of(*subject.witness), beside);
                 EXPECT_EQ(bytes_of(cut(std::move(subject.object), next.plane, next.options)), parts);
+                return happened;
+            });
+            if (GetParam().name == "halfedge") {
+                EXPECT_GT(faults, 10u);
             }
-            return happened;
-        });
-        if (GetParam().name == "halfedge") {
-            EXPECT_GT(faults, 10u);
+            if (HasFailure()) return;
         }
-        if (HasFailure()) return;
     }
 }
 

@@ -1,4 +1,4 @@
-// Objects that share buffers: nothing of it shows in what cuts give.
+// Objects that share buffers: who does, how one gets out of it, and that nothing of it shows in what cuts give.
 
 #include <gtest/gtest.h>
 
@@ -39,6 +39,24 @@ Bytes bytes_of(const Cuttable& object)
     return bytes;
 }
 
+/// What is drawn, in terms of vertices: where in the buffers it lies does not show.
+Bytes bytes_of(const DrawView& view)
+{
+    Bytes bytes{static_cast<std::uint32_t>(view.materials.size())};
+    for (const DrawRange& range : view.ranges) {
+        bytes.insert(bytes.end(), {range.index_count, range.material, static_cast<std::uint32_t>(range.kind)});
+        for (const std::uint32_t i : view.indices.subspan(range.first_index, range.index_count))
+            for (int axis = 0; axis < 3; ++axis)
+                bytes.push_back(std::bit_cast<std::uint32_t>(view.vertices[i].position[axis]));
+    }
+    return bytes;
+}
+
+CutResult halves_of(const Backend& backend, const char* shape)
+{
+    return cut(backend.prepare(test::closed_shape(shape)).object, *Plane::through({0.05, 0.1, 0.02}, {1, 2, 3}));
+}
+
 class Relatives : public testing::TestWithParam<test::NamedBackend>
 {
 protected:
@@ -47,6 +65,71 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(BackEnds, Relatives, testing::ValuesIn(test::backends()),
                          [](const auto& parameter) { return parameter.param.name; });
+
+TEST_P(Relatives, ShareTheBuffersThatTheyDrawFrom)
+{
+    const CutResult halves = halves_of(*backend_, "torus");
+    const Cuttable &one = *halves.positive.at(0), &other = *halves.negative.at(0);
+    EXPECT_TRUE(one.shares_buffers_with(one));
+    EXPECT_EQ(one.shares_buffers_with(other), GetParam().name == "halfedge");
+    EXPECT_EQ(one.shares_buffers_with(other), one.draw_view().buffers == other.draw_view().buffers);
+    EXPECT_EQ(one.shares_buffers_with(other), other.shares_buffers_with(one));
+
+    EXPECT_FALSE(one.shares_buffers_with(*one.clone()));
+    EXPECT_FALSE(one.shares_buffers_with(*backend_->prepare(test::closed_shape("torus")).object));
+    for (const test::NamedBackend& any : test::backends())
+        EXPECT_FALSE(one.shares_buffers_with(*any.make()->prepare(test::closed_shape("torus")).object)) << any.name;
+}
+
+TEST_P(Relatives, AreStrangersOnceOneIsDetached)
+{
+    for (const char* shape : {"torus", "comb", "uv_sphere", "sphere_in_sphere"}) {
+        SCOPED_TRACE(shape);
+        const CutResult halves = halves_of(*backend_, shape);
+        Cuttable &one = *halves.positive.at(0), &other = *halves.negative.at(0);
+        const Bytes one_before = bytes_of(one), other_before = bytes_of(other);
+        const void* const buffers = other.draw_view().buffers;
+        const bool shared = one.shares_buffers_with(other);
+        one.mark_uploaded();
+        EXPECT_EQ(one.detach(), Status::cut);
+        EXPECT_FALSE(one.shares_buffers_with(other));
+        EXPECT_NE(one.draw_view().buffers, buffers);
+        EXPECT_EQ(other.draw_view().buffers, buffers);
+        EXPECT_EQ(bytes_of(one), one_before);
+        EXPECT_EQ(bytes_of(other), other_before);
+        EXPECT_EQ(one.draw_view().new_vertex_bytes.empty(), !shared) << "what was moved is to be uploaded again";
+    }
+}
+
+TEST_P(Relatives, WhatSharesNothingIsDetachedAlready)
+{
+    CutResult halves = halves_of(*backend_, "torus");
+    halves.negative.clear();
+    Cuttable& alone = *halves.positive.at(0);
+    alone.mark_uploaded();
+    const void* const buffers = alone.draw_view().buffers;
+    const Vertex* const vertices = alone.draw_view().vertices.data();
+    EXPECT_EQ(alone.detach(), Status::cut);
+    EXPECT_EQ(alone.draw_view().buffers, buffers);
+    EXPECT_EQ(alone.draw_view().vertices.data(), vertices);
+    EXPECT_TRUE(alone.draw_view().new_vertex_bytes.empty());
+}
+
+TEST_P(Relatives, ADrawViewOutlivesCutsOfWhatWasDetached)
+{
+    CutResult halves = halves_of(*backend_, "torus");
+    const DrawView view = halves.negative.at(0)->draw_view();
+    const Bytes before = bytes_of(view);
+    ASSERT_EQ(halves.positive.at(0)->detach(), Status::cut);
+    EXPECT_EQ(bytes_of(view), before);
+    std::unique_ptr<Cuttable> object = std::move(halves.positive.at(0));
+    for (int i = 0; i < 20; ++i) {
+        const Plane plane = *Plane::through(object->bounds().centre(), {1, 2, 3 - i});
+        CutResult result = cut(std::move(object), plane);
+        object = std::move(result.object ? result.object : result.positive.at(0));
+    }
+    EXPECT_EQ(bytes_of(view), before);
+}
 
 // ----- same object, same plane, same bytes, whatever relatives go through -----
 
@@ -161,6 +244,16 @@ TEST_P(Relatives, AreCutInAnyOrderWithTheSameBytes)
         const Chronicle expected = cut_family(*backend_, mesh, Order::depth_first);
         for (const Order order : {Order::breadth_first, Order::backwards, Order::shuffled})
             expect_same(cut_family(*backend_, mesh, order), expected);
+    });
+}
+
+TEST_P(Relatives, AreCutWithTheSameBytesDetachedOrNot)
+{
+    for_each_shape([&](const IndexedMesh& mesh) {
+        const Chronicle expected = cut_family(*backend_, mesh, Order::depth_first);
+        expect_same(cut_family(*backend_, mesh, Order::shuffled,
+                               [](Member& member) { ASSERT_EQ(member.object->detach(), Status::cut); }),
+                    expected);
     });
 }
 

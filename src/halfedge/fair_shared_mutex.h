@@ -1,0 +1,33 @@
+#pragma once
+
+#include <mutex>
+#include <shared_mutex>
+
+namespace kerf::halfedge {
+
+/// Many readers or one writer, as std::shared_mutex, for std::unique_lock and std::shared_lock; but in turn: readers
+/// that come after a waiting writer wait for it, so that a stream of them can't hold it up for ever. (glibc's lock lets
+/// readers pass.) A thread that reads must not lock again.
+class FairSharedMutex
+{
+public:
+    void lock()
+    {
+        const std::lock_guard turn(turn_);
+        mutex_.lock();
+    }
+    void unlock() { mutex_.unlock(); }
+
+    void lock_shared()
+    {
+        const std::lock_guard turn(turn_);
+        mutex_.lock_shared();
+    }
+    void unlock_shared() { mutex_.unlock_shared(); }
+
+private:
+    std::mutex turn_;  ///< a waiting writer holds it
+    std::shared_mutex mutex_;
+};
+
+}  // namespace kerf::halfedge
