@@ -83,6 +83,7 @@ int run_headless_game(const Options& options)
 
     sim::Script script;
     if (!options.script.empty()) script = sim::read_script(options.script);
+    refuse_to_replace_input(options, nullptr);
     const ShowSetup setup = setup_of(options, script);
     GameShow show(setup, painter, speaker);
     show.push(script.events);

@@ -83,7 +83,18 @@ Session open_session(const Options& options)
     } else if (game::find_mode(settings.scene)) {
         game::add_fruit_models(*session.models, options.data_folder / "fruit");
     }
+    refuse_to_replace_input(options, session.models.get());
     return session;
+}
+
+void refuse_to_replace_input(const Options& options, const sim::ModelShelf* models)
+{
+    std::vector<std::filesystem::path> inputs(options.files.begin(), options.files.end());
+    if (!options.script.empty()) inputs.emplace_back(options.script);
+    for (std::size_t i = 0; models != nullptr && i < models->size(); ++i)
+        inputs.insert(inputs.end(), models->model(i).files.begin(), models->model(i).files.end());
+    for (const std::filesystem::path& output : {options.screenshot, options.save_script})
+        if (!output.empty()) io::refuse_to_replace(output, inputs);
 }
 
 }  // namespace kerf::app

@@ -23,7 +23,7 @@ void load_font(float scale)
 {
     ImGuiIO& io = ImGui::GetIO();
     std::error_code ignored;
-    if (std::filesystem::exists(kFontFile, ignored) &&
+    if (std::filesystem::is_regular_file(kFontFile, ignored) &&
         io.Fonts->AddFontFromFileTTF(kFontFile, kFontSize * scale) != nullptr)
         return;
     ImFontConfig own;

@@ -23,6 +23,7 @@ void Blade::press(Microseconds time, const glm::dvec2& position)
     ++swipe_;
     pressed_at_ = {time, swipe_, position};
     path_.assign(1, pressed_at_);
+    travelled_.assign(1, 0.0);
     corners_.assign(1, pressed_at_);
 }
 
@@ -41,9 +42,13 @@ std::optional<BladeSegment> Blade::release(Microseconds time, const glm::dvec2& 
 std::optional<BladeSegment> Blade::extend(Microseconds time, const glm::dvec2& position, bool last)
 {
     if (!pressed_) return std::nullopt;
+    travelled_.push_back(travelled_.back() + glm::distance(path_.back().position, position));
     path_.push_back({time, swipe_, position});
     // The sample before the window is kept: the path enters the window on the way from it.
-    while (path_.size() > 2 && path_[1].time < time - kChordWindow) path_.pop_front();
+    while (path_.size() > 2 && path_[1].time < time - kChordWindow) {
+        path_.pop_front();
+        travelled_.pop_front();
+    }
     while (corners_.size() > 1 && corners_.front().time < time - kChordWindow) corners_.pop_front();
 
     if (gesture_ == Gesture::segment) {
@@ -66,13 +71,19 @@ std::optional<BladeSegment> Blade::extend(Microseconds time, const glm::dvec2& p
 double Blade::speed(Microseconds time) const
 {
     const Microseconds start = time - kSpeedWindow;
+    const auto samples_until = [this](Microseconds t) {
+        const auto later = [](Microseconds wanted, const TrailPoint& point) { return wanted < point.time; };
+        return std::size_t(std::upper_bound(path_.begin(), path_.end(), t, later) - path_.begin());
+    };
+    const std::size_t first = std::max<std::size_t>(samples_until(start), 1), end = samples_until(time);
     double length = 0.0;
-    for (std::size_t i = 1; i < path_.size(); ++i) {
-        const TrailPoint &a = path_[i - 1], &b = path_[i];
-        if (b.time <= start || b.time > time) continue;
+    if (first < end) {
+        // The path enters the window on the way from the sample before the first.
+        const TrailPoint &a = path_[first - 1], &b = path_[first];
+        const double entering = travelled_[first] - travelled_[first - 1];
         const double share =
             a.time >= start ? 1.0 : double(b.time - start) / double(std::max<Microseconds>(b.time - a.time, 1));
-        length += share * glm::distance(a.position, b.position);
+        length = share * entering + (travelled_[end - 1] - travelled_[first]);
     }
     // A swipe that has just begun: over the time it took, but at least a tick.
     const Microseconds elapsed = std::clamp(time - pressed_at_.time, time_of(1), kSpeedWindow);

@@ -65,7 +65,7 @@ public:
     bool pressed() const { return pressed_; }
     /// The swipe under way or the last one; 0 before the first.
     std::uint32_t swipe() const { return swipe_; }
-    /// Path length over the last kSpeedWindow up to `time`, m/s.
+    /// Path length over the last kSpeedWindow up to `time`, m/s. O(log samples kept).
     double speed(Microseconds time) const;
 
     /// Oldest first, at most kTrail before `now`: for drawing. With the gesture `segment` press point and pointer.
@@ -83,6 +83,7 @@ private:
     std::uint32_t swipe_ = 0;
     TrailPoint pressed_at_;
     std::deque<TrailPoint> path_;     ///< the latest samples of this swipe
+    std::deque<double> travelled_;    ///< from the press to each of them, metres
     std::deque<TrailPoint> corners_;  ///< the latest ends of segments of this swipe
 };
 

@@ -1,7 +1,11 @@
 #include "viewer/sim/cut_body.h"
 
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <numeric>
 
 #include "common/cpu_stopwatch.h"
@@ -72,15 +76,59 @@ Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
     return heir;
 }
 
-/// Which pieces become bodies when there is room for so many: the heaviest, the earlier of equal ones.
-std::vector<bool> choose_heaviest(const std::vector<Piece>& pieces, std::size_t room)
+/// Along the world's axes, metres.
+struct WorldBox
 {
+    glm::dvec3 lo, hi;
+
+    bool overlaps(const WorldBox& other) const
+    {
+        return glm::all(glm::lessThanEqual(lo, other.hi)) && glm::all(glm::lessThanEqual(other.lo, hi));
+    }
+};
+
+WorldBox world_box(const Box& box, const MeshPose& pose)
+{
+    const glm::dvec3 centre = pose.to_world(box.centre());
+    const glm::dvec3 half = 0.5 * pose.scale * (glm::dvec3(box.hi) - glm::dvec3(box.lo));
+    const glm::dmat3& r = pose.rotation;
+    const glm::dvec3 reach = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
+    return {centre - reach, centre + reach};
+}
+
+WorldBox world_box(const Body& body)
+{
+    btVector3 lo, hi;
+    body.rigid_body().getAabb(lo, hi);
+    return {{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}};
+}
+
+/// Which pieces become bodies: the heaviest, the earlier of equal ones, as many as the world has room for, and none but
+/// the heaviest where kMostNeighbours are.
+std::vector<bool> choose_heaviest(const std::vector<Piece>& pieces, const MeshPose& pose, const World& world)
+{
+    const std::size_t others = world.bodies().size();
+    const std::size_t room = std::max<std::size_t>(kMostBodies - std::min(kMostBodies, others), 2);
     std::vector<std::size_t> order(pieces.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return pieces[a].solid.mass > pieces[b].solid.mass; });
     std::vector<bool> chosen(pieces.size(), false);
-    for (std::size_t i = 0; i < std::min(room, order.size()); ++i) chosen[order[i]] = true;
+    if (others + std::min(room, pieces.size()) <= kMostNeighbours + 1) {
+        for (std::size_t i = 0; i < std::min(room, order.size()); ++i) chosen[order[i]] = true;
+        return chosen;
+    }
+    std::vector<WorldBox> boxes;
+    for (const std::unique_ptr<Body>& body : world.bodies()) boxes.push_back(world_box(*body));
+    for (const std::size_t i : order) {
+        if (boxes.size() >= others + room) break;
+        const WorldBox box = world_box(pieces[i].box, pose);
+        const auto neighbours =
+            std::count_if(boxes.begin(), boxes.end(), [&](const WorldBox& other) { return box.overlaps(other); });
+        if (boxes.size() > others && std::size_t(neighbours) >= kMostNeighbours) continue;
+        chosen[i] = true;
+        boxes.push_back(box);
+    }
     return chosen;
 }
 
@@ -153,9 +201,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     part_ways(body.centre(), body.motion(), placed.normal, placed.point, parts);
 
     const std::unique_ptr<Body> parent = world.remove(id);
-    const std::size_t others = world.bodies().size();
-    const std::size_t room = std::max<std::size_t>(kMostBodies - std::min(kMostBodies, others), 2);
-    const std::vector<bool> stays = choose_heaviest(pieces, room);
+    const std::vector<bool> stays = choose_heaviest(pieces, pose, world);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Piece& piece = pieces[i];
         if (!stays[i]) {

@@ -62,8 +62,12 @@ std::size_t ModelShelf::add_file(const std::filesystem::path& path)
         throw io::FileError(path.string() +
                             ": the mesh is too large or too small to be thrown, beyond 1e18 mesh units");
     model.folder = path.parent_path();
-    for (Material& material : model.mesh.materials)
-        if (!material.texture.empty()) material.texture = file_of_texture(model.folder, material.texture).string();
+    model.files = std::move(loaded.files);
+    for (Material& material : model.mesh.materials) {
+        if (material.texture.empty()) continue;
+        model.files.push_back(file_of_texture(model.folder, material.texture));
+        material.texture = model.files.back().string();
+    }
     return add(std::move(model));
 }
 

@@ -25,6 +25,7 @@ struct Model
     bool coarse_coordinates = false;  ///< MeshFacts::has_coarse_coordinates(): a warning
     bool is_closed = false;           ///< the surface of solids, known to have no boundary: nobody sees its back
     std::filesystem::path folder;     ///< of the file that it came from; Material::texture begins with it
+    std::vector<std::filesystem::path> files;  ///< that it came from, with its images; none for generated ones
 };
 
 /// A copy to throw, and what is the same for all copies of a model: found once, because it costs the baseline a look at

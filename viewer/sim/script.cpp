@@ -3,12 +3,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <istream>
 #include <ostream>
 #include <sstream>
 
 #include "common/io/output_file.h"
+#include "common/io/read_formats.h"
 #include "common/io/text_scanner.h"
 
 namespace kerf::sim {
@@ -128,6 +128,10 @@ private:
         if (!parse(word, event.time) || event.time > kLatest)
             fail(io::in_quotes(word) + " is no time: whole microseconds, at most a day");
         if (!script_.events.empty() && event.time < script_.events.back().time) fail("time goes backwards");
+        while (at_once_ < script_.events.size() && script_.events[at_once_].time <= event.time - kAtOnce) ++at_once_;
+        if (script_.events.size() - at_once_ >= kMostEventsAtOnce)
+            fail("more than " + std::to_string(kMostEventsAtOnce) +
+                 " events within a quarter of a second; leave some out");
         const std::string_view kind = take_word(rest);
         rest = trimmed(rest);
         bool known = false;
@@ -158,6 +162,7 @@ private:
 
     const std::string& name_;
     std::size_t line_ = 0;
+    std::size_t at_once_ = 0;  ///< the first event within kAtOnce of the last
     bool started_ = false;
     Script script_;
 };
@@ -178,11 +183,7 @@ Script read_script(std::istream& in, const std::string& name)
 
 Script read_script(const std::filesystem::path& path)
 {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) throw io::FileError(path.string() + ": is a folder, not a script");
-    if (!std::filesystem::exists(path, error)) throw io::FileError(path.string() + ": there is no such file");
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw io::FileError(path.string() + ": cannot be opened for reading");
+    std::istringstream in(io::read_bytes(path));
     return read_script(in, path.string());
 }
 

@@ -56,9 +56,15 @@ struct Script
     friend bool operator==(const Script&, const Script&) = default;
 };
 
+/// No script has more events than this within kAtOnce: three times what the fastest mouse sends. Each may meet every
+/// body, so that more would hold the program up.
+inline constexpr std::size_t kMostEventsAtOnce = 5000;
+inline constexpr Microseconds kAtOnce = 250'000;
+
 /// @param name  how messages call the source
 /// @throws io::FileError  "NAME:LINE: ..." for the first line that is wrong, "NAME: ..." when there is none
 Script read_script(std::istream& in, const std::string& name);
+/// From a regular file.
 Script read_script(const std::filesystem::path& path);
 
 void write_script(std::ostream& out, const Script& script);

@@ -194,6 +194,9 @@ void Simulation::cut(Body& body, const WorldPlane& plane, std::uint32_t swipe)
     const bool is_cut = record.status == Status::cut || record.status == Status::open_section;
     // A swipe grazes a proxy with segment after segment: one line in the log is enough.
     if (!is_cut && missed_before) return;
+    if (record.dropped > 0)
+        report("a cut made " + std::to_string(record.pieces.size() + record.dropped) + " pieces: there is room for " +
+               std::to_string(record.pieces.size()) + ", the smallest are left out");
     cuts_.push_back(std::move(record));
     scene_->on_cut(*this, cuts_.back());
 }

@@ -15,6 +15,11 @@ inline constexpr double kGravity = 9.81;
 /// pieces, and the physics of all of them would freeze the program.
 inline constexpr std::size_t kMostBodies = 1500;
 
+/// No piece is put where so many bodies' boxes overlap its own. Bullet looks at every pair of boxes that overlap in
+/// every tick: pieces in one place, of a soup of triangles or of solids that share a point, would cost their number's
+/// square.
+inline constexpr std::size_t kMostNeighbours = 64;
+
 /// All bodies and Bullet's dynamics in ticks of kTickSeconds. Same bodies in the same order: same bits after any number
 /// of ticks. Bodies never sleep (nothing here comes to rest) and nothing damps them.
 class World

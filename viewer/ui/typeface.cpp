@@ -35,7 +35,7 @@ ImFont* load(const std::array<const char*, Count>& files, float pixels, const Im
     how.OversampleH = pixels > 40.0f ? 1 : 2;
     for (const char* const file : files) {
         std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored)) continue;
+        if (!std::filesystem::is_regular_file(file, ignored)) continue;
         if (ImFont* const font = atlas.AddFontFromFileTTF(file, std::round(pixels), &how, glyphs)) return font;
     }
     how.SizePixels = pixels;

@@ -1,8 +1,10 @@
 #include <stb_image.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
+#include <tuple>
 
 #include "tools/program.h"
 #include "viewer/app/virtual_display.h"
@@ -517,6 +519,47 @@ TEST_F(KerfViewerTest, LeavesNoHalfAPictureBehind)
     EXPECT_TRUE(names_in_folder().empty());
 }
 
+TEST_F(KerfViewerTest, NeverReplacesWhatItReads)
+{
+    namespace fs = std::filesystem;
+    write("a.obj", "mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    write("m.mtl", "newmtl m\nmap_Kd skin.png\n");
+    write("skin.png", "not really");
+    write("s.kerf", "kerf-script 1\n10 press 1 2\n");
+    fs::create_hard_link(folder_ / "a.obj", folder_ / "hard");
+    fs::create_symlink("s.kerf", folder_ / "link");
+    const std::vector<std::string> names = names_in_folder();
+    std::vector<std::string> before;
+    for (const std::string& name : names) before.push_back(text_of(name));
+    const std::string run = "--headless --frames 1 --size 16x9 --draw 0 --script s.kerf a.obj ";
+    for (const char* output : {"--screenshot a.obj", "--screenshot ./m.mtl", "--screenshot skin.png",
+                               "--screenshot hard", "--save-script s.kerf", "--save-script link"})
+        expect_unusable(kerf(run + output), "it would replace what is read");
+    expect_unusable(kerf("--headless --scene menu --size 16x9 --script s.kerf --screenshot s.kerf"), "would replace");
+    EXPECT_EQ(names_in_folder(), names);
+    for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(text_of(names[i]), before[i]) << names[i];
+}
+
+TEST_F(KerfViewerTest, SaysHowManyPiecesHadRoom)
+{
+    // Tetrahedra through one another: each is a piece.
+    std::string soup;
+    for (int i = 0; i < 400; ++i) {
+        const double x = 0.3 * std::sin(i), y = 0.3 * std::cos(3.0 * i), z = 0.3 * std::sin(7.0 * i);
+        for (const auto& [a, b, c] : {std::tuple{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+            soup += "v " + std::to_string(x + a) + " " + std::to_string(y + b) + " " + std::to_string(z + c) + "\n";
+        soup += "f -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -2 -4 -1\n";
+    }
+    write("soup.obj", soup);
+    const Outcome outcome = kerf("--headless --autopilot --seed 3 --frames 90 --draw 0 --size 16x9 soup.obj");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find(" pieces: there is room for "), std::string::npos) << outcome.err;
+    const Json json = Json::parse(outcome.out, nullptr, false);
+    ASSERT_FALSE(json.is_discarded());
+    EXPECT_FALSE(json["messages"].empty());
+    EXPECT_LT(json["runs"][0]["bodies"], 400);
+}
+
 TEST_F(KerfViewerTest, ExplainsWrongUse)
 {
     for (const char* arguments : {"--size 12",
@@ -537,6 +580,7 @@ TEST_F(KerfViewerTest, ExplainsWrongUse)
                                   "--headless --frames 3 --scene duel --save-script a.kerf",
                                   "--headless --frames 3 --screen scores --save-script a.kerf",
                                   "--seed -5",
+                                  "--seed 18446744073709551616",
                                   "--scene chess",
                                   "--zoom nan",
                                   "--zoom 0.5",

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "common/shapes/random.h"
 #include "viewer/sim/stages.h"
 
 namespace kerf::sim {
@@ -48,6 +50,45 @@ TEST(Blade, AZigZagIsAsFastAsItsPathIsLong)
     blade.press(0, {0, 0});
     for (int i = 1; i <= 20; ++i) blade.move(i * 5000, {0.0, i % 2 == 1 ? 0.1 : 0.0});
     EXPECT_NEAR(blade.speed(100'000), 20.0, 1e-9);
+}
+
+/// Path length within kSpeedWindow before the last event, over that time, from the events alone.
+double speed_by_hand(const std::vector<InputEvent>& events)
+{
+    const Microseconds end = events.back().time, start = end - kSpeedWindow;
+    double length = 0.0;
+    for (std::size_t i = 1; i < events.size(); ++i) {
+        const InputEvent &a = events[i - 1], &b = events[i];
+        if (b.time <= start) continue;
+        const double step = glm::distance(a.position, b.position);
+        length += a.time >= start ? step : step * double(b.time - start) / double(b.time - a.time);
+    }
+    return length / (1e-6 * double(std::clamp(end - events.front().time, time_of(1), kSpeedWindow)));
+}
+
+TEST(Blade, SpeedIsThatOfTheLastMomentsHoweverLongTheSwipe)
+{
+    shapes::Random random(5);
+    for (int swipe = 0; swipe < 50; ++swipe) {
+        Blade blade;
+        std::vector<InputEvent> events;
+        Microseconds time = 1'000'000;
+        for (int i = 0; i < 200; ++i) {
+            const glm::dvec2 place{0.001 * random.below(5000), 0.001 * random.below(3000)};
+            events.push_back({time, i == 0 ? InputKind::press : InputKind::move, place, {}});
+            i == 0 ? blade.press(time, place) : static_cast<void>(blade.move(time, place));
+            EXPECT_NEAR(blade.speed(time), speed_by_hand(events), 1e-9 * speed_by_hand(events));
+            time += random.below(8) == 0 ? random.below(100'000) : random.below(3000);
+        }
+    }
+}
+
+TEST(Blade, AMillionMovesInAMomentCostNoMoreEachThanOne)
+{
+    Blade blade;
+    blade.press(0, {0, 0});
+    for (int i = 1; i <= 1'000'000; ++i) blade.move(i / 4, {1e-4 * i, 0});
+    EXPECT_NEAR(blade.speed(250'000), 20.0 / 0.05, 1.0);
 }
 
 TEST(Blade, SlowMovementDoesNotCut)

@@ -1,10 +1,14 @@
 #include "viewer/sim/cut_body.h"
 
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btAabbUtil2.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "common/assemble.h"
+#include "common/shapes/random.h"
 #include "viewer/sim/bodies.h"
 
 namespace kerf::sim {
@@ -102,6 +106,58 @@ TEST(CutBodyOfAComb, ThousandsOfPiecesDoNotFreezeTheWorld)
                                            [](const auto& a, const auto& b) { return a.mass < b.mass; });
     EXPECT_FALSE(heaviest->positive) << "the bar stays";
     for (int i = 0; i < 10; ++i) cut.world.step();
+}
+
+/// Triangles through one another, none of which hangs together with another.
+IndexedMesh soup(std::uint32_t triangles)
+{
+    shapes::Random random(3);
+    TriangleSoup soup;
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            Vertex vertex;
+            for (int axis = 0; axis < 3; ++axis) vertex.position[axis] = 1e-6f * float(random.below(2'000'000)) - 1.0f;
+            soup.vertices.push_back(vertex);
+        }
+        soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return assemble(std::move(soup)).mesh;
+}
+
+std::size_t overlapping_pairs(const World& world)
+{
+    std::size_t pairs = 0;
+    for (const auto& a : world.bodies())
+        for (const auto& b : world.bodies()) {
+            btVector3 a_lo, a_hi, b_lo, b_hi;
+            a->rigid_body().getAabb(a_lo, a_hi);
+            b->rigid_body().getAabb(b_lo, b_hi);
+            if (a->id() < b->id() && TestAabbAgainstAabb2(a_lo, a_hi, b_lo, b_hi)) ++pairs;
+        }
+    return pairs;
+}
+
+TEST(CutBodyOfASoup, PiecesInOnePlaceAreNotMoreThanPhysicsCanTake)
+{
+    Cut cut(soup(800), {{0, 1, 0}, {0, 0.1, 0}}, backend_names().front());
+    ASSERT_NE(cut.record.status, Status::missed);
+    EXPECT_GT(cut.record.dropped, 500u);
+    EXPECT_GE(cut.record.pieces.size(), kMostNeighbours / 2);
+    EXPECT_LE(overlapping_pairs(cut.world), kMostNeighbours * cut.world.bodies().size());
+    // Whoever goes on cutting does not make more of them in that place.
+    for (const glm::dvec3 normal : {glm::dvec3{1, 0, 0}, {0, 0, 1}, {0.6, 0.8, 0}, {0, 0.8, 0.6}}) {
+        std::vector<ObjectId> ids;
+        for (const auto& body : cut.world.bodies()) ids.push_back(body->id());
+        for (const ObjectId id : ids) {
+            CutRecord record;
+            cut_body(cut.world, id, {normal, {0, 0, 0}}, {ProxyKind::bounded_hull, false, &cut.last_id}, record);
+            if (record.status == Status::cut || record.status == Status::open_section) {
+                EXPECT_GE(record.pieces.size(), 1u);
+            }
+        }
+        EXPECT_GE(cut.world.bodies().size(), ids.size());
+        EXPECT_LE(overlapping_pairs(cut.world), kMostNeighbours * cut.world.bodies().size());
+    }
 }
 
 }  // namespace

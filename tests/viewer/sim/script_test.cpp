@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "common/shapes/random.h"
@@ -107,6 +110,38 @@ TEST(Script, AFileThatIsNoneIsSaidToBe)
     EXPECT_THROW(read_script(std::filesystem::path("/nowhere/at/all.script")), io::FileError);
     EXPECT_THROW(read_script(std::filesystem::temp_directory_path()), io::FileError);
     EXPECT_THROW(write_script(std::filesystem::path("/nowhere/at/all.script"), Script{}), io::FileError);
+}
+
+TEST(Script, WhatIsNoRegularFileIsRefusedBeforeItIsOpened)
+{
+    // A pipe that nobody writes to would never open, and a device might never end.
+    const auto pipe = std::filesystem::temp_directory_path() / ("kerf-script-pipe-" + std::to_string(::getpid()));
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(read_script(pipe), io::FileError);
+    EXPECT_THROW(read_script(std::filesystem::path("/dev/zero")), io::FileError);
+    std::filesystem::remove(pipe);
+}
+
+/// A script of moves at these times.
+std::string script_of_moves(std::size_t count, const std::function<Microseconds(std::size_t)>& time)
+{
+    std::string text = "kerf-script 1\n";
+    for (std::size_t i = 0; i < count; ++i) text += std::to_string(time(i)) + " move 1 2\n";
+    return text;
+}
+
+TEST(Script, HasNoMoreEventsAtOnceThanAProgramCanTake)
+{
+    const auto in_one_moment = [](std::size_t) { return Microseconds{7}; };
+    EXPECT_EQ(complaint(script_of_moves(kMostEventsAtOnce, in_one_moment)), "");
+    EXPECT_NE(complaint(script_of_moves(kMostEventsAtOnce + 1, in_one_moment))
+                  .find("test.script:5002: more than 5000 events within a quarter of a second"),
+              std::string::npos);
+    // The same number in every quarter of a second, for as long as one likes.
+    const auto evenly = [](Microseconds step) { return [step](std::size_t i) { return Microseconds(i) * step; }; };
+    constexpr Microseconds kStep = kAtOnce / Microseconds(kMostEventsAtOnce);
+    EXPECT_EQ(complaint(script_of_moves(10 * kMostEventsAtOnce, evenly(kStep))), "");
+    EXPECT_NE(complaint(script_of_moves(10 * kMostEventsAtOnce, evenly(kStep - 1))), "");
 }
 
 TEST(Script, AFileReadsBack)
