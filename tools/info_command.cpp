@@ -22,7 +22,9 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
     const Repairs& repairs = loaded.repairs;
     Json warnings = Json::array();
     if (facts.has_coarse_coordinates()) warnings.push_back("coarse_coordinates");
-    Json materials = Json::array(), streams = Json::array();
+    Json materials = Json::array(), streams = Json::array(), notes = Json::array();
+    for (const io::ReadingNote& note : loaded.notes.list())
+        notes.push_back(Json{{"what", note.what}, {"count", note.count}});
     for (const Material& material : loaded.mesh.materials) materials.push_back(material.name);
     for (const VertexStream& stream : loaded.mesh.streams)
         streams.push_back(Json{{"name", stream.name}, {"width", stream.width}});
@@ -43,6 +45,7 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
             {"duplicate_triangles", facts.duplicate_triangles},
             {"shortest_edge", facts.shortest_edge},
             {"warnings", std::move(warnings)},
+            {"notes", std::move(notes)},
             {"area", facts.area},
             {"volume", facts.volume},
             {"bounds",
@@ -85,6 +88,7 @@ std::string info_text(const io::LoadedMesh& loaded, const std::string& file)
         line("bounds", vector_text(glm::dvec3(facts.bounds.lo)) + " to " + vector_text(glm::dvec3(facts.bounds.hi)));
     text += line("shortest edge", rounded(facts.shortest_edge));
     text += line("repairs", loaded.repairs.none() ? "none" : loaded.repairs.describe());
+    if (!loaded.notes.none()) text += line("notes", loaded.notes.describe());
     if (facts.has_coarse_coordinates()) text += line("warning", kCoarseCoordinatesText);
     return text;
 }

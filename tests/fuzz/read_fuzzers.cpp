@@ -18,7 +18,7 @@ namespace kerf::fuzz {
 
 namespace {
 
-using Reader = TriangleSoup (*)(const std::filesystem::path&, std::string_view);
+using Reader = TriangleSoup (*)(const std::filesystem::path&, std::string_view, io::ReadingNotes&);
 
 /// A folder that is not there: files that the bytes name are not found.
 const std::filesystem::path kFolder = "no_such_folder";
@@ -28,12 +28,22 @@ std::string_view text(Bytes bytes)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+bool has_control_characters(const std::string& text)
+{
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
+}
+
+void require_clause(const std::string& note)
+{
+    require(!note.empty() && note.size() < 200, "a note is a clause, not a copy of the file");
+    require(!has_control_characters(note), "a note has no control characters");
+}
+
 void require_sentence(const std::string& message, const std::filesystem::path& path)
 {
     require(message.starts_with(path.string() + ": "), "an error names its file: " + message);
     require(message.size() < path.string().size() + 300, "an error is a sentence, not a copy of the file");
-    require(std::none_of(message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }),
-            "an error has no control characters");
+    require(!has_control_characters(message), "an error has no control characters");
 }
 
 void require_usable(const TriangleSoup& soup)
@@ -44,6 +54,9 @@ void require_usable(const TriangleSoup& soup)
     for (const Vertex& v : soup.vertices)
         require(std::isfinite(v.position.x) && std::isfinite(v.position.y) && std::isfinite(v.position.z),
                 "coordinates are finite");
+    for (const Vertex& v : soup.vertices)
+        require(std::isfinite(v.uv.x) && std::isfinite(v.uv.y) && !std::isnan(v.normal.x + v.normal.y + v.normal.z),
+                "normals and texture coordinates are finite");
     for (const VertexStream& stream : soup.streams)
         require(stream.values.size() == std::size_t{stream.width} * soup.vertices.size(), "streams have all vertices");
     require(soup.triangle_materials.empty() || soup.triangle_materials.size() == soup.triangles.size(),
@@ -57,7 +70,9 @@ void read(Reader reader, const char* name, Bytes bytes)
     const std::filesystem::path path = kFolder / name;
     TriangleSoup soup;
     try {
-        soup = reader(path, text(bytes));
+        io::ReadingNotes notes;
+        soup = reader(path, text(bytes), notes);
+        for (const io::ReadingNote& note : notes.list()) require_clause(note.what);
     } catch (const io::FileError& error) {
         require_sentence(error.what(), path);
         return;

@@ -106,8 +106,8 @@ glm::dmat4 transform_of(const GltfJson& node)
 class GltfReader
 {
 public:
-    GltfReader(const std::filesystem::path& path, const GltfDocument& document)
-        : path_(path), document_(document), builder_(path)
+    GltfReader(const std::filesystem::path& path, const GltfDocument& document, ReadingNotes& notes)
+        : path_(path), document_(document), builder_(path, notes)
     {
     }
 
@@ -348,10 +348,10 @@ private:
 
 }  // namespace
 
-TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes)
+TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
     const GltfDocument document = check_gltf(path, bytes);
-    return GltfReader(path, document).read();
+    return GltfReader(path, document, notes).read();
 }
 
 }  // namespace kerf::io

@@ -29,7 +29,7 @@ std::string extension_of(const fs::path& path)
     return extension;
 }
 
-using Reader = TriangleSoup (*)(const fs::path&, std::string_view);
+using Reader = TriangleSoup (*)(const fs::path&, std::string_view, ReadingNotes&);
 
 Reader reader_for(const fs::path& path)
 {
@@ -93,13 +93,14 @@ std::string read_bytes(const fs::path& path)
     return bytes;
 }
 
-TriangleSoup read_soup(const fs::path& path)
+TriangleSoup read_soup(const fs::path& path, ReadingNotes* notes)
 {
     try {
         const Reader reader = reader_for(path);
         const std::string bytes = read_bytes(path);
         if (bytes.empty()) fail(path, "it is empty; export it again");
-        return reader(path, bytes);
+        ReadingNotes unheard;
+        return reader(path, bytes, notes != nullptr ? *notes : unheard);
     } catch (const std::bad_alloc&) {
         fail(path, "there is not enough memory to read it; divide it or free some");
     } catch (const std::length_error&) {

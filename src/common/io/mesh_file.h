@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/assemble.h"
+#include "common/io/reading_notes.h"
 #include "common/mesh_facts.h"
 
 namespace kerf::io {
@@ -33,9 +34,13 @@ public:
 /// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices are streams of their
 ///   own.
 ///
+/// What does not matter for the surface never refuses a file: it is put right or passed over, and noted.
+///
 /// Time and memory are O(file size), whatever counts the file claims.
-/// @throws FileError  unreadable, empty or malformed file; index out of range; a coordinate that is not finite
-TriangleSoup read_soup(const std::filesystem::path& path);
+/// @param notes  what the reader was lenient about is added to it, if given
+/// @throws FileError  unreadable, empty or malformed file; index out of range; a face with a coordinate that is not
+///                    finite
+TriangleSoup read_soup(const std::filesystem::path& path, ReadingNotes* notes = nullptr);
 
 /// A file made ready for cutting, with what was found and what was repaired.
 struct LoadedMesh
@@ -44,6 +49,7 @@ struct LoadedMesh
     std::vector<std::filesystem::path> files;  ///< all that were read: the mesh, its material libraries and buffers
     MeshFacts facts;                           ///< before repair
     Repairs repairs;
+    ReadingNotes notes;  ///< what the reader was lenient about
 
     /// Whether the mesh as it was repaired has no boundary: the surface of solids, of which one never sees the back.
     /// O(n log n) if something was repaired, otherwise O(1).

@@ -38,8 +38,8 @@ struct CornerHash
 class ObjReader
 {
 public:
-    ObjReader(const std::filesystem::path& path, std::string_view bytes)
-        : path_(path), line_(path, bytes, {.comment = '#', .continuations = true}), builder_(path)
+    ObjReader(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
+        : path_(path), line_(path, bytes, {.comment = '#', .continuations = true}), builder_(path, notes)
     {
     }
 
@@ -193,9 +193,9 @@ private:
 
 }  // namespace
 
-TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes)
+TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
-    return ObjReader(path, bytes).read();
+    return ObjReader(path, bytes, notes).read();
 }
 
 }  // namespace kerf::io

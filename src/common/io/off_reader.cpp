@@ -18,8 +18,8 @@ namespace {
 class OffReader
 {
 public:
-    OffReader(const std::filesystem::path& path, std::string_view bytes)
-        : line_(path, bytes, {.comment = '#', .continuations = false}), builder_(path)
+    OffReader(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
+        : line_(path, bytes, {.comment = '#', .continuations = false}), builder_(path, notes)
     {
     }
 
@@ -160,9 +160,9 @@ private:
 
 }  // namespace
 
-TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes)
+TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
-    return OffReader(path, bytes).read();
+    return OffReader(path, bytes, notes).read();
 }
 
 }  // namespace kerf::io

@@ -117,8 +117,8 @@ template <class Source>
 class PlyReader
 {
 public:
-    PlyReader(const std::filesystem::path& path, const PlyHeader& header, Source source)
-        : path_(path), header_(header), source_(std::move(source)), builder_(path)
+    PlyReader(const std::filesystem::path& path, const PlyHeader& header, Source source, ReadingNotes& notes)
+        : path_(path), header_(header), source_(std::move(source)), builder_(path, notes)
     {
         for (const PlyElement& element : header_.elements)
             if (element.name == "vertex") vertex_count_ += element.count;
@@ -268,11 +268,12 @@ private:
 
 }  // namespace
 
-TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes)
+TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
     const PlyHeader header = read_ply_header(path, bytes);
-    if (header.format == PlyFormat::ascii) return PlyReader(path, header, TextSource(path, bytes, header)).read();
-    return PlyReader(path, header, BinarySource(path, bytes, header)).read();
+    if (header.format == PlyFormat::ascii)
+        return PlyReader(path, header, TextSource(path, bytes, header), notes).read();
+    return PlyReader(path, header, BinarySource(path, bytes, header), notes).read();
 }
 
 }  // namespace kerf::io

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "common/assemble.h"
+#include "common/io/reading_notes.h"
 
-// One reader a format. Each gets the whole file as bytes and returns its triangles; finish_soup() checks and completes
-// what all formats have in common. All throw FileError.
+// One reader a format. Each gets the whole file as bytes and returns its triangles; SoupBuilder checks and completes
+// what all formats have in common. What does not matter for the surface is put right and noted. All throw FileError.
 
 namespace kerf::io {
 
@@ -37,12 +38,12 @@ private:
 /// another system or an address. A file from somewhere else must not make us read what its sender cannot.
 std::optional<std::filesystem::path> file_beside(const std::filesystem::path& path, const std::string& name);
 
-TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes);
-TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes);
-TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes);
-TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes);
+TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
+TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
+TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
+TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
 
 /// glTF text with its buffers beside it, or GLB.
-TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes);
+TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
 
 }  // namespace kerf::io

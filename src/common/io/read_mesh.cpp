@@ -12,7 +12,7 @@ LoadedMesh read_mesh(const std::filesystem::path& path)
     TriangleSoup soup;
     {
         const ReadRecord record(loaded.files);
-        soup = read_soup(path);
+        soup = read_soup(path, &loaded.notes);
     }
     try {
         loaded.facts = measure(soup);

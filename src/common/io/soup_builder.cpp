@@ -84,23 +84,53 @@ void SoupBuilder::use_material(const std::string& name)
 TriangleSoup SoupBuilder::finish()
 {
     if (soup.triangles.empty()) fail(path_, "there are no triangles in it; export it with faces");
-    finish_vertices();
+    finish_positions();
+    finish_attributes();
     return std::move(soup);
 }
 
-void SoupBuilder::finish_vertices()
+void SoupBuilder::finish_positions()
 {
-    std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
-        Vertex& v = soup.vertices[i];
-        if (!is_finite(v.position))
-            fail(path_, "vertex " + std::to_string(i) + " has a coordinate that is not finite" + kMendNumber);
-        if (!std::isfinite(v.uv.x) || !std::isfinite(v.uv.y))
-            fail(path_, "vertex " + std::to_string(i) + " has a texture coordinate that is not finite" + kMendNumber);
-        v.position += 0.0f;  // -0 becomes +0, so that equal positions have equal bits
+    const auto is_bad = [](const Vertex& v) { return !is_finite(v.position); };
+    if (std::any_of(soup.vertices.begin(), soup.vertices.end(), is_bad)) {
+        for (const Triangle& triangle : soup.triangles)
+            for (const std::uint32_t i : triangle)
+                if (is_bad(soup.vertices[i]))
+                    fail(path_, "vertex " + std::to_string(i) + " has a coordinate that is not finite" + kMendNumber);
+        // What no face uses may lie anywhere; on a vertex that one uses it does not widen the bounds.
+        const glm::vec3 place = soup.vertices[soup.triangles[0][0]].position;
+        std::uint64_t unused = 0;
+        for (Vertex& v : soup.vertices)
+            if (is_bad(v)) {
+                v.position = place;
+                ++unused;
+            }
+        notes_.add("vertices that are not finite and belong to no face passed over", unused);
+    }
+    for (Vertex& v : soup.vertices) v.position += 0.0f;  // -0 becomes +0, so that equal positions have equal bits
+}
+
+void SoupBuilder::finish_attributes()
+{
+    std::uint64_t missing = 0, bad_normals = 0, bad_uvs = 0, bad_values = 0;
+    for (Vertex& v : soup.vertices) {
+        bad_normals += !is_finite(v.normal);
         v.normal = unit_or_none(v.normal);
         missing += v.normal == kNoNormal;
+        if (!std::isfinite(v.uv.x) || !std::isfinite(v.uv.y)) {
+            v.uv = {};
+            ++bad_uvs;
+        }
     }
+    for (VertexStream& stream : soup.streams)
+        for (float& value : stream.values)
+            if (!std::isfinite(value)) {
+                value = 0.0f;
+                ++bad_values;
+            }
+    notes_.add("normals that are not finite made anew", bad_normals);
+    notes_.add("texture coordinates that are not finite set to 0", bad_uvs);
+    notes_.add("values of further attributes that are not finite set to 0", bad_values);
     soup.has_normals = missing < soup.vertices.size();
     if (soup.has_normals && missing > 0) fill_missing_normals();
 }

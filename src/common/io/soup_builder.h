@@ -9,6 +9,7 @@
 
 #include "common/assemble.h"
 #include "common/io/polygon.h"
+#include "common/io/reading_notes.h"
 
 namespace kerf::io {
 
@@ -19,7 +20,7 @@ inline constexpr glm::vec3 kNoNormal{0.0f};
 class SoupBuilder
 {
 public:
-    explicit SoupBuilder(const std::filesystem::path& path) : path_(path) {}
+    SoupBuilder(const std::filesystem::path& path, ReadingNotes& notes) : path_(path), notes_(notes) {}
 
     TriangleSoup soup;  ///< readers add vertices and streams themselves
 
@@ -36,15 +37,19 @@ public:
     /// Following faces have this material of `soup.materials`.
     void use_material(std::uint32_t index) { material_ = index; }
 
-    /// Checks coordinates, turns -0 into +0, makes normals unit vectors and fills in those that are missing.
-    /// @throws FileError  no triangle; a number that is not finite
+    /// Checks coordinates, turns -0 into +0, makes normals unit vectors and fills in those that are missing. Notes what
+    /// is not finite and does not matter for the surface, and gives it a value: a normal is made anew, other attributes
+    /// are 0, and a vertex without faces moves to one that has some.
+    /// @throws FileError  no triangle; a coordinate of a face that is not finite
     TriangleSoup finish();
 
 private:
-    void finish_vertices();
+    void finish_positions();
+    void finish_attributes();
     void fill_missing_normals();
 
     const std::filesystem::path& path_;
+    ReadingNotes& notes_;
     ConcaveBudget concave_budget_;
     std::uint64_t faces_ = 0;
     std::uint32_t material_ = kNone;

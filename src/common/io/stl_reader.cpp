@@ -45,7 +45,7 @@ bool is_text(std::string_view bytes)
 }
 
 /// Facet normals are not read: they say nothing that the corners do not, and are often wrong.
-TriangleSoup read_binary(const std::filesystem::path& path, std::string_view bytes)
+TriangleSoup read_binary(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
     if (bytes.size() < kHeaderBytes)
         fail(path, "it is neither a text nor a binary STL file, or its header is cut off; export it again");
@@ -58,7 +58,7 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
     if (room > count && bytes.substr(kHeaderBytes + count * kTriangleBytes).find_first_not_of('\0') != bytes.npos)
         fail(path, "its header promises " + std::to_string(count) + " triangles, but there are bytes for " +
                        std::to_string(room) + "; mend the number or export it again");
-    SoupBuilder builder(path);
+    SoupBuilder builder(path, notes);
     builder.soup.vertices.reserve(count * 3);
     builder.soup.triangles.reserve(count);
     const char* at = bytes.data() + kHeaderBytes;
@@ -78,8 +78,8 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
 class TextStlReader
 {
 public:
-    TextStlReader(const std::filesystem::path& path, std::string_view bytes)
-        : words_(path, bytes, TextScanner::Syntax{}), builder_(path)
+    TextStlReader(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
+        : words_(path, bytes, TextScanner::Syntax{}), builder_(path, notes)
     {
     }
 
@@ -150,9 +150,9 @@ private:
 
 }  // namespace
 
-TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes)
+TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
-    return is_text(bytes) ? TextStlReader(path, bytes).read() : read_binary(path, bytes);
+    return is_text(bytes) ? TextStlReader(path, bytes, notes).read() : read_binary(path, bytes, notes);
 }
 
 }  // namespace kerf::io
