@@ -68,7 +68,8 @@ protected:
     }
 
     /// The readers themselves: thousands of files would have to be written otherwise.
-    static auto reader(const std::string& name) -> TriangleSoup (*)(const std::filesystem::path&, std::string_view)
+    static auto reader(const std::string& name)
+        -> TriangleSoup (*)(const std::filesystem::path&, std::string_view, ReadingNotes&)
     {
         if (name.ends_with(".obj")) return read_obj;
         if (name.ends_with(".off")) return read_off;
@@ -81,7 +82,8 @@ protected:
     bool is_read(const std::string& name, const std::string& bytes) const
     {
         try {
-            const TriangleSoup soup = reader(name)(file(name), bytes);
+            ReadingNotes notes;
+            const TriangleSoup soup = reader(name)(file(name), bytes, notes);
             EXPECT_FALSE(soup.triangles.empty());
             for (const Triangle& t : soup.triangles)
                 for (const std::uint32_t v : t) EXPECT_LT(v, soup.vertices.size());
