@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "common/io/bytes.h"
 
@@ -35,9 +37,8 @@ inline std::string sample_buffer()
     return bytes;
 }
 
-inline std::string glb(const nlohmann::json& document, std::string buffer)
+inline std::string glb_of_text(std::string json, std::string buffer)
 {
-    std::string json = document.dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
     buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
     std::string bytes = "glTF";
@@ -46,6 +47,46 @@ inline std::string glb(const nlohmann::json& document, std::string buffer)
     bytes += "JSON" + json;
     store_little(bytes, static_cast<std::uint32_t>(buffer.size()));
     return bytes + std::string("BIN\0", 4) + buffer;
+}
+
+inline std::string glb(const nlohmann::json& document, const std::string& buffer)
+{
+    return glb_of_text(document.dump(), buffer);
+}
+
+inline std::string base64(const std::string& bytes)
+{
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
+    }
+    return text;
+}
+
+inline nlohmann::json& primitive_of(nlohmann::json& document)
+{
+    return document["meshes"][0]["primitives"][0];
+}
+
+/// Appends numbers to the buffer and an accessor for them, and returns its index.
+template <class T>
+std::size_t add_accessor(nlohmann::json& document, std::string& buffer, int component, const std::string& type,
+                         std::size_t count, const std::vector<T>& values)
+{
+    while (buffer.size() % 4 != 0) buffer += '\0';
+    document["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", values.size() * sizeof(T)}});
+    for (const T value : values) store_little(buffer, value);
+    document["buffers"][0]["byteLength"] = buffer.size();
+    document["accessors"].push_back({{"bufferView", document["bufferViews"].size() - 1},
+                                     {"componentType", component},
+                                     {"count", count},
+                                     {"type", type}});
+    return document["accessors"].size() - 1;
 }
 
 }  // namespace kerf::io

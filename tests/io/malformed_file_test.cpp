@@ -54,19 +54,6 @@ protected:
         return all;
     }
 
-    static std::string base64(const std::string& bytes)
-    {
-        constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        std::string text;
-        for (std::size_t i = 0; i < bytes.size(); i += 3) {
-            std::uint32_t bits = 0;
-            for (std::size_t k = 0; k < 3; ++k)
-                bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-            for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
-        }
-        return text;
-    }
-
     /// The readers themselves: thousands of files would have to be written otherwise.
     static auto reader(const std::string& name)
         -> TriangleSoup (*)(const std::filesystem::path&, std::string_view, ReadingNotes&)

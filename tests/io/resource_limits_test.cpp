@@ -85,6 +85,51 @@ TEST_F(ResourceLimits, AFileThatClaimsBillionsIsRefusedBeforeMemoryIsTaken)
     }
 }
 
+TEST_F(ResourceLimits, SparseListsThatShareTheirBytesAreBounded)
+{
+    // Two hundred lists of a hundred thousand values each, of which the file has one.
+    constexpr std::size_t kValues = 100'000, kLists = 200;
+    nlohmann::json document = sample_document();
+    std::string buffer = sample_buffer() + std::string(kValues * 4, '\0');
+    document["buffers"][0]["byteLength"] = buffer.size();
+    document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 92}, {"byteLength", kValues * 4}});
+    nlohmann::json& primitives = document["meshes"][0]["primitives"];
+    for (std::size_t i = 0; i < kLists; ++i) {
+        document["accessors"].push_back({{"componentType", 5121},
+                                         {"count", kValues},
+                                         {"type", "VEC3"},
+                                         {"sparse",
+                                          {{"count", kValues},
+                                           {"indices", {{"bufferView", 3}, {"componentType", 5121}}},
+                                           {"values", {{"bufferView", 3}}}}}});
+        primitives.push_back({{"attributes", {{"POSITION", 3 + i}}}, {"indices", 2}});
+    }
+    const std::filesystem::path path = write("a.glb", glb(document, buffer));
+    const std::size_t before = test::allocated_bytes();
+    EXPECT_TRUE(contains(error_of(path), "more values in all than it has bytes"));
+    EXPECT_LT(test::allocated_bytes() - before, kLists * kValues * 16 / 4);
+}
+
+TEST_F(ResourceLimits, ABufferOfDecorationThatCannotBeReadIsTriedOnce)
+{
+    // A buffer whose last digit is none, and a thousand lists of normals in it.
+    constexpr std::size_t kDigits = 400'000, kLists = 1000;
+    nlohmann::json document = sample_document();
+    document["buffers"].push_back({{"byteLength", 12}, {"uri", "data:;base64," + std::string(kDigits, 'A') + "*"}});
+    document["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 12}});
+    nlohmann::json& primitives = document["meshes"][0]["primitives"];
+    for (std::size_t i = 0; i < kLists; ++i) {
+        document["accessors"].push_back({{"bufferView", 3}, {"componentType", 5126}, {"count", 1}, {"type", "VEC3"}});
+        primitives.push_back({{"attributes", {{"POSITION", 0}, {"NORMAL", 3 + i}}}, {"indices", 2}});
+    }
+    const std::filesystem::path path = write("a.glb", glb(document, sample_buffer()));
+    const std::size_t before = test::allocated_bytes();
+    ReadingNotes notes;
+    EXPECT_EQ(read_soup(path, &notes).triangles.size(), 2 * (kLists + 1));
+    EXPECT_LT(test::allocated_bytes() - before, kDigits * 50);
+    EXPECT_EQ(notes.describe(), "1000 lists of 'NORMAL' that cannot be read passed over");
+}
+
 TEST_F(ResourceLimits, MemoryShortWhileReadingIsAnErrorThatNamesTheFile)
 {
     // Not glTF: nlohmann's JSON takes memory when it lets go of a document, and the program ends if there is none.

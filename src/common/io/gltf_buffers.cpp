@@ -1,5 +1,6 @@
 #include "common/io/gltf_buffers.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -39,6 +40,11 @@ std::optional<std::string> percent_decoded(std::string_view text)
     return decoded;
 }
 
+bool is_space(char c)
+{
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
 }  // namespace
 
 std::string_view GltfBuffers::bytes_of(const std::string& uri, const std::string& where)
@@ -49,30 +55,41 @@ std::string_view GltfBuffers::bytes_of(const std::string& uri, const std::string
     return bytes_.emplace(uri, std::move(bytes)).first->second;
 }
 
-std::string GltfBuffers::decode(std::string_view uri, const std::string& where) const
+std::string GltfBuffers::decode(std::string_view uri, const std::string& where)
 {
     const std::size_t mark = uri.find(kBase64);
     if (mark == std::string_view::npos) fail(path_, where + " has data that are not base64; export it again");
     std::string_view digits = uri.substr(mark + kBase64.size());
-    while (digits.ends_with('=')) digits.remove_suffix(1);
+    while (!digits.empty() && (digits.back() == '=' || is_space(digits.back()))) digits.remove_suffix(1);
     std::string bytes;
     bytes.reserve(digits.size() / 4 * 3 + 3);
     std::uint32_t bits = 0;
+    std::uint64_t spaces = 0;
     for (std::size_t i = 0; i < digits.size(); ++i) {
         const std::uint8_t value = kDigitValues[static_cast<unsigned char>(digits[i])];
+        if (value == 64 && is_space(digits[i])) {
+            ++spaces;
+            continue;
+        }
         if (value == 64)
             fail(path_,
                  where + " has data that are not base64: digit " + std::to_string(i) + " is none; export it again");
         bits = bits << 6 | value;
         // Every digit but the first of four completes a byte.
-        if (i % 4 != 0) bytes.push_back(static_cast<char>(bits >> (6 - 2 * (i % 4)) & 0xFFu));
+        if (const std::size_t k = (i - spaces) % 4; k != 0)
+            bytes.push_back(static_cast<char>(bits >> (6 - 2 * k) & 0xFFu));
     }
+    notes_.add("line ends and spaces in base64 passed over", spaces);
     return bytes;
 }
 
 std::string GltfBuffers::read_beside(std::string_view uri, const std::string& where)
 {
-    const auto name = percent_decoded(uri);
+    auto name = percent_decoded(uri);
+    if (name && name->find('\\') != std::string::npos) {
+        std::replace(name->begin(), name->end(), '\\', '/');
+        notes_.add("backslashes in names of files taken as slashes");
+    }
     const auto beside = name ? file_beside(path_, *name) : std::nullopt;
     if (!beside)
         fail(path_, where + " names " + in_quotes(uri) +

@@ -6,16 +6,18 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/reading_notes.h"
+
 namespace kerf::io {
 
 /// The bytes that the buffers of a glTF file name: base64 inside the file, or files beside it.
 ///
 /// A buffer may only lie in the folder of the glTF file or below it: no absolute path, no "..", no address of another
-/// kind. A file from somewhere else must not make us read what its sender cannot.
+/// kind. A file from somewhere else must not make us read what its sender cannot. Backslashes are taken as slashes.
 class GltfBuffers
 {
 public:
-    explicit GltfBuffers(const std::filesystem::path& path) : path_(path) {}
+    GltfBuffers(const std::filesystem::path& path, ReadingNotes& notes) : path_(path), notes_(notes) {}
 
     /// @param uri    as the file has it: "data:...;base64,..." or a relative path, percent-encoded
     /// @param where  names the buffer in messages: "buffer 0"
@@ -26,10 +28,11 @@ public:
     std::uint64_t bytes_beside() const { return beside_; }
 
 private:
-    std::string decode(std::string_view uri, const std::string& where) const;
+    std::string decode(std::string_view uri, const std::string& where);
     std::string read_beside(std::string_view uri, const std::string& where);
 
     const std::filesystem::path& path_;
+    ReadingNotes& notes_;
     std::map<std::string, std::string, std::less<>> bytes_;  ///< by uri: however often it is named, it is held once
     std::uint64_t beside_ = 0;
 };

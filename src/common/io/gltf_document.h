@@ -3,51 +3,75 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "common/io/gltf_buffers.h"
+#include "common/io/gltf_container.h"
+#include "common/io/reading_notes.h"
 
 namespace kerf::io {
 
 using GltfJson = nlohmann::json;
 
-/// Component types, by the format's numbers.
-enum class GltfComponent : std::uint64_t
-{
-    int8 = 5120,
-    uint8 = 5121,
-    int16 = 5122,
-    uint16 = 5123,
-    uint32 = 5125,
-    float32 = 5126
-};
-
-/// Modes of primitives that are triangles; smaller numbers are points and lines.
-inline constexpr std::uint64_t kGltfTriangles = 4, kGltfStrip = 5, kGltfFan = 6;
-
-/// `count` elements of `width` numbers, all of them inside their buffer.
-struct GltfAccessor
-{
-    const char* first = nullptr;
-    std::uint64_t count = 0, stride = 0, width = 0;
-    GltfComponent component = GltfComponent::float32;
-};
-
-/// A glTF document in which nothing points beside itself.
-struct GltfDocument
-{
-    GltfJson json;
-    GltfBuffers buffers;                  ///< own the bytes that are not in the file
-    std::vector<GltfAccessor> accessors;  ///< by index
-};
-
-/// Checks a glTF or GLB file: every length is held against the bytes that are there, every reference against the list
-/// that it points into, types of numbers against what the format allows, and the nodes must be trees that don't repeat
-/// meshes without measure. A reader that follows the references needs no check of its own but for vertex indices.
+/// The JSON of a glTF file, and how its members are read. Nothing is checked before somebody asks for it, so that what
+/// the surface does not use cannot refuse a file. What is plain although the format does not allow it is noted: a
+/// member that is null is not there, a whole number may be written as 8.0, and -1 refers to nothing.
 ///
-/// `bytes` must outlive the result. O(file size) plus the size of the buffers beside it.
-/// @throws FileError
-GltfDocument check_gltf(const std::filesystem::path& path, std::string_view bytes);
+/// `where` names an object in messages: "accessor 3".
+class GltfDocument
+{
+public:
+    /// `path`, `bytes` and `notes` must outlive it. O(n).
+    /// @throws FileError  no glTF 2.0
+    GltfDocument(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
+
+    const std::filesystem::path& path() const { return path_; }
+    const GltfParts& parts() const { return parts_; }
+    const GltfJson& root() const { return root_; }
+    ReadingNotes& notes() const { return notes_; }
+
+    /// @throws FileError  with a remedy, unless the reason has one of its own behind a semicolon
+    [[noreturn]] void refuse(const std::string& reason) const;
+
+    /// The member of an object; nullptr if there is none.
+    const GltfJson* member(const GltfJson& object, const char* name) const;
+
+    /// The object of this name; nullptr if there is none, or something else.
+    const GltfJson* object_if(const GltfJson& object, const char* name) const;
+
+    /// An extension's object on something; nullptr if it has none.
+    const GltfJson* extension(const GltfJson& object, const char* name) const;
+
+    /// An array of the document; an empty one if there is none.
+    const GltfJson& list(const char* name) const { return list(root_, name, "the document"); }
+    const GltfJson& list(const GltfJson& object, const char* name, const std::string& where) const;
+
+    /// The object at a place of a list of the document. @throws FileError  there is none
+    const GltfJson& element(const char* list_name, std::uint64_t index, const std::string& kind,
+                            const std::string& where) const;
+
+    /// A whole number below 2^48. @throws FileError  anything else
+    std::uint64_t number(const GltfJson& object, const char* name, const std::string& where) const;
+    std::optional<std::uint64_t> number_if(const GltfJson& object, const char* name, const std::string& where) const;
+
+    /// A place in a list. @throws FileError  neither a whole number nor -1
+    std::uint64_t index(const GltfJson& object, const char* name, const std::string& where) const;
+    std::optional<std::uint64_t> index_if(const GltfJson& object, const char* name, const std::string& where) const;
+
+    /// A list of places in a list.
+    std::vector<std::uint64_t> indices(const GltfJson& object, const char* name, const std::string& where) const;
+
+private:
+    void check_version() const;
+    std::optional<std::uint64_t> whole(const GltfJson& value) const;
+    bool is_nothing(const GltfJson& value) const;
+
+    const std::filesystem::path& path_;
+    ReadingNotes& notes_;
+    GltfParts parts_;
+    GltfJson root_;
+};
 
 }  // namespace kerf::io

@@ -1,294 +1,284 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "common/io/bytes.h"
+#include "common/io/gltf_accessors.h"
 #include "common/io/gltf_document.h"
+#include "common/io/gltf_extensions.h"
+#include "common/io/gltf_materials.h"
+#include "common/io/gltf_scene.h"
+#include "common/io/mesh_file.h"
 #include "common/io/read_formats.h"
 #include "common/io/soup_builder.h"
 
-// Follows a checked glTF document: nodes, meshes, primitives, accessors. Transforms are applied in double; a mesh
-// without one keeps its coordinates bit for bit.
+// Reads the meshes that the scene of a glTF file shows, and nothing else of it. Transforms are applied in double; a
+// mesh without one keeps its coordinates bit for bit.
 
 namespace kerf::io {
 
 namespace {
 
+/// Modes of primitives that are triangles; smaller numbers are points and lines.
+constexpr std::uint64_t kTriangles = 4, kFan = 6;
+
 /// TEXCOORD_0 is the vertices' uv; the others, if there are any, become streams.
-constexpr std::uint32_t kMostUvSets = 8;
+constexpr std::size_t kMostUvSets = 8;
 
-/// A component of an element as a number; integers as they are.
-double component(const char* place, GltfComponent type)
-{
-    switch (type) {
-        case GltfComponent::int8:
-            return load<std::int8_t>(place, Endian::little);
-        case GltfComponent::uint8:
-            return load<std::uint8_t>(place, Endian::little);
-        case GltfComponent::int16:
-            return load<std::int16_t>(place, Endian::little);
-        case GltfComponent::uint16:
-            return load<std::uint16_t>(place, Endian::little);
-        case GltfComponent::uint32:
-            return load<std::uint32_t>(place, Endian::little);
-        case GltfComponent::float32:
-            return static_cast<double>(load<float>(place, Endian::little));
-    }
-    return 0.0;
-}
+/// Every node copies the vertices of its mesh, and accessors may be zeros that no byte stands for: this many times the
+/// file's own size are allowed, so that a small file cannot ask for all memory.
+constexpr std::uint64_t kMostCopies = 64, kAlwaysAllowed = 1 << 20;
 
-std::size_t size_of(GltfComponent type)
+/// A checked primitive that is triangles. Its attributes may be shorter than its positions.
+struct Primitive
 {
-    if (type == GltfComponent::int8 || type == GltfComponent::uint8) return 1;
-    return type == GltfComponent::int16 || type == GltfComponent::uint16 ? 2 : 4;
-}
+    std::uint64_t mode = kTriangles, corners = 0;
+    const GltfAccessor* positions = nullptr;
+    const GltfAccessor* indices = nullptr;
+    const GltfAccessor* normals = nullptr;
+    const GltfAccessor* colours = nullptr;
+    std::array<const GltfAccessor*, kMostUvSets> uvs{};
+    std::uint32_t material = 0;
+};
 
-std::uint32_t index_at(const GltfAccessor& accessor, std::uint64_t i)
+struct Mesh
 {
-    return static_cast<std::uint32_t>(component(accessor.first + i * accessor.stride, accessor.component));
-}
-
-/// Element i; unsigned integers are fractions of their largest value. What the element does not have is 1.
-glm::vec4 value_at(const GltfAccessor& accessor, std::uint64_t i)
-{
-    glm::vec4 value(1.0f);
-    const double one = accessor.component == GltfComponent::uint8    ? 255.0
-                       : accessor.component == GltfComponent::uint16 ? 65535.0
-                                                                     : 1.0;
-    for (std::uint64_t k = 0; k < accessor.width && k < 4; ++k) {
-        const char* place = accessor.first + i * accessor.stride + k * size_of(accessor.component);
-        value[static_cast<int>(k)] = static_cast<float>(component(place, accessor.component) / one);
-    }
-    return value;
-}
-
-/// Numbers of a node that check_gltf() has counted.
-template <std::size_t N>
-bool numbers_of(const GltfJson& node, const char* name, std::array<double, N>& numbers)
-{
-    const auto found = node.find(name);
-    if (found == node.end()) return false;
-    for (std::size_t i = 0; i < N; ++i) numbers[i] = (*found)[i].get<double>();
-    return true;
-}
-
-glm::dmat4 transform_of(const GltfJson& node)
-{
-    std::array<double, 16> m;
-    glm::dmat4 matrix(1.0);
-    if (numbers_of(node, "matrix", m)) {
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row) matrix[column][row] = m[static_cast<std::size_t>(4 * column + row)];
-        return matrix;
-    }
-    std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};
-    std::array<double, 4> rotation{0, 0, 0, 1};
-    numbers_of(node, "translation", translation);
-    numbers_of(node, "scale", scale);
-    if (numbers_of(node, "rotation", rotation)) {
-        const glm::dquat q(rotation[3], rotation[0], rotation[1], rotation[2]);
-        if (const double length = glm::length(q); length > 0.0) matrix = glm::mat4_cast(q / length);
-    }
-    for (int i = 0; i < 3; ++i) {
-        matrix[i] *= scale[static_cast<std::size_t>(i)];
-        matrix[3][i] = translation[static_cast<std::size_t>(i)];
-    }
-    return matrix;
-}
+    std::vector<Primitive> primitives;
+    std::uint64_t work = 0;  ///< vertices and corners
+};
 
 class GltfReader
 {
 public:
-    GltfReader(const std::filesystem::path& path, const GltfDocument& document, ReadingNotes& notes)
-        : path_(path), document_(document), builder_(path, notes)
+    GltfReader(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
+        : path_(path),
+          notes_(notes),
+          size_(bytes.size()),
+          document_(path, bytes, notes),
+          extensions_(document_),
+          accessors_(document_, extensions_),
+          materials_(gltf_materials(document_)),
+          builder_(path, notes)
     {
     }
 
     TriangleSoup read()
     {
-        for (const GltfJson& material : list(document_.json, "materials"))
-            builder_.soup.materials.push_back(to_material(material));
+        const std::vector<GltfPlacement> placements = placements_of(document_, accessors_);
+        for (const GltfPlacement& placement : placements)
+            if (!meshes_.contains(placement.mesh)) meshes_.emplace(placement.mesh, check_mesh(placement.mesh));
+        check_work(placements);
+        for (const GltfMaterial& material : materials_) builder_.soup.materials.push_back(material.material);
         plan_streams();
-        const GltfJson& nodes = list(document_.json, "nodes");
-        if (nodes.empty()) {
-            // A library of meshes: each once.
-            for (std::size_t i = 0; i < list(document_.json, "meshes").size(); ++i) add_mesh(i, glm::dmat4(1.0));
-        } else {
-            for (const std::size_t root : roots()) add_node(nodes[root], glm::dmat4(1.0));
-        }
+        for (const GltfPlacement& placement : placements) add_placement(placement);
         return builder_.finish();
     }
 
 private:
-    static const GltfJson& list(const GltfJson& object, const char* name)
+    Mesh check_mesh(std::uint64_t number)
     {
-        static const GltfJson kEmpty = GltfJson::array();
-        const auto found = object.find(name);
-        return found != object.end() ? *found : kEmpty;
+        const std::string where = "mesh " + std::to_string(number);
+        Mesh mesh;
+        const GltfJson& source = document_.element("meshes", number, "mesh", "a node");
+        extensions_.check(source, where);
+        const GltfJson& primitives = document_.list(source, "primitives", where);
+        if (primitives.empty()) notes_.add("meshes without primitives passed over");
+        for (const GltfJson& primitive : primitives) check_primitive(primitive, where, mesh);
+        return mesh;
     }
 
-    /// Of the scene that the file opens with; of the first where it names none, or all where it has no scenes.
-    std::vector<std::size_t> roots() const
+    /// Adds a primitive to the mesh if it is triangles.
+    void check_primitive(const GltfJson& source, const std::string& where, Mesh& mesh)
     {
-        const GltfJson& scenes = list(document_.json, "scenes");
-        const GltfJson& nodes = list(document_.json, "nodes");
-        std::vector<std::size_t> roots;
-        if (!scenes.empty()) {
-            for (const GltfJson& root : list(scenes[document_.json.value("scene", std::size_t{0})], "nodes"))
-                roots.push_back(root.get<std::size_t>());
-            return roots;
+        if (!source.is_object()) document_.refuse("a primitive of " + where + " is not an object");
+        Primitive p;
+        p.mode = document_.number_if(source, "mode", where).value_or(kTriangles);
+        if (p.mode > kFan) document_.refuse("a primitive of " + where + " has a mode that glTF does not know");
+        if (p.mode < kTriangles) return notes_.add("primitives of points or lines passed over");
+        const GltfJson* attributes = document_.object_if(source, "attributes");
+        const auto position = attributes != nullptr ? document_.index_if(*attributes, "POSITION", where) : std::nullopt;
+        if (!position) return notes_.add("primitives without positions passed over");
+        extensions_.check(source, "a primitive of " + where);
+        p.positions = &accessors_.at(*position, where);
+        if (document_.extension(source, "KHR_draco_mesh_compression") != nullptr) {
+            if (!p.positions->has_data())
+                document_.refuse("a primitive of " + where +
+                                 " is compressed by KHR_draco_mesh_compression, which is not "
+                                 "supported, and there is no uncompressed copy of it; export it without compression");
+            notes_.add("primitives with compressed data read from their uncompressed copies");
         }
-        std::vector<bool> is_child(nodes.size(), false);
-        for (const GltfJson& node : nodes)
-            for (const GltfJson& child : list(node, "children")) is_child[child.get<std::size_t>()] = true;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (!is_child[i]) roots.push_back(i);
-        return roots;
+        if (p.positions->width != 3) document_.refuse("the positions of " + where + " are not three numbers each");
+        if (p.positions->component == GltfComponent::uint32)
+            notes_.add("lists of positions that are 32-bit integers, which no version of glTF allows");
+        p.corners = check_indices(source, where, p);
+        if (p.mode == kTriangles && p.corners % 3 != 0) {
+            notes_.add("corners behind the last whole triangle passed over", p.corners % 3);
+            p.corners -= p.corners % 3;
+        }
+        find_decoration(*attributes, where, p);
+        p.material = material_of(source, where);
+        mesh.work += p.positions->count + p.corners;
+        mesh.primitives.push_back(p);
     }
 
-    Material to_material(const GltfJson& source) const
+    /// Finds the indices, if there are any, and returns the number of corners.
+    std::uint64_t check_indices(const GltfJson& source, const std::string& where, Primitive& p)
     {
-        Material material;
-        if (const auto name = source.find("name"); name != source.end() && name->is_string())
-            material.name = name->get<std::string>();
-        const auto look = source.find("pbrMetallicRoughness");
-        if (look == source.end() || !look->is_object()) return material;
-        const GltfJson& colour = list(*look, "baseColorFactor");
-        const auto is_fraction = [](const GltfJson& n) {
-            return n.is_number() && n.get<double>() >= 0.0 && n.get<double>() <= 1.0;
-        };
-        if (colour.is_array() && colour.size() == 4 && std::all_of(colour.begin(), colour.end(), is_fraction))
-            for (int i = 0; i < 4; ++i) material.colour[i] = colour[static_cast<std::size_t>(i)].get<float>();
-        material.texture = texture_of(*look);
-        return material;
+        const auto index = document_.index_if(source, "indices", where);
+        if (!index) return p.positions->count;
+        p.indices = &accessors_.at(*index, where);
+        if (p.indices->width != 1) document_.refuse("the indices of " + where + " are not one number each");
+        const bool is_allowed = p.indices->component == GltfComponent::uint8 ||
+                                p.indices->component == GltfComponent::uint16 ||
+                                p.indices->component == GltfComponent::uint32;
+        if (!is_allowed) notes_.add("lists of indices that are no unsigned integers taken by their values");
+        return p.indices->count;
     }
 
-    /// Path of the colour texture; empty for none and for an image inside the file, which has no name that would mean
-    /// anything outside. Materials are decoration: what makes no sense is left out.
-    std::string texture_of(const GltfJson& look) const
+    /// Attributes that do not matter for the surface: one that cannot be used is left out.
+    void find_decoration(const GltfJson& attributes, const std::string& where, Primitive& p)
     {
-        const auto refer = [&](const GltfJson& object, const char* name, const char* target) -> const GltfJson* {
-            const auto index = object.find(name);
-            if (index == object.end() || !index->is_number_unsigned()) return nullptr;
-            const GltfJson& targets = list(document_.json, target);
-            const auto i = index->get<std::uint64_t>();
-            return i < targets.size() ? &targets[static_cast<std::size_t>(i)] : nullptr;
-        };
-        const auto use = look.find("baseColorTexture");
-        if (use == look.end() || !use->is_object()) return {};
-        const GltfJson* texture = refer(*use, "index", "textures");
-        const GltfJson* image = texture != nullptr ? refer(*texture, "source", "images") : nullptr;
-        if (image == nullptr || !image->contains("uri") || !(*image)["uri"].is_string()) return {};
-        const std::string uri = (*image)["uri"].get<std::string>();
-        return uri.starts_with("data:") ? std::string() : uri;
+        p.normals = decoration(attributes, "NORMAL", 3, 3, p, where);
+        p.colours = decoration(attributes, "COLOR_0", 1, 4, p, where);
+        for (std::size_t k = 0; k < kMostUvSets; ++k)
+            p.uvs[k] = decoration(attributes, "TEXCOORD_" + std::to_string(k), 2, 4, p, where);
     }
 
-    static bool is_surface(const GltfJson& primitive) { return mode_of(primitive) >= kGltfTriangles; }
-    static std::uint64_t mode_of(const GltfJson& primitive) { return primitive.value("mode", kGltfTriangles); }
-
-    const GltfAccessor* attribute(const GltfJson& primitive, const std::string& name) const
+    const GltfAccessor* decoration(const GltfJson& attributes, const std::string& name, std::uint64_t narrowest,
+                                   std::uint64_t widest, const Primitive& p, const std::string& where)
     {
-        const GltfJson& attributes = primitive["attributes"];
-        const auto found = attributes.find(name);
-        return found != attributes.end() ? &document_.accessors[found->get<std::size_t>()] : nullptr;
+        if (!attributes.contains(name)) return nullptr;
+        const GltfAccessor* accessor = nullptr;
+        try {
+            if (const auto index = document_.index_if(attributes, name.c_str(), where))
+                accessor = &accessors_.at(*index, where);
+        } catch (const FileError&) {
+            notes_.add("lists of '" + name + "' that cannot be read passed over");
+        }
+        if (accessor == nullptr) return nullptr;
+        if (accessor->width < narrowest || accessor->width > widest) {
+            notes_.add("lists of '" + name + "' of another shape passed over");
+            return nullptr;
+        }
+        if (accessor->count < p.positions->count)
+            notes_.add("values of '" + name + "' that are missing given a default",
+                       p.positions->count - accessor->count);
+        if (accessor->count > p.positions->count)
+            notes_.add("values of '" + name + "' of no vertex passed over", accessor->count - p.positions->count);
+        return accessor;
     }
 
-    /// One stream for everything that some mesh has; others get white and 0.
+    /// Primitives without a material share one without a name, which follows the others.
+    std::uint32_t material_of(const GltfJson& source, const std::string& where) const
+    {
+        const auto none = static_cast<std::uint32_t>(materials_.size());
+        try {
+            const auto index = document_.index_if(source, "material", where);
+            if (!index) return none;
+            if (*index < materials_.size()) return static_cast<std::uint32_t>(*index);
+        } catch (const FileError&) {
+            // What is no number names no material either.
+        }
+        notes_.add("materials that are not there taken as none");
+        return none;
+    }
+
+    /// Holds what the file asks for against its size before anything is copied.
+    void check_work(const std::vector<GltfPlacement>& placements) const
+    {
+        const std::uint64_t most = std::max(kAlwaysAllowed, kMostCopies * (size_ + accessors_.bytes_beside()));
+        std::uint64_t left = most;
+        for (const GltfPlacement& placement : placements) {
+            const std::uint64_t work = meshes_.at(placement.mesh).work + 1;
+            if (placement.instances.count > left / work)
+                document_.refuse("it asks for more than " + std::to_string(most) +
+                                 " vertices and corners, too many for a file of its size; export fewer copies");
+            left -= placement.instances.count * work;
+        }
+    }
+
+    /// One stream for everything that some mesh of the scene has; others get white and 0.
     void plan_streams()
     {
-        for (const GltfJson& mesh : list(document_.json, "meshes"))
-            for (const GltfJson& primitive : mesh["primitives"]) {
-                if (!is_surface(primitive)) continue;
-                has_colour_ = has_colour_ || attribute(primitive, "COLOR_0") != nullptr;
-                for (std::uint32_t k = 1; k < kMostUvSets; ++k)
-                    if (attribute(primitive, "TEXCOORD_" + std::to_string(k)) != nullptr)
-                        uv_sets_ = std::max(uv_sets_, k + 1);
+        for (const auto& [number, mesh] : meshes_)
+            for (const Primitive& p : mesh.primitives) {
+                has_colour_ = has_colour_ || p.colours != nullptr;
+                for (std::size_t k = 1; k < kMostUvSets; ++k)
+                    if (p.uvs[k] != nullptr) uv_sets_ = std::max(uv_sets_, k + 1);
             }
         if (has_colour_) builder_.soup.streams.push_back({"color", 4, {}});
-        for (std::uint32_t k = 1; k < uv_sets_; ++k) builder_.soup.streams.push_back({"uv" + std::to_string(k), 2, {}});
+        for (std::size_t k = 1; k < uv_sets_; ++k) builder_.soup.streams.push_back({"uv" + std::to_string(k), 2, {}});
     }
 
-    /// Recursion is as deep as check_gltf() lets nodes be nested.
-    void add_node(const GltfJson& node, const glm::dmat4& parent)
+    void add_placement(const GltfPlacement& placement)
     {
-        const glm::dmat4 transform = parent * transform_of(node);
-        if (const auto mesh = node.find("mesh"); mesh != node.end()) add_mesh(mesh->get<std::size_t>(), transform);
-        for (const GltfJson& child : list(node, "children"))
-            add_node(list(document_.json, "nodes")[child.get<std::size_t>()], transform);
+        const std::string where = "mesh " + std::to_string(placement.mesh);
+        const bool is_instanced = placement.instances.translation != nullptr ||
+                                  placement.instances.rotation != nullptr || placement.instances.scale != nullptr;
+        for (std::uint64_t i = 0; i < placement.instances.count; ++i) {
+            const glm::dmat4 transform =
+                is_instanced ? placement.transform * placement.instances.transform(i) : placement.transform;
+            for (const Primitive& p : meshes_.at(placement.mesh).primitives) add_primitive(p, where, transform);
+        }
     }
 
-    void add_mesh(std::size_t number, const glm::dmat4& transform)
+    void add_primitive(const Primitive& p, const std::string& where, const glm::dmat4& transform)
     {
-        for (const GltfJson& primitive : list(document_.json, "meshes")[number]["primitives"])
-            if (is_surface(primitive)) add_primitive(primitive, "mesh " + std::to_string(number), transform);
-    }
-
-    void add_primitive(const GltfJson& primitive, const std::string& where, const glm::dmat4& transform)
-    {
-        find_corners(primitive, where);
-        const std::vector<std::uint32_t> index = add_vertices(primitive, transform);
-        builder_.use_material(material_of(primitive));
+        find_corners(p, where);
+        const std::vector<std::uint32_t> index = add_vertices(p, transform);
+        if (p.material == builder_.soup.materials.size()) builder_.soup.materials.emplace_back();
+        builder_.use_material(p.material);
         // A transform that mirrors turns triangles inside out.
         const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
-        const std::uint64_t mode = mode_of(primitive), n = corners_.size();
+        const std::uint64_t n = corners_.size();
         const auto add = [&](std::uint64_t a, std::uint64_t b, std::uint64_t c) {
             if (mirrored) std::swap(a, c);
             const std::array<std::uint32_t, 3> triangle{index[corners_[a]], index[corners_[b]], index[corners_[c]]};
             builder_.add_face(triangle);
         };
-        if (mode == kGltfTriangles)
+        if (p.mode == kTriangles)
             for (std::uint64_t i = 0; i < n; i += 3) add(i, i + 1, i + 2);
         else
             for (std::uint64_t i = 0; i + 2 < n; ++i)
-                mode == kGltfFan ? add(0, i + 1, i + 2) : add(i, i + 1 + i % 2, i + 2 - i % 2);
+                p.mode == kFan ? add(0, i + 1, i + 2) : add(i, i + 1 + i % 2, i + 2 - i % 2);
     }
 
     /// Fills `corners_`: the vertex of the primitive at each corner, in range.
-    void find_corners(const GltfJson& primitive, const std::string& where)
+    void find_corners(const Primitive& p, const std::string& where)
     {
-        const std::uint64_t vertices = attribute(primitive, "POSITION")->count;
-        corners_.clear();
-        const auto found = primitive.find("indices");
-        const GltfAccessor* indices =
-            found != primitive.end() ? &document_.accessors[found->get<std::size_t>()] : nullptr;
-        const std::uint64_t count = indices != nullptr ? indices->count : vertices;
-        if (count > std::numeric_limits<std::uint32_t>::max())
+        if (p.corners > std::numeric_limits<std::uint32_t>::max())
             fail(path_, where + " has more than 2^32 corners; divide it into several");
-        corners_.reserve(count);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            corners_.push_back(indices != nullptr ? index_at(*indices, i) : static_cast<std::uint32_t>(i));
-            if (corners_.back() >= vertices)
-                fail(path_, "corner " + std::to_string(i) + " of " + where + " names vertex " +
-                                std::to_string(corners_.back()) + ", but there are only " + std::to_string(vertices) +
-                                "; export it again");
+        const std::uint64_t vertices = p.positions->count;
+        corners_.clear();
+        corners_.reserve(p.corners);
+        for (std::uint64_t i = 0; i < p.corners; ++i) {
+            const double vertex = p.indices != nullptr ? p.indices->stored(i, 0) : static_cast<double>(i);
+            if (!(vertex >= 0.0 && vertex < static_cast<double>(vertices)) || std::floor(vertex) != vertex)
+                fail(path_, "corner " + std::to_string(i) + " of " + where + " names vertex " + text_of(vertex) +
+                                ", but there are only " + std::to_string(vertices) +
+                                ", counted from 0; export it again");
+            corners_.push_back(static_cast<std::uint32_t>(vertex));
         }
     }
 
-    /// Primitives without a material share one without a name.
-    std::uint32_t material_of(const GltfJson& primitive)
+    /// A number for a message: whole ones without a fraction.
+    static std::string text_of(double number)
     {
-        const auto found = primitive.find("material");
-        if (found != primitive.end()) return found->get<std::uint32_t>();
-        const std::size_t given = list(document_.json, "materials").size();
-        if (builder_.soup.materials.size() == given) builder_.soup.materials.emplace_back();
-        return static_cast<std::uint32_t>(given);
+        const bool is_whole = std::abs(number) < 1e15 && std::floor(number) == number;
+        return is_whole ? std::to_string(static_cast<std::int64_t>(number)) : std::to_string(number);
     }
 
     /// Adds the vertices that corners use (primitives may share one long list) and returns their indices.
-    std::vector<std::uint32_t> add_vertices(const GltfJson& primitive, const glm::dmat4& transform)
+    std::vector<std::uint32_t> add_vertices(const Primitive& p, const glm::dmat4& transform)
     {
         constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
-        const GltfAccessor& positions = *attribute(primitive, "POSITION");
-        const GltfAccessor* normals = attribute(primitive, "NORMAL");
-        const GltfAccessor* uv = attribute(primitive, "TEXCOORD_0");
-        std::vector<std::uint32_t> index(positions.count, kUnused);
+        std::vector<std::uint32_t> index(p.positions->count, kUnused);
         for (const std::uint32_t corner : corners_) index[corner] = 0;
         const bool moved = transform != glm::dmat4(1.0);
         // Normals follow the inverse transpose; up to its length, which is restored later, that is the cofactor matrix.
@@ -296,53 +286,85 @@ private:
         const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                    glm::cross(linear[0], linear[1]));
         const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
-        for (std::uint64_t i = 0; i < positions.count; ++i) {
+        for (std::uint64_t i = 0; i < p.positions->count; ++i) {
             if (index[i] == kUnused) continue;
             Vertex v{{}, kNoNormal, {}};
-            const glm::vec3 p(value_at(positions, i));
-            v.position = moved ? glm::vec3(glm::dvec3(transform * glm::dvec4(glm::dvec3(p), 1.0))) : p;
-            if (normals != nullptr) {
-                const glm::vec3 n(value_at(*normals, i));
-                v.normal = moved ? unit(side * (cofactors * glm::dvec3(n))) : n;
+            const glm::dvec3 place = vector_at(*p.positions, i);
+            v.position = glm::vec3(moved ? glm::dvec3(transform * glm::dvec4(place, 1.0)) : place);
+            if (p.normals != nullptr && i < p.normals->count) {
+                const glm::dvec3 n = vector_at(*p.normals, i);
+                v.normal = moved ? unit(side * (cofactors * n)) : glm::vec3(n);
             }
-            // The origin of glTF's uv is the upper left corner.
-            if (uv != nullptr) v.uv = lower_left(value_at(*uv, i));
+            v.uv = uv_at(p, 0, i);
             index[i] = builder_.add_vertex(v);
-            add_streams(primitive, i);
+            add_streams(p, i);
         }
         return index;
     }
 
-    static glm::vec2 lower_left(const glm::vec4& uv) { return {uv.x, 1.0f - uv.y}; }
+    static glm::dvec3 vector_at(const GltfAccessor& accessor, std::uint64_t i)
+    {
+        return {accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2)};
+    }
 
+    /// NaN stays NaN: whether it matters is decided for all formats in one place.
     static glm::vec3 unit(const glm::dvec3& n)
     {
         const double length = std::hypot(n.x, n.y, n.z);
-        return length > 0.0 ? glm::vec3(n / length) : kNoNormal;
+        return length == 0.0 ? kNoNormal : glm::vec3(n / length);
     }
 
-    void add_streams(const GltfJson& primitive, std::uint64_t i)
+    /// Texture coordinates as the material's texture goes by them. The origin of glTF's is the upper left corner.
+    glm::vec2 uv_at(const Primitive& p, std::size_t set, std::uint64_t i) const
+    {
+        const GltfAccessor* uvs = p.uvs[set];
+        if (uvs == nullptr || i >= uvs->count) return {};
+        glm::dvec2 uv(uvs->value(i, 0), uvs->value(i, 1));
+        if (p.material < materials_.size()) {
+            const GltfMaterial& material = materials_[p.material];
+            if (material.uv_set == set && material.moves_texture()) uv = material.place(uv);
+        }
+        return {static_cast<float>(uv.x), 1.0f - static_cast<float>(uv.y)};
+    }
+
+    /// One number is grey, three are opaque.
+    static glm::vec4 colour_at(const GltfAccessor& colours, std::uint64_t i)
+    {
+        glm::vec4 colour(1.0f);
+        for (std::uint64_t k = 0; k < colours.width; ++k)
+            colour[static_cast<int>(k)] = static_cast<float>(colours.fraction(i, k));
+        if (colours.width == 1) colour.y = colour.z = colour.x;
+        if (colours.width == 2) colour = {colour.x, colour.x, colour.x, colour.y};
+        return colour;
+    }
+
+    void add_streams(const Primitive& p, std::uint64_t i)
     {
         auto stream = builder_.soup.streams.begin();
         if (has_colour_) {
-            const GltfAccessor* colours = attribute(primitive, "COLOR_0");
-            const glm::vec4 colour = colours != nullptr ? value_at(*colours, i) : glm::vec4(1.0f);
+            const bool is_given = p.colours != nullptr && i < p.colours->count;
+            const glm::vec4 colour = is_given ? colour_at(*p.colours, i) : glm::vec4(1.0f);
             for (int k = 0; k < 4; ++k) stream->values.push_back(colour[k]);
             ++stream;
         }
-        for (std::uint32_t k = 1; k < uv_sets_; ++k, ++stream) {
-            const GltfAccessor* uv = attribute(primitive, "TEXCOORD_" + std::to_string(k));
-            const glm::vec2 place = uv != nullptr ? lower_left(value_at(*uv, i)) : glm::vec2(0.0f);
+        for (std::size_t k = 1; k < uv_sets_; ++k, ++stream) {
+            const glm::vec2 place = uv_at(p, k, i);
             stream->values.push_back(place.x);
             stream->values.push_back(place.y);
         }
     }
 
     const std::filesystem::path& path_;
-    const GltfDocument& document_;
+    ReadingNotes& notes_;
+    std::uint64_t size_;
+    GltfDocument document_;
+    GltfExtensions extensions_;
+    GltfAccessors accessors_;
+    std::vector<GltfMaterial> materials_;
+    std::map<std::uint64_t, Mesh> meshes_;  ///< those that the scene shows
     SoupBuilder builder_;
     bool has_colour_ = false;
-    std::uint32_t uv_sets_ = 1;
+    std::size_t uv_sets_ = 1;
     std::vector<std::uint32_t> corners_;
 };
 
@@ -350,8 +372,7 @@ private:
 
 TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
-    const GltfDocument document = check_gltf(path, bytes);
-    return GltfReader(path, document, notes).read();
+    return GltfReader(path, bytes, notes).read();
 }
 
 }  // namespace kerf::io

@@ -31,6 +31,8 @@ public:
 /// the
 ///   others get the mean of their triangles' normals, weighted by area. Where it gives none, and for STL, `has_normals`
 ///   is false.
+/// * Of glTF, what the scene shows, with EXT_mesh_gpu_instancing, KHR_mesh_quantization and KHR_texture_transform; no
+///   Draco, no skins, no morph targets.
 /// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices are streams of their
 ///   own.
 ///

@@ -1,0 +1,58 @@
+#include "common/io/gltf_container.h"
+
+#include <cstdint>
+#include <string>
+
+#include "common/io/bytes.h"
+#include "common/io/read_formats.h"
+
+namespace kerf::io {
+
+namespace {
+
+constexpr std::string_view kMagic = "glTF";
+constexpr std::size_t kContainerHeader = 12, kChunkHeader = 8;
+constexpr std::string_view kJsonChunk = "JSON";
+constexpr std::string_view kBinaryChunk{"BIN\0", 4};
+
+}  // namespace
+
+GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
+{
+    constexpr const char* kAgain = "; export it again";
+    if (!bytes.starts_with(kMagic)) return {bytes, {}, false};
+    if (bytes.size() < kContainerHeader + kChunkHeader) fail(path, std::string("it is truncated") + kAgain);
+    const auto number = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, Endian::little); };
+    if (number(4) != 2)
+        fail(path, "it is GLB version " + std::to_string(number(4)) + ", not 2; export it again as glTF 2.0");
+    if (number(8) > bytes.size())
+        fail(path, "it is truncated: it should have " + std::to_string(number(8)) + " bytes, but has " +
+                       std::to_string(bytes.size()) + kAgain);
+    const std::size_t end = bytes.size();
+    const auto name_at = [&](std::size_t at) {
+        return at + kChunkHeader <= end ? bytes.substr(at + 4, 4) : std::string_view();
+    };
+    GltfParts parts;
+    parts.is_container = true;
+    for (std::size_t at = kContainerHeader; at + kChunkHeader <= end;) {
+        const std::size_t size = number(at), first = at + kChunkHeader;
+        const std::string_view name = name_at(at);
+        if (at == kContainerHeader && name != kJsonChunk)
+            fail(path, std::string("its first chunk is not JSON") + kAgain);
+        // Behind the length that the header gives there may be anything.
+        const bool is_ours = name == kJsonChunk || name == kBinaryChunk || at < number(8);
+        if (size > end - first) {
+            if (!is_ours) break;
+            fail(path, std::string("it is truncated: a chunk is longer than the file") + kAgain);
+        }
+        if (name == kJsonChunk && parts.json.empty()) parts.json = bytes.substr(first, size);
+        if (name == kBinaryChunk && parts.binary.empty()) parts.binary = bytes.substr(first, size);
+        const std::size_t behind = first + size, padded = first + (size + 3) / 4 * 4;
+        const bool is_unpadded = behind != padded && name_at(behind) == kBinaryChunk;
+        if (behind != padded && behind != end) notes.add("chunks whose length is no multiple of four");
+        at = is_unpadded ? behind : padded;
+    }
+    return parts;
+}
+
+}  // namespace kerf::io

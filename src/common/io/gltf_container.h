@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "common/io/reading_notes.h"
+
+namespace kerf::io {
+
+/// The chunks of a GLB file, or the text of a glTF file.
+struct GltfParts
+{
+    std::string_view json;
+    std::string_view binary;
+    bool is_container = false;
+};
+
+/// Takes a GLB file apart; every length is held against the bytes that are there. Views into `bytes`. O(chunks).
+///
+/// Chunks begin at multiples of four. Where a length is none, some programs fill up to the next one and others don't:
+/// the next chunk is where its name stands.
+/// @throws FileError  another version; the file, or one of its first two kinds of chunks, is shorter than it says
+GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
+
+}  // namespace kerf::io

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "common/io/gltf_document.h"
+
+namespace kerf::io {
+
+/// The extensions that a file requires of its readers, and whether its surface can be read without them.
+///
+/// KHR_mesh_quantization, EXT_mesh_gpu_instancing and KHR_texture_transform are read. Most others say something about
+/// materials, textures, animations or behaviour: they are noted and passed over, known or not. An extension that
+/// changes the surface has to hang on what the surface is read from - a mesh, primitive, accessor, buffer view or
+/// buffer; one that does, is required and is not known to be decoration refuses the file. KHR_draco_mesh_compression
+/// refuses it wherever it is required.
+class GltfExtensions
+{
+public:
+    /// Notes what is passed over. @throws FileError
+    explicit GltfExtensions(const GltfDocument& document);
+
+    /// Looks at an object that the surface is read from.
+    /// @throws FileError  it carries a required extension that may change the surface
+    void check(const GltfJson& object, const std::string& where) const;
+
+private:
+    const GltfDocument& document_;
+    std::set<std::string, std::less<>> required_;
+};
+
+}  // namespace kerf::io
