@@ -69,7 +69,8 @@ Kept drop_faults(const TriangleSoup& soup, const Weld& weld, Repairs& repairs)
     for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
         repairs.degenerate_triangles += faults[t] == TriangleFault::degenerate;
         repairs.duplicate_triangles += faults[t] == TriangleFault::duplicate;
-        if (faults[t] != TriangleFault::none) continue;
+        repairs.coinciding_triangles += faults[t] == TriangleFault::coinciding;
+        if (!is_kept(faults[t])) continue;
         kept.corners[count] = kept.corners[t];
         kept.soup_triangles[count++] = t;
     }
@@ -151,6 +152,7 @@ std::string Repairs::describe() const
     };
     clause(degenerate_triangles, "degenerate triangle", "degenerate triangles", "dropped");
     clause(duplicate_triangles, "duplicate triangle", "duplicate triangles", "dropped");
+    clause(coinciding_triangles, "triangle that lies on another", "triangles that lie on others", "kept");
     clause(nonmanifold_edges, "edge", "edges", "with more than two triangles divided");
     clause(nonmanifold_points, "point", "points", "split");
     clause(flipped_triangles, "triangle", "triangles", "turned over");

@@ -24,6 +24,7 @@ struct Repairs
 {
     std::uint64_t degenerate_triangles = 0;  ///< dropped: two corners at one position
     std::uint64_t duplicate_triangles = 0;   ///< dropped: same three points as an earlier one, in the same orientation
+    std::uint64_t coinciding_triangles = 0;  ///< the same, but kept: without them a closed edge would be open
     std::uint64_t nonmanifold_edges = 0;     ///< more than two triangles met there: cut open or paired up
     std::uint64_t nonmanifold_points = 0;    ///< several fans met in one point: split into one point for each
     std::uint64_t flipped_triangles = 0;     ///< turned over to agree with their patch, or with the outside
@@ -31,8 +32,8 @@ struct Repairs
 
     bool none() const
     {
-        return degenerate_triangles + duplicate_triangles + nonmanifold_edges + nonmanifold_points + flipped_triangles +
-                   unorientable_edges ==
+        return degenerate_triangles + duplicate_triangles + coinciding_triangles + nonmanifold_edges +
+                   nonmanifold_points + flipped_triangles + unorientable_edges ==
                0;
     }
     /// One clause for each kind that occurred, for people: "3 degenerate triangles dropped, 2 points split".
@@ -50,6 +51,9 @@ struct Assembled
 /// Makes a mesh that back ends can cut: welds vertices of bit-equal position into points (once and for all: afterwards
 /// connectivity is by id), drops degenerate and duplicate triangles, splits non-manifold edges and points, orients
 /// patches, finds the solids, and groups triangles by material and solid in otherwise unchanged order.
+///
+/// What is closed - along each edge as many triangles run one way as the other - stays closed: duplicates are dropped
+/// only where that opens nothing (find_faults()); the others stay, with points of their own.
 ///
 /// Orientation: a shell whose triangles agree keeps its orientation, unless it is an outermost shell of negative
 /// volume: that one is flipped together with what it contains. `sources` count the triangles of the soup. O(n log n)

@@ -1,8 +1,12 @@
 #include "common/duplicates.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <tuple>
 #include <utility>
+
+#include "common/disjoint_sets.h"
+#include "common/half_edge_pairs.h"
 
 namespace kerf {
 
@@ -17,6 +21,111 @@ struct Entry
     {
         return std::tie(second, third, triangle) < std::tie(other.second, other.third, other.triangle);
     }
+};
+
+/// A triangle that has the same points as an earlier one, in the same orientation.
+struct Repeat
+{
+    std::uint32_t triangle;
+    std::uint32_t layer;  ///< how many there were before, less one
+};
+
+/// Judges repeats: which can be dropped.
+class RepeatJudge
+{
+public:
+    RepeatJudge(std::uint32_t point_count, std::span<const Triangle> corners, std::span<const Repeat> repeats)
+        : repeats_(repeats), patches_(static_cast<std::uint32_t>(repeats.size())), is_needed_(repeats.size(), 0)
+    {
+        list_sides(point_count, corners);
+        for (auto first = sides_.begin(), last = first; first != sides_.end(); first = last) {
+            while (last != sides_.end() && layer_of(*last) == layer_of(*first)) ++last;
+            judge_layer({first, last});
+        }
+    }
+
+    /// By number in `repeats`.
+    bool is_needed(std::uint32_t repeat) { return is_needed_[patches_.find(repeat)] != 0; }
+
+private:
+    /// An edge of a repeat.
+    struct Side
+    {
+        std::uint32_t repeat, edge;
+        int direction;  ///< 1 when it runs from the smaller point to the larger one, otherwise -1
+    };
+
+    std::uint32_t layer_of(const Side& side) const { return repeats_[side.repeat].layer; }
+
+    /// Fills `sides_`, by layer from the last to the first and then by edge, and `balance_`.
+    void list_sides(std::uint32_t point_count, std::span<const Triangle> corners)
+    {
+        constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+        Buffer<std::uint8_t> is_met(point_count, 0);
+        for (const Repeat& repeat : repeats_)
+            for (const std::uint32_t point : corners[repeat.triangle]) is_met[point] = 1;
+
+        // Only triangles between two points of repeats have an edge of theirs.
+        Buffer<Triangle> near;
+        Buffer<std::uint32_t> repeat_of;
+        std::uint32_t next = 0;
+        for (std::uint32_t t = 0; t < corners.size(); ++t) {
+            const auto& [a, b, c] = corners[t];
+            const bool is_repeat = next < repeats_.size() && repeats_[next].triangle == t;
+            if (a != b && b != c && c != a && is_met[a] + is_met[b] + is_met[c] >= 2) {
+                near.push_back(corners[t]);
+                repeat_of.push_back(is_repeat ? next : kNone);
+            }
+            next += is_repeat;
+        }
+
+        EdgeRuns(point_count, near).for_each([&](std::span<const EdgeRuns::Side> edge) {
+            int balance = 0;
+            bool has_repeat = false;
+            for (const auto& [larger_point, h] : edge) {
+                const int direction = near[h / 3][h % 3] == larger_point ? -1 : 1;
+                balance += direction;
+                if (repeat_of[h / 3] == kNone) continue;
+                has_repeat = true;
+                sides_.push_back({repeat_of[h / 3], static_cast<std::uint32_t>(balance_.size()), direction});
+            }
+            if (has_repeat) balance_.push_back(balance);
+        });
+        std::stable_sort(sides_.begin(), sides_.end(),
+                         [&](const Side& a, const Side& b) { return layer_of(a) > layer_of(b); });
+    }
+
+    /// Calls visit(edge, repeat, change) for each edge of a layer: any repeat at it, and what the layer adds to its
+    /// balance.
+    template <class Visit>
+    static void for_each_edge(std::span<const Side> layer, Visit&& visit)
+    {
+        for (std::size_t first = 0, last = 0; first < layer.size(); first = last) {
+            int change = 0;
+            for (; last < layer.size() && layer[last].edge == layer[first].edge; ++last)
+                change += layer[last].direction;
+            visit(layer[first].edge, layer[first].repeat, change);
+        }
+    }
+
+    void judge_layer(std::span<const Side> layer)
+    {
+        for (std::size_t i = 1; i < layer.size(); ++i)
+            if (layer[i].edge == layer[i - 1].edge) patches_.unite(layer[i].repeat, layer[i - 1].repeat);
+        // Triangles at one edge are of one patch, so that patches do not depend on one another.
+        for_each_edge(layer, [&](std::uint32_t edge, std::uint32_t repeat, int change) {
+            if (std::abs(balance_[edge] - change) > std::abs(balance_[edge])) is_needed_[patches_.find(repeat)] = 1;
+        });
+        for_each_edge(layer, [&](std::uint32_t edge, std::uint32_t repeat, int change) {
+            if (!is_needed(repeat)) balance_[edge] -= change;
+        });
+    }
+
+    std::span<const Repeat> repeats_;
+    std::vector<Side> sides_;
+    std::vector<int> balance_;             ///< of each edge of repeats, without what is dropped
+    DisjointSets patches_;                 ///< of numbers in `repeats_`
+    std::vector<std::uint8_t> is_needed_;  ///< of each patch
 };
 
 }  // namespace
@@ -46,16 +155,25 @@ std::vector<TriangleFault> find_faults(std::uint32_t point_count, std::span<cons
         else
             entries[bucket_end[c]++] = {a, b, t};
     }
+    std::vector<Repeat> repeats;
     std::uint32_t begin = 0;
     for (const std::uint32_t end : bucket_end) {
         if (end - begin > 1) {
             std::sort(entries.begin() + begin, entries.begin() + end);
-            for (std::uint32_t i = begin + 1; i < end; ++i)
-                if (entries[i].second == entries[i - 1].second && entries[i].third == entries[i - 1].third)
-                    faults[entries[i].triangle] = TriangleFault::duplicate;
+            for (std::uint32_t i = begin + 1, copies = 0; i < end; ++i) {
+                const bool is_repeat =
+                    entries[i].second == entries[i - 1].second && entries[i].third == entries[i - 1].third;
+                copies = is_repeat ? copies + 1 : 0;
+                if (is_repeat) repeats.push_back({entries[i].triangle, copies - 1});
+            }
         }
         begin = end;
     }
+    if (repeats.empty()) return faults;
+    std::sort(repeats.begin(), repeats.end(), [](const Repeat& a, const Repeat& b) { return a.triangle < b.triangle; });
+    RepeatJudge judge(point_count, corners, repeats);
+    for (std::uint32_t i = 0; i < repeats.size(); ++i)
+        faults[repeats[i].triangle] = judge.is_needed(i) ? TriangleFault::coinciding : TriangleFault::duplicate;
     return faults;
 }
 

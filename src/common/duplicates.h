@@ -8,17 +8,33 @@
 
 namespace kerf {
 
-/// For each triangle whether it is degenerate (two corners in one point) or a duplicate: the same three points as an
-/// earlier one, in the same orientation.
+/// What is to be done with a triangle before its neighbours are looked for. A repeat has the same three points as an
+/// earlier triangle, in the same orientation.
 enum class TriangleFault : std::uint8_t
 {
     none,
-    degenerate,
-    duplicate,
+    degenerate,  ///< two corners in one point: drop it; it runs along its other side forth and back
+    duplicate,   ///< a repeat that nothing needs: drop it
+    coinciding,  ///< a repeat that holds an edge closed: keep it
 };
 
-/// `corners` holds the three point ids of each triangle, all below `point_count`. O(n) for bounded valence, O(n log n)
-/// otherwise.
+/// Whether a triangle with this fault stays.
+inline bool is_kept(TriangleFault fault)
+{
+    return fault == TriangleFault::none || fault == TriangleFault::coinciding;
+}
+
+/// Finds the faults of triangles. `corners` holds the three point ids of each triangle, all below `point_count`.
+///
+/// The balance of an edge is how many more triangles run along it one way than the other; a closed edge has none over.
+/// Repeats are dropped patch by patch, and a patch only if no edge gets farther from balance by that: what is closed
+/// stays closed. The second triangles over the same points make one layer, the third ones the next, and so on; a patch
+/// is what hangs together by edges in one layer; last layers are judged first. So a whole shell that is there twice is
+/// dropped once, for that changes no balance, and so is a triangle that is there once too often, on a closed surface or
+/// an open one. The face that two solids have in common, in the same orientation, stays twice.
+///
+/// How many triangles over the same points are dropped depends neither on the order of triangles nor on the numbers of
+/// points; which ones does, but the first stays. O(n) for bounded valence, O(n log n) otherwise.
 std::vector<TriangleFault> find_faults(std::uint32_t point_count, std::span<const Triangle> corners);
 
 }  // namespace kerf

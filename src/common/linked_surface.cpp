@@ -246,8 +246,12 @@ void LinkedSurface::turn_over(std::span<const std::uint8_t> flip)
     }
 }
 
-LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
-                           std::vector<NonmanifoldEdge>& resolved)
+namespace {
+
+/// A surface whose patches are oriented, but for edges of more than two triangles, which are in `resolved` and not
+/// linked yet. `patch` is left empty where there is nothing to orient.
+LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, std::vector<NonmanifoldEdge>& resolved,
+                           Buffer<std::uint32_t>& patch)
 {
     LinkedSurface surface;
     surface.corners = std::move(corners);
@@ -255,34 +259,58 @@ LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> 
     surface.flipped.assign(surface.corners.size(), 0);
 
     bool consistent = true;
-    EdgeRuns(static_cast<std::uint32_t>(positions.size()), surface.corners)
-        .for_each([&](std::span<const EdgeRuns::Side> edge) {
-            if (edge.size() == 2) {
-                surface.link(edge[0].half_edge, edge[1].half_edge);
-                consistent = consistent && surface.start(edge[0].half_edge) != surface.start(edge[1].half_edge);
-            } else if (edge.size() > 2) {
-                NonmanifoldEdge& sides = resolved.emplace_back();
-                for (const EdgeRuns::Side& side : edge) sides.push_back(side.half_edge);
-            }
-        });
+    EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        if (edge.size() == 2) {
+            if (surface.coincide(edge[0].half_edge, edge[1].half_edge)) return;
+            surface.link(edge[0].half_edge, edge[1].half_edge);
+            consistent = consistent && surface.start(edge[0].half_edge) != surface.start(edge[1].half_edge);
+        } else if (edge.size() > 2) {
+            NonmanifoldEdge& sides = resolved.emplace_back();
+            for (const EdgeRuns::Side& side : edge) sides.push_back(side.half_edge);
+        }
+    });
     surface.nonmanifold_edges = resolved.size();
     if (consistent && resolved.empty()) return surface;
 
-    const Patches patches = PatchFlood(surface).run();
+    Patches patches = PatchFlood(surface).run();
     surface.turn_over(patches.flip);
     for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
         if (const std::uint32_t mate = surface.mates[h]; mate != kNoTwin && surface.start(h) == surface.start(mate)) {
             surface.mates[h] = surface.mates[mate] = kNoTwin;
             ++surface.unorientable_edges;
         }
-
-    EdgePairing pairing(surface, positions, patches.patch);
-    for (NonmanifoldEdge& edge : resolved) {
+    for (NonmanifoldEdge& edge : resolved)
         for (std::uint32_t& h : edge)
             if (patches.flip[h / 3]) h = turned_over(h);
-        pairing.pair(edge);
-    }
+    patch = std::move(patches.patch);
     return surface;
+}
+
+}  // namespace
+
+LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
+                           std::vector<NonmanifoldEdge>& resolved)
+{
+    Buffer<std::uint32_t> patch;
+    LinkedSurface surface =
+        link_patches(std::move(corners), static_cast<std::uint32_t>(positions.size()), resolved, patch);
+    EdgePairing pairing(surface, positions, patch);
+    for (const NonmanifoldEdge& edge : resolved) pairing.pair(edge);
+    return surface;
+}
+
+std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_count)
+{
+    std::vector<NonmanifoldEdge> resolved;
+    Buffer<std::uint32_t> patch;
+    const LinkedSurface surface = link_patches(std::move(corners), point_count, resolved, patch);
+    auto open = std::count(surface.mates.begin(), surface.mates.end(), kNoTwin);
+    for (const NonmanifoldEdge& edge : resolved) {
+        const auto forward = std::count_if(
+            edge.begin(), edge.end(), [&](std::uint32_t h) { return surface.start(h) == surface.start(edge.front()); });
+        open -= 2 * std::min(forward, std::ssize(edge) - forward);
+    }
+    return static_cast<std::uint64_t>(open);
 }
 
 }  // namespace kerf

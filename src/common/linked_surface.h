@@ -25,6 +25,12 @@ struct LinkedSurface
     std::uint32_t start(std::uint32_t h) const { return corners[h / 3][h % 3]; }
     std::uint32_t end(std::uint32_t h) const { return start(next_half_edge(h)); }
 
+    /// Whether two half-edges are of triangles with the same points in the same orientation.
+    bool coincide(std::uint32_t a, std::uint32_t b) const
+    {
+        return start(a) == start(b) && end(a) == end(b) && start(previous_half_edge(a)) == start(previous_half_edge(b));
+    }
+
     void link(std::uint32_t a, std::uint32_t b)
     {
         if (a != kNoTwin) mates[a] = b;
@@ -44,10 +50,16 @@ inline std::uint32_t turned_over(std::uint32_t h)
 /// Finds each triangle's neighbours. Edges with two triangles join them; patches of triangles that are joined so are
 /// made to agree on an orientation by turning over the smaller part, and cut open where no orientation satisfies both
 /// sides (a Moebius strip). Where more than two triangles meet, they are sorted around the edge and paired so that two
-/// bound the same wedge of solid; what finds no partner becomes boundary. `corners` holds three different points for
-/// each triangle, no triangle twice; `positions` belong to the points. `resolved` receives the edges of the last kind.
-/// O(n) plus sorting at each such edge.
+/// bound the same wedge of solid; what finds no partner becomes boundary. Triangles that coincide are no neighbours of
+/// one another. As many half-edges find no partner at an edge as more run along it one way than the other, once patches
+/// are oriented. `corners` holds three different points for each triangle; `positions` belong to the points. `resolved`
+/// receives the edges of the last kind. O(n) plus sorting at each such edge.
 LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved);
+
+/// How many half-edges link_surface() leaves without a neighbour; that does not depend on where the points are.
+/// `corners` holds three different points for each triangle, all below `point_count`. O(n) for bounded valence, O(n log
+/// n) otherwise.
+std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_count);
 
 }  // namespace kerf
