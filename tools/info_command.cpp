@@ -43,6 +43,8 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
             {"misoriented_edges", facts.misoriented_edges},
             {"degenerate_triangles", facts.degenerate_triangles},
             {"duplicate_triangles", facts.duplicate_triangles},
+            {"unbalanced_edges", facts.unbalanced_edges},
+            {"open_edges", facts.open_edges},
             {"shortest_edge", facts.shortest_edge},
             {"warnings", std::move(warnings)},
             {"notes", std::move(notes)},
@@ -55,6 +57,7 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
             {"repairs",
              {{"degenerate_triangles", repairs.degenerate_triangles},
               {"duplicate_triangles", repairs.duplicate_triangles},
+              {"coinciding_triangles", repairs.coinciding_triangles},
               {"nonmanifold_edges", repairs.nonmanifold_edges},
               {"nonmanifold_points", repairs.nonmanifold_points},
               {"flipped_triangles", repairs.flipped_triangles},
@@ -74,8 +77,11 @@ std::string info_text(const io::LoadedMesh& loaded, const std::string& file)
     text += line("triangles", grouped(facts.triangles));
     text += line("vertices", grouped(facts.vertices));
     text += line("welded vertices", grouped(facts.welded_vertices));
-    text += line("closed", yes_or(facts.closed(), counted(facts.boundary_edges, "boundary edge") + " in " +
-                                                      counted(facts.boundary_loops, "loop")));
+    text += line("closed",
+                 yes_or(facts.closed(), facts.boundary_edges > 0 ? counted(facts.boundary_edges, "boundary edge") +
+                                                                       " in " + counted(facts.boundary_loops, "loop")
+                                                                 : counted(facts.open_edges, "triangle side") +
+                                                                       " without a neighbour after repair"));
     text += line("manifold", yes_or(facts.manifold(), counted(facts.nonmanifold_edges, "edge") + " and " +
                                                           counted(facts.nonmanifold_points, "point") + " are not"));
     text += line("oriented", yes_or(facts.oriented(), counted(facts.misoriented_edges, "edge") +
@@ -112,7 +118,7 @@ void add_info_command(CLI::App& program)
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer(
         "Facts are those of the file, before anything is repaired; vertices are welded where their positions are "
-        "equal.\n\n"
+        "equal. Closed is what has no boundary once it is repaired.\n\n"
         "Examples:\n"
         "  kerf info rook.obj\n"
         "  kerf info scan.ply --json | jq .volume");

@@ -5,6 +5,7 @@
 #include "common/disjoint_sets.h"
 #include "common/duplicates.h"
 #include "common/half_edge_pairs.h"
+#include "common/linked_surface.h"
 #include "common/mass_properties.h"
 #include "common/umbrellas.h"
 #include "common/weld.h"
@@ -20,7 +21,7 @@ std::uint64_t count_sets(DisjointSets& sets, std::uint32_t size)
     return count;
 }
 
-/// Facts of connectivity; `corners` are point ids.
+/// Facts of connectivity; `all_corners` are point ids.
 void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> all_corners)
 {
     Buffer<Triangle> corners;
@@ -28,8 +29,9 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
     const std::vector<TriangleFault> faults = find_faults(point_count, all_corners);
     for (std::size_t t = 0; t < all_corners.size(); ++t) {
         facts.degenerate_triangles += faults[t] == TriangleFault::degenerate;
-        facts.duplicate_triangles += faults[t] == TriangleFault::duplicate;
-        if (faults[t] != TriangleFault::degenerate) corners.push_back(all_corners[t]);
+        if (faults[t] == TriangleFault::degenerate) continue;
+        facts.duplicate_triangles += faults[t] != TriangleFault::none;
+        corners.push_back(all_corners[t]);
     }
 
     const auto triangle_count = static_cast<std::uint32_t>(corners.size());
@@ -49,10 +51,19 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
         } else {
             ++facts.nonmanifold_edges;
         }
+        std::int64_t balance = 0;
+        for (const EdgeRuns::Side& side : edge) balance += start(side.half_edge) == start(h) ? 1 : -1;
+        facts.unbalanced_edges += balance != 0;
     });
     facts.shells = count_sets(shells, triangle_count);
     for (std::uint32_t p = 0; p < point_count; ++p) facts.boundary_loops += on_boundary[p] && loops.find(p) == p;
     facts.nonmanifold_points = count_umbrella_points(point_count, corners, edges);
+    facts.open_edges = facts.boundary_edges;
+    if (facts.misoriented_edges + facts.nonmanifold_edges + facts.duplicate_triangles == 0) return;
+    Buffer<Triangle> kept;
+    for (std::size_t t = 0; t < all_corners.size(); ++t)
+        if (is_kept(faults[t])) kept.push_back(all_corners[t]);
+    facts.open_edges = count_open_edges(std::move(kept), point_count);
 }
 
 void measure_geometry(MeshFacts& facts, std::span<const Vertex> vertices, std::span<const Triangle> triangles)

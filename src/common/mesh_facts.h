@@ -16,13 +16,16 @@ struct MeshFacts
     std::uint64_t vertices = 0;         ///< as given
     std::uint64_t welded_vertices = 0;  ///< different positions
     std::uint64_t degenerate_triangles = 0;
-    std::uint64_t duplicate_triangles = 0;
-    std::uint64_t boundary_edges = 0;     ///< edges with one triangle
-    std::uint64_t boundary_loops = 0;     ///< connected parts of the boundary
-    std::uint64_t nonmanifold_edges = 0;  ///< edges with more than two triangles
+    std::uint64_t duplicate_triangles = 0;  ///< same three points as an earlier one, in the same orientation
+    std::uint64_t boundary_edges = 0;       ///< edges with one triangle
+    std::uint64_t boundary_loops = 0;       ///< connected parts of the boundary
+    std::uint64_t nonmanifold_edges = 0;    ///< edges with more than two triangles
     std::uint64_t nonmanifold_points =
         0;  ///< points around which the triangles, joined by shared edges, form more than one fan
     std::uint64_t misoriented_edges = 0;  ///< edges whose two triangles run along them in the same direction
+    std::uint64_t unbalanced_edges = 0;   ///< edges along which more triangles run one way than the other
+    std::uint64_t open_edges = 0;         ///< sides of triangles that have no neighbour once the mesh is assembled:
+                                          ///< 0 if no edge is unbalanced
     std::uint64_t shells = 0;             ///< components connected by edges, non-manifold ones too
     double shortest_edge = std::numeric_limits<double>::infinity();  ///< mesh units; infinite without edges
     double area = 0.0;                                               ///< of the surface, mesh units squared
@@ -30,7 +33,8 @@ struct MeshFacts
                           ///< the origin
     Box bounds;
 
-    bool closed() const { return boundary_edges == 0; }
+    /// Whether what assemble() makes of it has no boundary. It is closed as it stands if no edge is unbalanced.
+    bool closed() const { return open_edges == 0; }
     bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_points == 0; }
     bool oriented() const { return misoriented_edges == 0; }
     bool has_coarse_coordinates() const { return kerf::has_coarse_coordinates(shortest_edge, bounds); }

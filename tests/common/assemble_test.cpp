@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 
+#include "common/coinciding_solids.h"
 #include "common/mesh_facts.h"
 #include "common/shapes.h"
 #include "common/small_meshes.h"
@@ -87,6 +88,43 @@ TEST(Assemble, DropsDegenerateAndDuplicateTriangles)
     EXPECT_EQ(result.repairs.duplicate_triangles, 1u);
     EXPECT_EQ(result.repairs.describe(), "1 degenerate triangle dropped, 1 duplicate triangle dropped");
     EXPECT_EQ(result.mesh.sources, (Buffer<std::uint32_t>{1, 2, 3, 4}));
+}
+
+// Dropping a triangle of this mesh because it is there twice opens one of the two solids.
+TEST(Assemble, KeepsATriangleTwiceThatTwoSolidsHaveInCommon)
+{
+    const Assembled result =
+        assembled(soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 1}, {0.3f, 0.3f, 2}},
+                       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}}));
+    EXPECT_EQ(result.repairs.duplicate_triangles, 0u);
+    EXPECT_EQ(result.repairs.coinciding_triangles, 1u);
+    EXPECT_EQ(result.repairs.describe(),
+              "1 triangle that lies on another kept, 3 edges with more than two triangles divided");
+    const MeshFacts facts = measure(result.mesh);
+    EXPECT_TRUE(facts.closed());
+    EXPECT_EQ(facts.shells, 2u);
+    EXPECT_EQ(result.mesh.point_count, 8u);
+    EXPECT_NEAR(facts.volume, 0.5, 1e-7);
+}
+
+TEST(Assemble, DropsAWholeShellThatIsThereTwice)
+{
+    const Assembled result = assembled(cube() + cube() + cube({5, 0, 0}));
+    EXPECT_EQ(result.repairs.duplicate_triangles, 12u);
+    EXPECT_EQ(result.repairs.coinciding_triangles, 0u);
+    EXPECT_EQ(measure(result.mesh).volume, 2.0);
+}
+
+// Two triangles of an open edge are no neighbours where they are one and the same, twice.
+TEST(Assemble, LeavesCoincidingTrianglesOpenWhereTheyWere)
+{
+    TriangleSoup mesh = soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 1}, {0.3f, 0.3f, 2}},
+                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}});
+    const Assembled result = assembled(mesh);
+    EXPECT_EQ(result.repairs.coinciding_triangles, 1u);
+    EXPECT_EQ(result.repairs.flipped_triangles, 0u);
+    EXPECT_EQ(measure(result.mesh).boundary_edges, 6u);
+    EXPECT_EQ(measure(mesh).open_edges, 6u);
 }
 
 TEST(Assemble, DividesTwoCubesGluedAtAnEdge)
@@ -304,6 +342,59 @@ RC_GTEST_PROP(Assemble, KeepsItsPromisesForAnyTriangles, ())
     }
     expect_faithful(soup, result);
     RC_ASSERT(same_bytes(result.mesh, assemble(soup).mesh));
+}
+
+TEST(Assemble, KeepsClosedWhatIsClosed)
+{
+    std::uint64_t dropped = 0, kept = 0;
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const TriangleSoup mesh = solids_with_common_triangles(random);
+        const MeshFacts facts = measure(mesh);
+        ASSERT_EQ(facts.unbalanced_edges, 0u);
+        ASSERT_TRUE(facts.closed());
+        const Assembled result = assemble(mesh);
+        expect_faithful(mesh, result);
+        ASSERT_EQ(surface_referee::judge(result.mesh).boundary_edges, 0u);
+        dropped += result.repairs.duplicate_triangles;
+        kept += result.repairs.coinciding_triangles;
+    }
+    EXPECT_GT(dropped, 2000u);
+    EXPECT_GT(kept, 2000u);
+}
+
+// Closed with some triangles gone, turned over, or once more: kerf info must not call closed what comes out open.
+TEST(Assemble, ComesOutClosedWhereTheFactsSaySoAndNowhereElse)
+{
+    std::size_t closed = 0, open = 0;
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        TriangleSoup mesh = solids_with_common_triangles(random);
+        for (auto i = random() % 4; i > 0; --i) {
+            const std::size_t t = random() % mesh.triangles.size();
+            const Triangle triangle = mesh.triangles[t];
+            switch (random() % 3) {
+                case 0:
+                    mesh.triangles[t] = {triangle[0], triangle[2], triangle[1]};
+                    break;
+                case 1:
+                    mesh.triangles.push_back(triangle);
+                    break;
+                default:
+                    mesh.triangles.erase(mesh.triangles.begin() + std::ptrdiff_t(t));
+            }
+        }
+        const MeshFacts facts = measure(mesh);
+        const Assembled result = assemble(mesh);
+        const std::uint64_t boundary = surface_referee::judge(result.mesh).boundary_edges;
+        ASSERT_EQ(facts.open_edges, boundary);
+        ASSERT_EQ(facts.closed(), boundary == 0);
+        (boundary == 0 ? closed : open) += 1;
+    }
+    EXPECT_GT(closed, 300u);
+    EXPECT_GT(open, 300u);
 }
 
 /// The surface of a set of unit cubes on a lattice: where cubes meet in an edge or a point only, so does the surface.

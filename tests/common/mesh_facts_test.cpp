@@ -69,6 +69,29 @@ TEST(MeshFacts, CountEdgesWhoseTrianglesDisagree)
     EXPECT_EQ(measure(moebius_strip(24)).misoriented_edges, 1u);
 }
 
+// No edge has one triangle only, but no way of joining triangles leaves none alone.
+TEST(MeshFacts, CallNothingClosedThatCannotBe)
+{
+    const MeshFacts bottle = measure(klein_bottle(12, 24));
+    EXPECT_EQ(bottle.boundary_edges, 0u);
+    EXPECT_EQ(bottle.open_edges, 24u);
+    EXPECT_FALSE(bottle.closed());
+
+    // A tent in a tetrahedron, up to the ridge: three of its edges are between three triangles.
+    TriangleSoup wall = tetrahedron();
+    wall.vertices.push_back({{0.25f, 0.25f, 0.25f}, glm::vec3(0.0f), glm::vec2(0.0f)});
+    for (const Triangle& t : {Triangle{0, 1, 4}, {1, 2, 4}, {2, 0, 4}}) wall.triangles.push_back(t);
+    const MeshFacts facts = measure(wall);
+    EXPECT_EQ(facts.boundary_edges, 0u);
+    EXPECT_EQ(facts.unbalanced_edges, 3u);
+    EXPECT_EQ(facts.open_edges, 3u);
+
+    TriangleSoup turned = cube();
+    std::swap(turned.triangles[4][0], turned.triangles[4][1]);
+    EXPECT_EQ(measure(turned).unbalanced_edges, 3u);
+    EXPECT_TRUE(measure(turned).closed());  // assemble() turns it back
+}
+
 TEST(MeshFacts, CountFaultyTriangles)
 {
     TriangleSoup mesh = tetrahedron();

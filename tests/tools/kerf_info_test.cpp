@@ -43,6 +43,27 @@ TEST_F(KerfInfo, ReportsFactsBeforeRepairAndTheRepairs)
     EXPECT_NE(info["repairs"]["text"], "");
 }
 
+TEST_F(KerfInfo, CallsClosedWhatIsClosedOnceItIsRepaired)
+{
+    // Two tetrahedra on the same base: each needs it.
+    write("two.obj", std::string(kTetrahedron) + "v 0 0 2\nf 1 3 2\nf 1 2 5\nf 2 3 5\nf 3 1 5\n");
+    const Json two = kerf_json("info two.obj");
+    EXPECT_EQ(two["closed"], true);
+    EXPECT_EQ(two["unbalanced_edges"], 0);
+    EXPECT_EQ(two["duplicate_triangles"], 1);
+    EXPECT_EQ(two["repairs"]["duplicate_triangles"], 0);
+    EXPECT_EQ(two["repairs"]["coinciding_triangles"], 1);
+
+    // Three triangles at each edge of the base, none at the boundary.
+    write("wall.obj", std::string(kTetrahedron) + "v 0.2 0.2 0.2\nf 1 2 5\nf 2 3 5\nf 3 1 5\n");
+    const Json wall = kerf_json("info wall.obj");
+    EXPECT_EQ(wall["boundary_edges"], 0);
+    EXPECT_EQ(wall["closed"], false);
+    EXPECT_EQ(wall["open_edges"], 3);
+    EXPECT_NE(kerf("info wall.obj").out.find("closed           no (3 triangle sides without a neighbour after repair)"),
+              std::string::npos);
+}
+
 TEST_F(KerfInfo, PrintsTextForPeople)
 {
     write("a.obj", kTetrahedron);
