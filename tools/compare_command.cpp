@@ -321,6 +321,7 @@ void run(const CompareCommandOptions& options)
         std::string error;
         try {
             io::LoadedMesh loaded = io::read_mesh(file);
+            comparison.was_closed = loaded.facts.unbalanced_edges == 0;
             if (!options.json && !options.quiet) print(file + "\n" + table_head());
             mesh =
                 compare_mesh(std::move(loaded.mesh), *baseline, *halfedge, comparison, [&](const ComparisonRow& row) {

@@ -405,7 +405,10 @@ ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backe
 
     ComparedMesh summary;
     summary.triangles = mesh.triangles.size();
-    summary.closed = open_edges(mesh) == 0;
+    const std::uint64_t open = open_edges(mesh);
+    summary.closed = open == 0;
+    if (options.was_closed && open > 0)
+        summary.failures.push_back("was closed before it was repaired and has " + counted(open, "open edge") + " now");
     summary.volume = volume_of(mesh);
     const auto a = prepared(baseline, mesh, summary.baseline_prepare_ms);
     const auto b = prepared(halfedge, mesh, summary.halfedge_prepare_ms);

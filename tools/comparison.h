@@ -25,6 +25,7 @@ struct ComparisonOptions
     std::uint64_t depth = 1;  ///< cuts in a row: 1 cuts the whole only, 2 its two pieces as well, ...
     PlaneMix mix = PlaneMix::nasty;
     std::uint64_t first_plane = 0;  ///< where to begin in the sequence of planes
+    bool was_closed = false;        ///< before the mesh was repaired: it must be closed now, too
 };
 
 /// Volumes and areas must agree to this, relative to the whole, and the half-edge cap with its section: what rounding

@@ -375,6 +375,23 @@ TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
     EXPECT_GT(compared.judged_volume, 0.1);
 }
 
+TEST(Comparison, SaysThatRepairOpenedTheMesh)
+{
+    TriangleSoup sheet = ball();
+    sheet.triangles.pop_back();
+    const IndexedMesh mesh = assembled(std::move(sheet));
+    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    const auto failures_of = [&](bool was_closed) {
+        ComparisonOptions options;
+        options.planes = 1;
+        options.was_closed = was_closed;
+        return compare_mesh(mesh, *baseline, *baseline, options, [](const ComparisonRow&) {}).failures;
+    };
+    EXPECT_EQ(failures_of(true),
+              std::vector<std::string>{"was closed before it was repaired and has 3 open edges now"});
+    EXPECT_TRUE(failures_of(false).empty());
+}
+
 TEST(Comparison, FindsAWarningThatIsMissing)
 {
     // The fan's centre outside the section, and nothing said of it.
