@@ -131,6 +131,12 @@ MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Trian
     return sum<false>(vertices, triangles, reference);
 }
 
+bool has_no_volume(double volume6, const Box& box, double noise)
+{
+    const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
+    return std::abs(volume6) <= 12.0 * noise * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
 glm::dvec3 mass_reference(const Box& bounds)
 {
     if (bounds.empty()) return glm::dvec3(0.0);

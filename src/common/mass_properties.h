@@ -62,6 +62,10 @@ struct MassMoments
 MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
                          const glm::dvec3& reference);
 
+/// Whether a closed shell has no volume to speak of: no more than its box has surface times `noise`, plane_noise().
+/// volume6 is MassMoments::volume6.
+bool has_no_volume(double volume6, const Box& box, double noise);
+
 /// A good reference point for a mesh with these bounds: the centre of the box, or the origin where that is close enough
 /// to the box to cost no digits worth mentioning.
 glm::dvec3 mass_reference(const Box& bounds);

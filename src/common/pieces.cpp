@@ -453,12 +453,6 @@ glm::vec3 ShellSample::point() const
     return glm::vec3((glm::dvec3(first_[0]) + glm::dvec3(first_[1]) + glm::dvec3(first_[2])) / 3.0);
 }
 
-bool has_no_volume(double volume6, const Box& box, double noise)
-{
-    const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
-    return std::abs(volume6) <= 12.0 * noise * (size.x * size.y + size.y * size.z + size.z * size.x);
-}
-
 std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const std::array<SideParts, 2>& sides,
                                                        std::span<const glm::vec3> points,
                                                        std::span<const OutlineEdge> edges)

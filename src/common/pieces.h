@@ -43,10 +43,6 @@ private:
     std::array<glm::vec3, 3> first_{glm::vec3(std::numeric_limits<float>::infinity()), {}, {}};
 };
 
-/// Whether a closed shell has no volume to speak of: no more than its box has surface times `noise`, plane_noise().
-/// volume6 is MassMoments::volume6.
-bool has_no_volume(double volume6, const Box& box, double noise);
-
 /// Calls add(part, ray, term) for each crossing of a ray with a triangle of a part that is wanted: the term is
 /// ray_crossing()'s, +1 from behind a triangle to its front, -1 for the other way round. Rays are asked for all at
 /// once; they point away from the plane in one direction, so that caps of this cut do not matter.

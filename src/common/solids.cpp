@@ -6,7 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "common/mass_properties.h"
 #include "common/nesting.h"
+#include "common/plane.h"
 #include "common/ray_crossing.h"
 
 namespace kerf {
@@ -91,7 +93,7 @@ private:
     }
 
     /// Points in a shell: of a closed one deep inside, where it can touch the shell around it as it likes; of an open
-    /// one, or where there is no inside, some of its vertices.
+    /// one, or where there is no inside, the middles of some triangles, whose corners may touch it.
     std::vector<glm::vec3> choose_samples(std::uint32_t shell) const
     {
         const std::span<const std::uint32_t> triangles = triangles_of(shell);
@@ -99,9 +101,16 @@ private:
         if (shells_.shells[shell].closed)
             for (std::size_t part = 0; part < kSamples; ++part) add_inside(triangles, part, samples);
         if (samples.empty())
-            for (std::size_t part = 0; part < kSamples; ++part)
-                samples.push_back(corners_of(triangles[triangles.size() * part / kSamples])[part]);
+            for (std::size_t part = 0; part < kSamples; ++part) {
+                const auto [a, b, c] = corners_of(triangles[triangles.size() * part / kSamples]);
+                samples.push_back(middle_of(a, b, c));
+            }
         return samples;
+    }
+
+    static glm::vec3 middle_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+    {
+        return glm::vec3((a + b + c) / 3.0);
     }
 
     /// The middle of the longest way through the inside on a line along x, through that one of every third triangle
@@ -115,7 +124,7 @@ private:
             const double facing = std::abs(normal_along_x(a, b, c));
             if (facing <= best) continue;
             best = facing;
-            origin = glm::vec3((glm::dvec3(a) + glm::dvec3(b) + glm::dvec3(c)) / 3.0);
+            origin = middle_of(a, b, c);
         }
         if (best == 0.0) return;
 
@@ -164,6 +173,9 @@ private:
         solids.flip.assign(count, 0);
         solids.solid.assign(count, kNone);
 
+        Box box;
+        for (const Shell& shell : shells_.shells) box.add(shell.box);
+        const double noise = plane_noise(box.largest_coordinate());
         // A container is never smaller than what it contains: containers come first in this order.
         std::vector<std::uint32_t> outside_in(count), owner(count);
         std::iota(outside_in.begin(), outside_in.end(), 0u);
@@ -175,7 +187,9 @@ private:
             const std::uint32_t around = container[s];
             solids.flip[s] = around == kNoContainer ? shell.volume6 < 0.0 : solids.flip[around];
             const double volume = solids.flip[s] ? -shell.volume6 : shell.volume6;
-            const bool is_cavity = shell.closed && volume < 0.0 && around != kNoContainer;
+            // A plane in which a shell without volume lies takes its two sides apart: they fill a hole of the cap.
+            const bool is_cavity = shell.closed && around != kNoContainer &&
+                                   (volume < 0.0 || has_no_volume(shell.volume6, shell.box, noise));
             owner[s] = is_cavity ? owner[around] : s;
         }
         std::uint32_t solid_count = 0;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "common/disjoint_sets.h"
+#include "common/mass_properties.h"
 #include "common/parallel_rays.h"
 #include "common/pieces.h"
 #include "halfedge/export.h"

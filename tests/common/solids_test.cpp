@@ -87,6 +87,16 @@ TEST(Solids, ACavityMayTouchTheWall)
     }
 }
 
+TEST(Solids, AShellWithoutVolumeBelongsToTheSolidAroundIt)
+{
+    // A triangle and its back; not on a lattice, so that the volume is 0 but for rounding.
+    const TriangleSoup flat =
+        soup({{0.21f, 0.22f, 0.53f}, {0.81f, 0.23f, 0.57f}, {0.24f, 0.83f, 0.51f}}, {{0, 1, 2}, {1, 0, 2}});
+    EXPECT_EQ(assemble(cube() + flat).mesh.groups.size(), 1u);
+    EXPECT_EQ(assemble(cube() + flat + inside_out(flat)).mesh.groups.size(), 1u);
+    EXPECT_EQ(assemble(cube({5, 0, 0}) + flat).mesh.groups.size(), 2u);
+}
+
 TEST(Solids, OverlappingSolidsStayTwo)
 {
     const Assembled result = assemble(cube({0, 0, 0}) + cube({0.5f, 0.5f, 0.5f}));

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "common/cut.h"
+#include "common/small_meshes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/prisms.h"
@@ -227,6 +228,27 @@ TEST_P(CrossingSections, CoilsAreCoveredByTrianglesInProportionToTheirPoints)
         EXPECT_TRUE(result.caps_exceed_section);
         EXPECT_LT(result.positive.front()->triangle_count(), 12 * coil.size() + 32'768);
     }
+}
+
+// A triangle and its back in the plane: the plane takes them apart. As a solid of their own they got a cap each, which
+// lay on the cap around them: coarse grids make thousands of such pairs.
+TEST_P(CrossingSections, FlatShellsInThePlaneFillAHoleOfTheCap)
+{
+    TriangleSoup soup = small_meshes::cube();
+    const std::uint32_t first = 8;
+    for (const glm::vec3& p : {glm::vec3(0.25f, 0.5f, 0.25f), {0.75f, 0.5f, 0.25f}, {0.25f, 0.5f, 0.75f}})
+        soup.vertices.push_back({p, glm::vec3(0.0f), glm::vec2(0.0f)});
+    soup.triangles.push_back({first, first + 1, first + 2});
+    soup.triangles.push_back({first, first + 2, first + 1});
+    const CutResult result = cut_of(test::assembled(std::move(soup)), Plane{{0, 1, 0}, 0.5});
+    ASSERT_EQ(result.status, Status::cut);
+    expect_closed(result.positive);
+    expect_closed(result.negative);
+    EXPECT_EQ(result.section_area, 0.875);
+    if (!triangulates()) return;
+    EXPECT_FALSE(result.caps_exceed_section);
+    for (const auto* side : {&result.positive, &result.negative})
+        EXPECT_EQ(referee::area(side->front()->to_indexed_mesh(), TriangleKind::cap), 0.875);
 }
 
 TEST_P(CrossingSections, SimpleSectionsAreCoveredOnceOrTheResultSaysSo)
