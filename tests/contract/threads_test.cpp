@@ -438,20 +438,22 @@ TEST_P(Threads, DrawBesideCutsOfStrangers)
 
 TEST_P(Threads, ACutGetsItsTurnAmongReadersThatNeverPause)
 {
+    // Where readers pass a cut that waits, they pass it some 50 000 times a second, for 10 to 40 seconds on two cores.
+    constexpr std::uint64_t kTooMany = 300'000;
     const std::string shape = "torus";
     Family objects = family(shape);
     std::atomic<bool> is_cut = false;
-    std::atomic<int> reading = 0;
+    std::atomic<std::uint64_t> reads = 0;
     std::vector<std::thread> readers;
     for (int i = 0; i < 3; ++i)
         readers.emplace_back([&] {
-            ++reading;
-            while (!is_cut) objects.one->to_indexed_mesh();
+            while (!is_cut && ++reads < kTooMany) objects.one->to_indexed_mesh();
         });
-    while (reading < 3) std::this_thread::yield();
+    while (reads < 3) std::this_thread::yield();
     const Bytes bytes = cut_to_bytes(std::move(objects.relative));
     is_cut = true;
     for (std::thread& reader : readers) reader.join();
+    EXPECT_LT(reads, kTooMany);
     Family untouched = family(shape);
     EXPECT_EQ(bytes, cut_to_bytes(std::move(untouched.relative)));
 }
