@@ -42,5 +42,13 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
     EXPECT_GT(interrupted, 10);
 }
 
+TEST_F(KerfInterrupt, ASignalThatIsIgnoredByNohupStaysIgnored)
+{
+    const Outcome outcome =
+        kerf("shape asteroid -n 100000 -o rock.stl & sleep 0.02; kill -HUP $!; wait $!", "trap '' HUP;");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"rock.stl"});
+}
+
 }  // namespace
 }  // namespace kerf::tools

@@ -12,6 +12,9 @@
 #include <system_error>
 #include <thread>
 
+#include "common/io/mesh_file.h"
+#include "common/io/output_file.h"
+
 namespace kerf::game {
 namespace {
 
@@ -117,10 +120,16 @@ StoredJson load_json(const fs::path& path, const Objection& objection, int newes
     return {std::move(value), {}, true};
 }
 
-std::string save_json(const fs::path& path, const nlohmann::json& value)
+std::string save_json(const fs::path& name, const nlohmann::json& value)
 {
     std::error_code error;
-    fs::create_directories(path.parent_path(), error);
+    fs::create_directories(name.parent_path(), error);
+    fs::path path;
+    try {
+        path = io::behind_links(name);  // somebody keeps settings elsewhere
+    } catch (const io::FileError& reason) {
+        return reason.what();
+    }
     const fs::path temporary = with_ending(path, ".new");
     {
         const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);

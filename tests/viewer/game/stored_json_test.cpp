@@ -41,6 +41,18 @@ TEST_F(StoredJsonTest, CreatesItsFolder)
     EXPECT_EQ(load_json(folder_ / "a/b/some.json", anything).value, 7);
 }
 
+TEST_F(StoredJsonTest, FollowsALinkAndLeavesIt)
+{
+    fs::create_directory(folder_ / "elsewhere");
+    fs::create_symlink("elsewhere/real.json", file_);
+    EXPECT_EQ(save_json(file_, Json(7)), "");
+    EXPECT_TRUE(fs::is_symlink(file_));
+    EXPECT_EQ(load_json(folder_ / "elsewhere/real.json", anything).value, 7);
+    fs::remove(file_);
+    fs::create_symlink("some.json", file_);
+    EXPECT_NE(save_json(file_, Json(7)), "");
+}
+
 TEST_F(StoredJsonTest, IsNothingWhereThereIsNoFile)
 {
     const StoredJson stored = load_json(folder_ / "none/some.json", anything);
