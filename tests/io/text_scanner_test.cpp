@@ -5,8 +5,13 @@
 #include <rapidcheck/gtest.h>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "common/io/mesh_file.h"
 
@@ -41,6 +46,8 @@ TEST(ParseFloat, TakesEveryWayToWriteANumber)
     EXPECT_EQ(parsed("5."), 5.0f);
     EXPECT_EQ(parsed("1E+3"), 1000.0f);
     EXPECT_EQ(parsed("3.274081e-033"), 3.274081e-33f);
+    EXPECT_EQ(parsed("1.5D+02"), 150.0f) << "Fortran";
+    EXPECT_EQ(parsed("-1.5d-2"), -0.015f);
     EXPECT_TRUE(std::signbit(parsed("-0")));
 }
 
@@ -58,11 +65,16 @@ TEST(ParseFloat, RefusesWhatIsTooLargeOrNotFinite)
     EXPECT_EQ(error_of(std::string(500, '9')), NumberError::too_large);
     EXPECT_EQ(error_of("nan"), NumberError::not_finite);
     EXPECT_EQ(error_of("-inf"), NumberError::not_finite);
+    EXPECT_EQ(error_of("-nan(ind)"), NumberError::not_finite);
+    EXPECT_EQ(error_of("nan(0x800)"), NumberError::not_finite) << "has digits, but is not too large";
+    for (const char* text : {"-1.#IND", "1.#INF", "1.#INF00", "1.#QNAN", "-1.#SNAN0"})
+        EXPECT_EQ(error_of(text), NumberError::not_finite) << text;
 }
 
 TEST(ParseFloat, RefusesWhatIsNotANumber)
 {
-    for (const char* text : {"", "+", "-", ".", "e5", "1x", "1,5", "0x10", "1 ", "++1", "+-1", "1e"})
+    for (const char* text : {"", "+", "-", ".", "e5", "1x", "1,5", "0x10", "1 ", "++1", "+-1", "1e", "d", "1d", "1d2d3",
+                             "1.#X", ".#IND", "1#INF", "dead"})
         EXPECT_EQ(error_of(text), NumberError::not_a_number) << text;
 }
 
@@ -112,6 +124,50 @@ TEST(TextScanner, JoinsLinesAfterABackslash)
     EXPECT_EQ(scanner.line(), 4u);
 }
 
+TEST(TextScanner, TellsCommentsFromTheNumbersOfOldRuntimes)
+{
+    TextScanner scanner(kPath, "-1.#IND 1.#QNAN0 2.#comment\n3 #IND 4.", {.comment = '#', .continuations = false});
+    ASSERT_TRUE(scanner.next_line());
+    for (const char* expected : {"-1.#IND", "1.#QNAN0", "2.", ""}) EXPECT_EQ(scanner.word(), expected);
+    ASSERT_TRUE(scanner.next_line());
+    for (const char* expected : {"3", ""}) EXPECT_EQ(scanner.word(), expected);
+}
+
+TEST(TextScanner, TakesIntegersWithAPointAndNotesThem)
+{
+    ReadingNotes notes;
+    const TextScanner scanner(kPath, "", {}, &notes);
+    for (const auto& [text, value] : std::vector<std::pair<std::string, std::int64_t>>{
+             {"8", 8}, {"-9223372036854775808", std::numeric_limits<std::int64_t>::min()}, {"+7", 7}})
+        EXPECT_EQ(scanner.to_integer(text, "it"), value);
+    EXPECT_TRUE(notes.none());
+    for (const auto& [text, value] : std::vector<std::pair<std::string, std::int64_t>>{
+             {"8.0", 8}, {"-0.0", 0}, {"1e3", 1000}, {"9007199254740992.0", 9007199254740992}})
+        EXPECT_EQ(scanner.to_integer(text, "it"), value);
+    EXPECT_EQ(notes.describe(), "4 integers written with a point or an exponent read");
+    for (const char* text : {"8.5", "nan", "inf", "1e30", "9223372036854775808", "0x10", "8,0", ""})
+        EXPECT_THROW(scanner.to_integer(text, "it"), FileError) << text;
+}
+
+TEST(TextScanner, FindsRecordsOnLinesOfTheirOwnOrOnFewer)
+{
+    const auto first_words = [](std::string_view text, std::uint64_t records) {
+        TextScanner scanner(kPath, text, {.comment = '#', .continuations = false});
+        std::string words;
+        for (std::uint64_t left = records; left > 0; --left) {
+            scanner.next_record(left);
+            words += scanner.word_of_any_line();
+            words += scanner.record_word();
+        }
+        return words + std::to_string(scanner.lines_passed_over());
+    };
+    EXPECT_EQ(first_words("a b\nc d\n", 2), "abcd0");
+    EXPECT_EQ(first_words("a b x\n\n# y\nc d x x\ne f", 3), "abcdef2");
+    EXPECT_EQ(first_words("a b c d\ne f", 3), "abcdef0");
+    EXPECT_EQ(first_words("a b c d e f", 3), "abcdef0");
+    EXPECT_EQ(first_words("", 1), "0");
+}
+
 TEST(TextScanner, NamesFileAndLineInErrors)
 {
     TextScanner scanner(kPath, "a\n\nb x\n", {});
@@ -119,7 +175,7 @@ TEST(TextScanner, NamesFileAndLineInErrors)
     scanner.next_line();
     scanner.word();
     try {
-        scanner.number("a coordinate");
+        scanner.to_number(scanner.word(), "a coordinate");
         FAIL();
     } catch (const FileError& error) {
         EXPECT_STREQ(error.what(), "file.txt: line 3: a coordinate is 'x', which is not a number; write one");

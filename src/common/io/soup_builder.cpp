@@ -32,8 +32,6 @@ glm::vec3 unit_or_none(const glm::vec3& n)
     return std::abs(length - 1.0) > kUnitTolerance ? glm::vec3(wide / length) : n;
 }
 
-constexpr const char* kMendNumber = "; give it a number, or take it and its faces out";
-
 glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     const glm::dvec3 e = glm::dvec3(b) - glm::dvec3(a), f = glm::dvec3(c) - glm::dvec3(a);
@@ -53,7 +51,10 @@ std::uint32_t SoupBuilder::add_vertex(const Vertex& vertex)
 void SoupBuilder::add_face(std::span<const std::uint32_t> corners)
 {
     const std::uint64_t face = faces_++;
-    if (corners.size() < 3) return;
+    if (corners.size() < 3) {
+        ++faces_without_surface_;
+        return;
+    }
     for (const std::uint32_t corner : corners)
         if (corner >= soup.vertices.size())
             fail(path_, "face " + std::to_string(face) + " names vertex " + std::to_string(corner) +
@@ -84,6 +85,7 @@ void SoupBuilder::use_material(const std::string& name)
 TriangleSoup SoupBuilder::finish()
 {
     if (soup.triangles.empty()) fail(path_, "there are no triangles in it; export it with faces");
+    notes_.add("faces of fewer than three corners passed over", faces_without_surface_);
     finish_positions();
     finish_attributes();
     return std::move(soup);
@@ -95,8 +97,7 @@ void SoupBuilder::finish_positions()
     if (std::any_of(soup.vertices.begin(), soup.vertices.end(), is_bad)) {
         for (const Triangle& triangle : soup.triangles)
             for (const std::uint32_t i : triangle)
-                if (is_bad(soup.vertices[i]))
-                    fail(path_, "vertex " + std::to_string(i) + " has a coordinate that is not finite" + kMendNumber);
+                if (is_bad(soup.vertices[i])) fail_at_unfit(i);
         // What no face uses may lie anywhere; on a vertex that one uses it does not widen the bounds.
         const glm::vec3 place = soup.vertices[soup.triangles[0][0]].position;
         std::uint64_t unused = 0;
@@ -105,9 +106,20 @@ void SoupBuilder::finish_positions()
                 v.position = place;
                 ++unused;
             }
-        notes_.add("vertices that are not finite and belong to no face passed over", unused);
+        notes_.add(kUnusedVertices, unused);
     }
     for (Vertex& v : soup.vertices) v.position += 0.0f;  // -0 becomes +0, so that equal positions have equal bits
+}
+
+void SoupBuilder::fail_at_unfit(std::uint32_t vertex) const
+{
+    const auto place = std::find_if(unfit_.begin(), unfit_.end(), [&](const Unfit& u) { return u.vertex == vertex; });
+    if (place == unfit_.end())
+        fail(path_, "vertex " + std::to_string(vertex) +
+                        " has a coordinate that is not finite; give it a number, or take it and its faces out");
+    float ignored = 0.0f;
+    fail(path_, "line " + std::to_string(place->line) + ": " +
+                    explain(parse_float(place->word, ignored), place->word, "a coordinate"));
 }
 
 void SoupBuilder::finish_attributes()
@@ -128,9 +140,9 @@ void SoupBuilder::finish_attributes()
                 value = 0.0f;
                 ++bad_values;
             }
-    notes_.add("normals that are not finite made anew", bad_normals);
-    notes_.add("texture coordinates that are not finite set to 0", bad_uvs);
-    notes_.add("values of further attributes that are not finite set to 0", bad_values);
+    notes_.add(kBadNormals, bad_normals);
+    notes_.add(kBadUvs, bad_uvs);
+    notes_.add(kBadValues, bad_values);
     soup.has_normals = missing < soup.vertices.size();
     if (soup.has_normals && missing > 0) fill_missing_normals();
 }

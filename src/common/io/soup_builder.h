@@ -1,15 +1,19 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "common/assemble.h"
 #include "common/io/polygon.h"
 #include "common/io/reading_notes.h"
+#include "common/io/text_scanner.h"
 
 namespace kerf::io {
 
@@ -27,8 +31,23 @@ public:
     /// Adds a vertex and returns its index. Streams are the caller's.
     std::uint32_t add_vertex(const Vertex& vertex);
 
+    /// A coordinate of the vertex that is added next, from a text. One that is not finite is kept in mind: what
+    /// finish() says of it names the line.
+    float read_coordinate(const TextScanner& text, std::string_view word)
+    {
+        const float value = text.to_float(word, "a coordinate");
+        if (!std::isfinite(value)) add_unfit(static_cast<std::uint32_t>(soup.vertices.size()), text.line(), word);
+        return value;
+    }
+
+    /// Says that this vertex has a coordinate that is not finite, and as which word on which line of a text.
+    void add_unfit(std::uint32_t vertex, std::size_t line, std::string_view word)
+    {
+        unfit_.push_back({vertex, line, word});
+    }
+
     /// Adds a face with any number of corners, with the current material. Fewer than three bound no surface and are
-    /// left out. @throws FileError  an index out of range, or an outline that takes too long to triangulate
+    /// passed over. @throws FileError  an index out of range, or an outline that takes too long to triangulate
     void add_face(std::span<const std::uint32_t> corners);
 
     /// Following faces have the material of this name, which is made when it is new.
@@ -44,14 +63,23 @@ public:
     TriangleSoup finish();
 
 private:
+    struct Unfit
+    {
+        std::uint32_t vertex = 0;
+        std::size_t line = 0;
+        std::string_view word;
+    };
+
     void finish_positions();
+    [[noreturn]] void fail_at_unfit(std::uint32_t vertex) const;
     void finish_attributes();
     void fill_missing_normals();
 
     const std::filesystem::path& path_;
     ReadingNotes& notes_;
     ConcaveBudget concave_budget_;
-    std::uint64_t faces_ = 0;
+    std::vector<Unfit> unfit_;
+    std::uint64_t faces_ = 0, faces_without_surface_ = 0;
     std::uint32_t material_ = kNone;
     std::unordered_map<std::string, std::uint32_t> material_of_name_;
 

@@ -1,5 +1,7 @@
 #include "common/io/text_scanner.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -37,22 +39,62 @@ NumberError resolve_out_of_range(std::string_view text, float& value)
     return NumberError::none;
 }
 
+/// How Microsoft's runtimes before 2015 write what is not finite, behind a sign and a digit: 1.#IND, -1.#INF00.
+bool is_word_of_old_runtime(std::string_view text)
+{
+    return text.starts_with("#IND") || text.starts_with("#INF") || text.starts_with("#QNAN") ||
+           text.starts_with("#SNAN");
+}
+
+/// What is no number in the spelling of std::from_chars.
+NumberError parse_unusual(std::string_view text, float& value)
+{
+    if (const std::size_t mark = text.find(".#"); mark != std::string_view::npos && mark > 0)
+        return is_word_of_old_runtime(text.substr(mark + 1)) ? NumberError::not_finite : NumberError::not_a_number;
+
+    std::array<char, 64> copy{};
+    const std::size_t exponent = text.find_first_of("dD");
+    if (exponent == std::string_view::npos || text.size() > copy.size()) return NumberError::not_a_number;
+    std::copy(text.begin(), text.end(), copy.begin());
+    copy[exponent] = 'e';
+    return parse_float({copy.data(), text.size()}, value);
+}
+
 }  // namespace
 
 NumberError parse_float(std::string_view text, float& value)
 {
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size()) return NumberError::not_a_number;
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) return parse_unusual(text, value);
     if (error == std::errc::result_out_of_range) return resolve_out_of_range(text, value);
     if (std::isfinite(value)) return NumberError::none;
     // "inf" and "nan" are words; digits that end up infinite are a number that is too large.
-    return text.find_first_of("0123456789") == std::string_view::npos ? NumberError::not_finite
-                                                                      : NumberError::too_large;
+    const char first = text[text.front() == '-' ? 1 : 0];
+    return first == '.' || (first >= '0' && first <= '9') ? NumberError::too_large : NumberError::not_finite;
 }
 
-TextScanner::TextScanner(const std::filesystem::path& path, std::string_view text, Syntax syntax)
-    : path_(path), text_(text), syntax_(syntax)
+std::string explain(NumberError error, std::string_view text, std::string_view what)
+{
+    const std::string subject = std::string(what) + " is ";
+    if (text.empty()) return subject + "missing; add it or take the line out";
+    switch (error) {
+        case NumberError::not_finite:
+            return subject + in_quotes(text) + ", which is not finite; write a number, or take it and its faces out";
+        case NumberError::too_large:
+            return subject + in_quotes(text) + ", which is too large for single precision; scale the mesh down";
+        case NumberError::none:
+        case NumberError::not_a_number:
+            break;
+    }
+    const std::string remedy = text.find(',') != std::string_view::npos
+                                   ? "write decimals with a point, and blanks between numbers"
+                                   : "write one";
+    return subject + in_quotes(text) + ", which is not a number; " + remedy;
+}
+
+TextScanner::TextScanner(const std::filesystem::path& path, std::string_view text, Syntax syntax, ReadingNotes* notes)
+    : path_(path), text_(text), syntax_(syntax), notes_(notes)
 {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
@@ -63,25 +105,37 @@ void TextScanner::skip_line_end()
     if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
     ++at_;
     ++line_;
+    word_taken_ = false;
 }
 
 /// Moves to the next word of the line, or to its end.
 void TextScanner::skip_blanks()
 {
     while (!at_line_end()) {
-        const char c = text_[at_];
-        if (is_blank(c)) {
-            ++at_;
-        } else if (syntax_.comment != '\0' && c == syntax_.comment) {
+        std::size_t at = at_;
+        while (at < text_.size() && is_blank(text_[at])) ++at;
+        at_ = at;
+        if (at_line_end()) return;
+        if (is_comment(at_)) {
             while (!at_line_end()) ++at_;
-        } else if (syntax_.continuations && c == '\\' && at_ + 1 < text_.size() &&
-                   (text_[at_ + 1] == '\n' || text_[at_ + 1] == '\r')) {
+        } else if (is_continuation(at_)) {
             ++at_;
             skip_line_end();
         } else {
             return;
         }
     }
+}
+
+bool TextScanner::is_comment(std::size_t at) const
+{
+    return syntax_.comment != '\0' && text_[at] == syntax_.comment;
+}
+
+bool TextScanner::is_continuation(std::size_t at) const
+{
+    return syntax_.continuations && text_[at] == '\\' && at + 1 < text_.size() &&
+           (text_[at + 1] == '\n' || text_[at + 1] == '\r');
 }
 
 bool TextScanner::next_line()
@@ -107,24 +161,71 @@ void TextScanner::end_line()
 std::string_view TextScanner::word()
 {
     skip_blanks();
-    const std::size_t first = at_;
-    while (!at_line_end() && !is_blank(text_[at_])) {
-        if (syntax_.comment != '\0' && text_[at_] == syntax_.comment) break;
-        const bool continued = syntax_.continuations && text_[at_] == '\\' && at_ + 1 < text_.size() &&
-                               (text_[at_ + 1] == '\n' || text_[at_ + 1] == '\r');
-        if (continued) break;
-        ++at_;
+    const std::size_t first = at_, size = text_.size();
+    // In a local variable: bytes may alias the members, and this is the loop that reading takes its time in.
+    std::size_t at = first;
+    for (; at < size; ++at) {
+        const char c = text_[at];
+        const bool is_plain = static_cast<unsigned char>(c) > ' ' && c != syntax_.comment && c != '\\';
+        if (!is_plain && ends_word(first, at)) break;
     }
-    return text_.substr(first, at_ - first);
+    at_ = at;
+    word_taken_ = word_taken_ || at > first;
+    return text_.substr(first, at - first);
+}
+
+/// Whether a word that began at `first` ends before this character. The comment sign of 1.#IND is none.
+bool TextScanner::ends_word(std::size_t first, std::size_t at) const
+{
+    const char c = text_[at];
+    if (is_blank(c) || c == '\n' || c == '\r' || is_continuation(at)) return true;
+    return is_comment(at) && !(at > first && text_[at - 1] == '.' && is_word_of_old_runtime(text_.substr(at)));
 }
 
 std::string_view TextScanner::word_of_any_line()
 {
     for (;;) {
-        const std::string_view found = word();
-        if (!found.empty() || at_ == text_.size()) return found;
+        skip_blanks();
+        if (!at_line_end()) return word();
+        if (at_ == text_.size()) return {};
         skip_line_end();
     }
+}
+
+void TextScanner::next_record(std::uint64_t left)
+{
+    skip_blanks();
+    if (at_line_end() || !word_taken_) return;
+    if (!records_have_lines_) records_have_lines_ = has_lines(left);
+    if (!*records_have_lines_) {
+        records_shared_lines_ = true;
+        return;
+    }
+    end_line();
+    ++lines_passed_over_;
+}
+
+void TextScanner::new_records()
+{
+    skip_blanks();
+    if (at_line_end() || records_have_lines_.value_or(true)) records_have_lines_.reset();
+}
+
+void TextScanner::end_records()
+{
+    next_record(0);
+    if (!records_shared_lines_) return;
+    if (const std::string_view found = word_of_any_line(); !found.empty())
+        fail(in_quotes(found) + " stands behind the last number that is expected; export it again");
+}
+
+/// Whether so many lines with words follow behind this one.
+bool TextScanner::has_lines(std::uint64_t count) const
+{
+    TextScanner lines = *this;
+    lines.in_line_ = true;
+    while (count > 0 && lines.next_line()) --count;
+    return count == 0;
 }
 
 std::string_view TextScanner::rest()
@@ -139,21 +240,24 @@ std::string_view TextScanner::rest()
 
 float TextScanner::to_number(std::string_view text, std::string_view what) const
 {
-    if (text.empty()) fail(std::string(what) + " is missing; add it or take the line out");
     float value = 0.0f;
-    switch (parse_float(text, value)) {
-        case NumberError::none:
-            break;
-        case NumberError::not_a_number:
-            fail(std::string(what) + " is " + in_quotes(text) + ", which is not a number; write one");
-        case NumberError::not_finite:
-            fail(std::string(what) + " is " + in_quotes(text) +
-                 ", which is not finite; write a number, or take it and its faces out");
-        case NumberError::too_large:
-            fail(std::string(what) + " is " + in_quotes(text) +
-                 ", which is too large for single precision; scale the mesh down");
-    }
+    const NumberError error = parse_float(text, value);
+    if (error != NumberError::none) fail(explain(error, text, what));
     return value;
+}
+
+float TextScanner::to_float(std::string_view text, std::string_view what) const
+{
+    float value = 0.0f;
+    const NumberError error = parse_float(text, value);
+    if (error == NumberError::not_a_number) fail(explain(error, text, what));
+    return error == NumberError::none ? value : std::numeric_limits<float>::quiet_NaN();
+}
+
+float TextScanner::to_attribute(std::string_view text)
+{
+    float value = 0.0f;
+    return parse_float(text, value) == NumberError::none ? value : std::numeric_limits<float>::quiet_NaN();
 }
 
 std::int64_t TextScanner::to_integer(std::string_view text, std::string_view what) const
@@ -162,14 +266,24 @@ std::int64_t TextScanner::to_integer(std::string_view text, std::string_view wha
     const std::string_view digits = text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size())
+    if (error == std::errc() && end == digits.data() + digits.size()) return value;
+
+    // Up to here doubles are whole numbers without gaps.
+    constexpr double kLargest = 9007199254740992.0;
+    double wide = 0.0;
+    const auto [wide_end, wide_error] = std::from_chars(digits.data(), digits.data() + digits.size(), wide);
+    if (wide_error != std::errc() || wide_end != digits.data() + digits.size() || std::trunc(wide) != wide ||
+        std::abs(wide) > kLargest)
         fail(std::string(what) + " is " + in_quotes(text) + ", which is not an integer that fits; write one");
-    return value;
+    if (notes_ != nullptr) notes_->add("integers written with a point or an exponent read");
+    return static_cast<std::int64_t>(wide);
 }
 
 void TextScanner::fail(const std::string& reason) const
 {
-    io::fail(path_, "line " + std::to_string(line_) + ": " + reason);
+    const std::string doubt =
+        records_shared_lines_ ? " (there are fewer lines than vertices and faces: it may be cut off)" : "";
+    io::fail(path_, "line " + std::to_string(line_) + ": " + reason + doubt);
 }
 
 std::string in_quotes(std::string_view text)

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/reading_notes.h"
+
 namespace kerf::io {
 
 /// Why a piece of text is not a number that fits.
@@ -18,8 +20,14 @@ enum class NumberError : std::uint8_t
     too_large
 };
 
-/// The float nearest to a decimal number, ties to even; a number too small for a float is 0. `text` is all number.
+/// The float nearest to a decimal number, ties to even; a number too small for a float is 0. `text` is all number. The
+/// exponent may be Fortran's (1.0D+02). What is not finite may be a word (nan, -inf) or as old Windows programs write
+/// it
+/// (-1.#IND).
 NumberError parse_float(std::string_view text, float& value);
+
+/// A sentence about a number that parse_float() refused, with the remedy. `what` names it: "a coordinate".
+std::string explain(NumberError error, std::string_view text, std::string_view what);
 
 /// Walks over the lines and the words of a text file, and reports errors with file and line. A line ends with LF, CR LF
 /// or CR. Holds a view: the text must outlive it.
@@ -32,7 +40,8 @@ public:
         bool continuations = false;  ///< a backslash at the end of a line joins the next one to it
     };
 
-    TextScanner(const std::filesystem::path& path, std::string_view text, Syntax syntax);
+    /// @param notes  what is put right here is added to it, if given
+    TextScanner(const std::filesystem::path& path, std::string_view text, Syntax syntax, ReadingNotes* notes = nullptr);
 
     /// Moves to the start of the next line that has a word. False at the end of the file.
     bool next_line();
@@ -46,13 +55,41 @@ public:
     /// The rest of the line without white space around it. Comments and continuations are not looked for: it is a name.
     std::string_view rest();
 
+    /// Moves to the next of `left` records. Each begins on a line of its own and may have more words on it than are
+    /// needed, which are passed over. But where there are fewer lines than records, records share lines, and have no
+    /// word too many. That is looked up once, when a record is the first with words behind it, in O(n).
+    void next_record(std::uint64_t left);
+
+    /// Records of another kind follow: whether they share lines is looked up again, but where the line goes on with
+    /// them.
+    void new_records();
+
+    /// @throws FileError  there are words behind the last of records that share lines: they were told apart wrongly
+    void end_records();
+
+    /// The next word of this record: of this line, or of any if records share lines.
+    std::string_view record_word() { return records_have_lines_.value_or(true) ? word() : word_of_any_line(); }
+
+    /// Lines whose last words next_record() passed over.
+    std::uint64_t lines_passed_over() const { return lines_passed_over_; }
+
     /// The next word of this line as a finite number. `what` names it in the error: "a coordinate".
     float number(std::string_view what) { return to_number(word(), what); }
     std::int64_t integer(std::string_view what) { return to_integer(word(), what); }
 
-    /// The same for a word that was taken before; an empty word is the end of the line or file.
+    /// A word as a finite number; an empty word is the end of the line or file. `what` names it in the error: "a
+    /// coordinate".
     float to_number(std::string_view text, std::string_view what) const;
+
+    /// A word as an integer; 8.0 is one, and is noted.
     std::int64_t to_integer(std::string_view text, std::string_view what) const;
+
+    /// A word as a number that the surface does not need: NaN if it is not a finite number.
+    static float to_attribute(std::string_view text);
+
+    /// A word as a number of which it is not known yet whether the surface needs it: NaN if it is not finite in single
+    /// precision.
+    float to_float(std::string_view text, std::string_view what) const;
 
     /// Leaves the line: everything up to and with its end is behind us.
     void end_line();
@@ -67,16 +104,25 @@ public:
     [[noreturn]] void fail(const std::string& reason) const;
 
 private:
+    bool has_lines(std::uint64_t count) const;
     bool at_line_end() const { return at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '\r'; }
+    bool is_comment(std::size_t at) const;
+    bool is_continuation(std::size_t at) const;
+    bool ends_word(std::size_t first, std::size_t at) const;
     void skip_line_end();
     void skip_blanks();
 
     const std::filesystem::path& path_;
     std::string_view text_;
     Syntax syntax_;
+    ReadingNotes* notes_;
     std::size_t at_ = 0;
     std::size_t line_ = 1;
-    bool in_line_ = false;  ///< next_line() was called: the current line must be left first
+    bool in_line_ = false;     ///< next_line() was called: the current line must be left first
+    bool word_taken_ = false;  ///< of the current line
+    std::optional<bool> records_have_lines_;
+    bool records_shared_lines_ = false;  ///< somewhere
+    std::uint64_t lines_passed_over_ = 0;
 };
 
 /// A piece of a file for an error message: in quotes, shortened, without control characters.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "common/io/reading_notes.h"
+
+namespace kerf::io {
+
+/// The text of a file in UTF-8: converted, and noted, if the file is UTF-16 with its byte order mark, which some shells
+/// make of redirected output; otherwise a view of the bytes. Time and memory O(size).
+class PlainText
+{
+public:
+    PlainText(std::string_view bytes, ReadingNotes& notes);
+    PlainText(const PlainText&) = delete;
+    PlainText& operator=(const PlainText&) = delete;
+
+    std::string_view view() const { return text_; }
+    bool was_converted() const { return !converted_.empty(); }
+
+private:
+    std::string converted_;
+    std::string_view text_;
+};
+
+/// A text without what fills up a block at its end: bytes of 0, and the end-of-file character of DOS. Noted.
+std::string_view without_padding(std::string_view text, ReadingNotes& notes);
+
+}  // namespace kerf::io
