@@ -130,19 +130,134 @@ TEST_F(ObjTest, NamesTheLineThatIsWrong)
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     EXPECT_TRUE(
         contains(error_of("a.obj", head + "f 1 2 4\n"),
-                 "line 4: vertex 4 is out of range: there are 3 so far; count from 1, and put them before the faces"));
-    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 0\n"), "line 4"));
-    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 -4\n"), "line 4"));
+                 "line 4: vertex 4 is out of range: there are 3; count from 1, and mend the face or take it out"));
+    EXPECT_TRUE(contains(error_of("a.obj", "f 1 2 4\n" + head), "line 1: vertex 4 is out of range: there are 3;"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 0\n"), "line 4: vertex 0 is out of range: the first is 1;"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 -4\n"),
+                         "line 4: vertex -4 is out of range: there are 3 before it; mend the face or take it out"));
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 0 0\nf -1 -2 -3\nv 1 0 0\nv 0 1 0\n"), "there are 1 before it"));
     EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 99999999999999999999\n"), "line 4"));
-    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1/1 2/1 3/1\n"), "texture coordinate 1 is out of range"));
-    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1//1 2//1 3//1\n"), "normal 1 is out of range"));
-    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2\n"), "fewer than three corners"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 -9223372036854775808\n"), "line 4"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2 2.5\n"), "line 4"));
+    EXPECT_TRUE(contains(error_of("a.obj", head + "f 1 2\n"), "no triangles"));
     EXPECT_TRUE(contains(error_of("a.obj", "v 0 0\nf 1 1 1\n"), "line 1: a coordinate is missing"));
     EXPECT_TRUE(
-        contains(error_of("a.obj", "v 0 nan 0\n"),
+        contains(error_of("a.obj", "v 0 nan 0\nf 1 1 1\n"),
                  "line 1: a coordinate is 'nan', which is not finite; write a number, or take it and its faces out"));
-    EXPECT_TRUE(contains(error_of("a.obj", "v 0 1e99 0\n"), "too large for single precision; scale the mesh down"));
+    EXPECT_TRUE(
+        contains(error_of("a.obj", "v 0 1e99 0\nf 1 1 1\n"), "too large for single precision; scale the mesh down"));
+    EXPECT_TRUE(contains(error_of("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\n\nv 0 -1.#IND 0\n"),
+                         "line 5: a coordinate is '-1.#IND', which is not finite"));
     EXPECT_TRUE(contains(error_of("a.obj", head), "no triangles"));
+}
+
+constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+TEST_F(ObjTest, ReadsFacesBeforeWhatTheyName)
+{
+    // Behind the faces: all; the vertices; the normals and texture coordinates; some of each.
+    const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0.5 0.5 0\n";
+    const std::string attributes = "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n";
+    const std::string faces = "f 1/1/1 2/2/2 3/3/1 4/1/2\nusemtl m\nf 1/3/2 3/2/1 2/1/1\n";
+    const std::string last = "vn 1 0 0\n";
+    const TriangleSoup expected = soup_of("a.obj", vertices + attributes + last + faces);
+    // The arrow is not convex: a fan from its first corner would be another surface.
+    ASSERT_EQ(expected.triangles.size(), 3u);
+    for (const std::string& text :
+         {faces + vertices + attributes + last, attributes + faces + vertices + last,
+          vertices + faces + attributes + last, "v 0 0 0\n" + faces + attributes + vertices.substr(8) + last}) {
+        const Read found = read("a.obj", text);
+        EXPECT_EQ(found.soup.triangles, expected.triangles) << text;
+        EXPECT_EQ(all_corners(found.soup), all_corners(expected)) << text;
+        EXPECT_EQ(found.soup.triangle_materials, expected.triangle_materials) << text;
+        EXPECT_EQ(found.notes, "") << text;
+    }
+}
+
+TEST_F(ObjTest, CountsNegativeIndicesFromTheirPlaceInTheFileWhateverIsReadAhead)
+{
+    // Line 4 needs what stands behind it; the next line counts from where it stands all the same.
+    const TriangleSoup soup = soup_of("a.obj", std::string(kTriangle) +
+                                                   "f 1//2 2 5\nf -3 -2 -1\nv 5 5 5\nvn 0 0 1\n"
+                                                   "f -1//-1 -2 -3\nv 6 6 6\nvn 1 0 0\nf -1 -2 1\n");
+    const auto corner = [&](std::size_t t, std::size_t k) { return soup.vertices[soup.triangles[t][k]]; };
+    EXPECT_EQ(corner(0, 2).position, glm::vec3(6, 6, 6));
+    EXPECT_EQ(corner(0, 0).normal, glm::vec3(1, 0, 0));
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(corner(1, k).position, glm::vec3(k == 1, k == 2, 0));
+    EXPECT_EQ(corner(2, 0).position, glm::vec3(5, 5, 5));
+    EXPECT_EQ(corner(2, 0).normal, glm::vec3(0, 0, 1));
+    EXPECT_EQ(corner(2, 1).position, glm::vec3(0, 1, 0));
+    EXPECT_EQ(corner(3, 0).position, glm::vec3(6, 6, 6));
+    EXPECT_EQ(corner(3, 1).position, glm::vec3(5, 5, 5));
+}
+
+/// A file that is read as one triangle, with what is noted.
+struct Lenient
+{
+    std::string text;
+    std::string notes;
+};
+
+TEST_F(ObjTest, PassesOverWhatSaysNothingOfTheSurfaceAndNotesIt)
+{
+    const std::string v = kTriangle, f = "f 1 2 3\n", uv_f = "f 1/1 2/1 3/1\n", n_f = "f 1//1 2//1 3//1\n";
+    const std::string normals = "1 normals that are not finite numbers made anew";
+    const std::string uvs = "1 texture coordinates that are not finite numbers set to 0";
+    const std::string absent = " references to normals and texture coordinates that are not there left out";
+    const std::string few = " faces of fewer than three corners passed over";
+    const std::string unused = "1 vertices of no face that are not finite passed over";
+    const std::vector<Lenient> files{
+        {v + "vn nan nan nan\n" + n_f, normals},
+        {v + "vn -1.#IND -1.#IND 1.#QNAN\n" + n_f, normals},
+        {v + "vn 1e40 0 0\n" + f, normals},
+        {v + "vn 0 1\n" + n_f, normals},
+        {v + "vn\nvn x y z\n" + f, "2 normals that are not finite numbers made anew"},
+        {v + "vt nan nan\n" + uv_f, uvs},
+        {v + "vt\n" + uv_f, uvs},
+        {v + "vt 0.5\nvt 0.5 0.5 0\n" + uv_f, ""},
+        {v + "v nan nan nan\n" + f, unused},
+        {v + "v 1e40 0 0\n" + f, unused},
+        {v + "f\n" + f, "1" + few},
+        {v + "f 1\nf 1 2\n" + f, "2" + few},
+        {v + "f 1/0/0 2/0/0 3/0/0\n", "6" + absent},
+        {v + "f 1//7 2//7 3//-1\n", "3" + absent},
+        {v + "f 1/1/1 2/x 3/1.5/\n", "4" + absent},
+        {v + "f 1/// 2// 3/\n", "1" + absent},
+        {v + "fo 1 2 3\n", "1 faces in the old spelling fo read"},
+        {v + "f 1.0 2e0 3\n", "2 integers written with a point or an exponent read"},
+        {v + "f 1 2 3 # a remark\nf 1 2#\n", "1" + few},
+        {v + "l 1 2\np 1 2 3\n" + f, "2 lines and points passed over"},
+        {v + "cstype bezier\ndeg 3\nsurf 0 1 0 1 1 2 3\nend\n" + f,
+         "4 statements of free-form curves and surfaces passed over"},
+        {v + "hello world\n" + f, "1 statements of other kinds passed over"},
+        {"mg 1\no x\ng\ns off\nbevel on\nlod 1\nusemtl\n" + v + f, ""},
+    };
+    for (const Lenient& lenient : files) {
+        const Read found = read("a.obj", lenient.text);
+        EXPECT_EQ(found.notes, lenient.notes) << lenient.text;
+        ASSERT_EQ(found.soup.triangles.size(), 1u) << lenient.text;
+        EXPECT_EQ(count_positions(found.soup.vertices), 3u) << lenient.text;
+        for (const Vertex& vertex : found.soup.vertices)
+            EXPECT_TRUE(vertex.normal == glm::vec3(0, 0, 1) || vertex.normal == glm::vec3(0)) << lenient.text;
+    }
+}
+
+TEST_F(ObjTest, MakesNormalsThatAreNoNumbersAnewAndKeepsTheOthers)
+{
+    const TriangleSoup soup = soup_of("a.obj", std::string(kTriangle) + "vn 0 1 0\nvn nan 0 1\nf 1//1 2//2 3//1\n");
+    EXPECT_TRUE(soup.has_normals);
+    EXPECT_EQ(soup.vertices[0].normal, glm::vec3(0, 1, 0));
+    EXPECT_EQ(soup.vertices[1].normal, glm::vec3(0, 0, 1));
+}
+
+TEST_F(ObjTest, TakesWeightsAndColoursThatAreNoNumbers)
+{
+    const Read weights = read("a.obj", "v 0 0 0 1\nv 1 0 0 nan\nv 0 1 0 0.5 1\nf 1 2 3\n");
+    EXPECT_TRUE(weights.soup.streams.empty());
+    const Read colours = read("a.obj", "v 0 0 0 1 nan 0.5\nv 1 0 0\nv 0 1 0 0.5 1 1 1\nf 1 2 3\n");
+    ASSERT_EQ(colours.soup.streams.size(), 1u);
+    EXPECT_EQ(colours.soup.streams[0].values, (Buffer<float>{1, 0, 0.5f, 1, 1, 1, 0.5f, 1, 1}));
+    EXPECT_EQ(colours.notes, "1 values of further attributes that are not finite numbers set to 0");
 }
 
 TEST_F(ObjTest, ReadsBackBitForBitWhatItWrote)

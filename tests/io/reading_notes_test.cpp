@@ -1,8 +1,6 @@
 #include "common/io/reading_notes.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
+#include "io/test_files.h"
 
 namespace kerf::io {
 namespace {
@@ -31,6 +29,19 @@ TEST(ReadingNotes, CountAllKindsBeyondABoundAsOne)
     EXPECT_EQ(notes.list()[1].count, 2u);
     EXPECT_EQ(notes.list().back().what, "other things passed over");
     EXPECT_EQ(notes.list().back().count, 968u);
+}
+
+using ReadingNotesOfFiles = MeshFileTest;
+
+TEST_F(ReadingNotesOfFiles, AreHandedOnByReadMeshAndAreNoneForAFileAsItShouldBe)
+{
+    const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+    EXPECT_EQ(read_mesh(write("a.obj", head)).notes.describe(),
+              "1 vertices of no face that are not finite passed over");
+    for (const std::string extension : {"obj", "ply", "stl", "glb"}) {
+        write_mesh(file("b." + extension), sample_mesh());
+        EXPECT_EQ(read_mesh(file("b." + extension)).notes.describe(), "") << extension;
+    }
 }
 
 }  // namespace

@@ -60,6 +60,19 @@ protected:
         return read_soup(write(name, bytes));
     }
 
+    /// A file as it was read, and what was put right.
+    struct Read
+    {
+        TriangleSoup soup;
+        std::string notes;
+    };
+    Read read(const std::string& name, std::string_view bytes) const
+    {
+        ReadingNotes notes;
+        TriangleSoup soup = read_soup(write(name, bytes), &notes);
+        return {std::move(soup), notes.describe()};
+    }
+
     /// What FileError says about a file; fails the test when there is none.
     std::string error_of(const std::string& name, std::string_view bytes) const { return error_of(write(name, bytes)); }
     static std::string error_of(const std::filesystem::path& path)

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "common/io/mesh_file.h"
+#include "common/io/plain_text.h"
 #include "common/io/read_formats.h"
 #include "common/io/text_scanner.h"
 
@@ -69,7 +70,9 @@ void read_mtl(const std::filesystem::path& path, MaterialLibrary& materials)
 
 void parse_mtl(const std::filesystem::path& path, std::string_view bytes, MaterialLibrary& materials)
 {
-    TextScanner line(path, bytes, {.comment = '#', .continuations = true});
+    ReadingNotes unheard;
+    const PlainText text(bytes, unheard);
+    TextScanner line(path, without_padding(text.view(), unheard), {.comment = '#', .continuations = true});
     Material* material = nullptr;
     while (line.next_line()) {
         const std::string_view keyword = line.word();
