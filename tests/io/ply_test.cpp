@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "common/io/bytes.h"
 #include "io/test_files.h"
@@ -112,6 +117,187 @@ TEST_F(PlyTest, ReadsBackBitForBitWhatItWrote)
     }
 }
 
+const std::string kVertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string kFace = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+void expect_triangle(const TriangleSoup& soup, const std::string& what)
+{
+    ASSERT_EQ(soup.triangles, (Buffer<Triangle>{{0, 1, 2}})) << what;
+    EXPECT_EQ(soup.vertices[1].position, glm::vec3(1, 0, 0)) << what;
+    EXPECT_EQ(soup.vertices[2].position, glm::vec3(0, 1, 0)) << what;
+}
+
+TEST_F(PlyTest, TakesAttributesThatAreNotFiniteAsTextAndAsBinary)
+{
+    const std::string normals = "1 normals that are not finite numbers made anew";
+    const std::string uvs = "1 texture coordinates that are not finite numbers set to 0";
+    const std::string values = "1 values of further attributes that are not finite numbers set to 0";
+    const std::vector<std::array<std::string, 3>> cases{
+        {"nx ny nz", "nan nan nan", normals}, {"s t", "nan 0", uvs},        {"u v", "-1.#IND inf", uvs},
+        {"quality", "nan", values},           {"quality", "1e300", values}, {"red green blue", "0 inf 0", values},
+        {"nx ny nz", "1e300 0 0", normals},
+    };
+    for (const auto& [names, bad, notes] : cases) {
+        std::string head = kVertex, zeros;
+        std::istringstream words(names);
+        std::size_t count = 0;
+        for (std::string name; words >> name; ++count) {
+            head += "property double " + name + "\n";
+            zeros += "0 ";
+        }
+        const Read text = read("a.ply", kAsciiHead + head + kFace + "0 0 0 " + zeros + "\n1 0 0 " + bad + "\n0 1 0 " +
+                                            zeros + "\n3 0 1 2\n");
+        expect_triangle(text.soup, names);
+        EXPECT_EQ(text.notes, notes) << names << " " << bad;
+
+        Binary body(Endian::little);
+        std::istringstream numbers(bad);
+        for (int i = 0; i < 3; ++i) {
+            body << float(i == 1) << float(i == 2) << 0.0f;
+            for (std::size_t k = 0; k < count; ++k) body << (i == 1 ? std::numeric_limits<double>::infinity() : 0.0);
+        }
+        body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
+        const Read binary = read("a.ply", "ply\nformat binary_little_endian 1.0\n" + head + kFace + body.bytes());
+        expect_triangle(binary.soup, names);
+        EXPECT_TRUE(contains(binary.notes, notes.substr(2))) << names << ": " << binary.notes;
+    }
+}
+
+TEST_F(PlyTest, TakesAVertexOfNoFaceThatIsNotFiniteAsBinary)
+{
+    Binary body(Endian::little);
+    for (int i = 0; i < 4; ++i) body << float(i == 1) << (i == 3 ? std::nanf("") : float(i == 2)) << 0.0f;
+    body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
+    std::string head = "ply\nformat binary_little_endian 1.0\n" + kVertex + kFace;
+    head.replace(head.find("vertex 3"), 8, "vertex 4");
+    const Read found = read("a.ply", head + body.bytes());
+    expect_triangle(found.soup, "unused");
+    EXPECT_EQ(found.notes, "1 vertices of no face that are not finite passed over");
+    std::string used = head + body.bytes();
+    used[used.size() - 4] = 3;
+    EXPECT_TRUE(contains(error_of("a.ply", used), "vertex 3 has a coordinate that is not finite; give it a number"));
+}
+
+TEST_F(PlyTest, TakesIndicesAndLengthsOfEveryTypeAndTheListByEachOfItsNames)
+{
+    const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+    for (const char* name : {"vertex_indices", "vertex_index", "vertex_indexes"})
+        for (const char* type : {"char", "uint16", "int64", "uint64", "float", "double"}) {
+            const std::string face =
+                "element face 1\nproperty list " + std::string(type) + " " + type + " " + name + "\nend_header\n";
+            const std::string what = face;
+            const Read text = read("a.ply", kAsciiHead + kVertex + face + points + "3 0 1 2\n");
+            expect_triangle(text.soup, what);
+            EXPECT_EQ(text.notes, "");
+            const Read floats = read("a.ply", kAsciiHead + kVertex + face + points + "3.0 0.0 1e0 2\n");
+            expect_triangle(floats.soup, what);
+            EXPECT_EQ(floats.notes, "3 integers written with a point or an exponent read");
+
+            for (const Endian order : {Endian::little, Endian::big}) {
+                Binary body(order);
+                for (int i = 0; i < 3; ++i) body << float(i == 1) << float(i == 2) << 0.0f;
+                for (const int number : {3, 0, 1, 2}) {
+                    if (type == std::string_view("char")) body << std::int8_t(number);
+                    if (type == std::string_view("uint16")) body << std::uint16_t(number);
+                    if (type == std::string_view("int64")) body << std::int64_t{number};
+                    if (type == std::string_view("uint64")) body << std::uint64_t(number);
+                    if (type == std::string_view("float")) body << float(number);
+                    if (type == std::string_view("double")) body << double(number);
+                }
+                const std::string head =
+                    "ply\nformat binary_" + std::string(order == Endian::little ? "little" : "big") + "_endian 1.0\n";
+                const Read binary = read("a.ply", head + kVertex + face + body.bytes());
+                expect_triangle(binary.soup, what);
+                const bool is_float = type == std::string_view("float") || type == std::string_view("double");
+                EXPECT_EQ(binary.notes, is_float ? "4 integers stored as floating point read" : "");
+            }
+        }
+}
+
+TEST_F(PlyTest, RefusesFloatsThatAreNoIndices)
+{
+    for (const double bad : {0.5, -1.0, 3.0, 1e300, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        Binary body(Endian::little);
+        for (int i = 0; i < 9; ++i) body << float(i);
+        body << std::uint8_t{3} << 0.0 << 1.0 << bad;
+        const std::string error = error_of("a.ply", "ply\nformat binary_little_endian 1.0\n" + kVertex +
+                                                        "element face 1\nproperty list uchar double vertex_indices\n"
+                                                        "end_header\n" +
+                                                        body.bytes());
+        EXPECT_TRUE(contains(error, "not a whole number") || contains(error, "out of range")) << error;
+    }
+    Binary body(Endian::little);
+    for (int i = 0; i < 9; ++i) body << float(i);
+    body << std::uint64_t{0xFFFFFFFFFFFFFFFFu};
+    EXPECT_TRUE(contains(
+        error_of("a.ply", "ply\nformat binary_little_endian 1.0\n" + kVertex +
+                              "element face 1\nproperty list uint64 int vertex_indices\nend_header\n" + body.bytes()),
+        "truncated"));
+}
+
+TEST_F(PlyTest, ReadsSixtyFourBitNumbersOfVertices)
+{
+    const TriangleSoup soup = soup_of("a.ply", kAsciiHead + kVertex + "property int64 a\nproperty uint64 b\n" + kFace +
+                                                   "0 0 0 -5 18446744073709551615\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n");
+    expect_triangle(soup, "text");
+    EXPECT_EQ(soup.streams.at(0).values[0], -5.0f);
+    Binary body(Endian::big);
+    for (int i = 0; i < 3; ++i)
+        body << float(i == 1) << float(i == 2) << 0.0f << std::int64_t{-5} << std::uint64_t{0xFFFFFFFFFFFFFFFFu};
+    body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
+    const TriangleSoup binary = soup_of("a.ply", "ply\nformat binary_big_endian 1.0\n" + kVertex +
+                                                     "property int64 a\nproperty uint64 b\n" + kFace + body.bytes());
+    expect_triangle(binary, "binary");
+    EXPECT_EQ(binary.streams.at(0).values[0], -5.0f);
+    EXPECT_EQ(binary.streams.at(1).values[0], 18446744073709551616.0f) << "not cut off at the largest signed integer";
+}
+
+TEST_F(PlyTest, PassesOverFurtherNumbersAtTheEndsOfLines)
+{
+    const std::string longer = " lines with more numbers than they need read without them";
+    const std::string head = kAsciiHead + kVertex + kFace;
+    const Read every = read("a.ply", head + "0 0 0 9\n1 0 0 9 9\n0 1 0 # x\n\n3 0 1 2 255 0 0\n");
+    expect_triangle(every.soup, "every line");
+    EXPECT_EQ(every.notes, "4" + longer);
+    const Read one = read("a.ply", head + "0 0 0\n1 0 0 9\n0 1 0\n3 0 1 2");
+    expect_triangle(one.soup, "one line");
+    EXPECT_EQ(one.notes, "1" + longer);
+}
+
+TEST_F(PlyTest, TakesElementsThatShareLinesOrTakeSeveral)
+{
+    for (const char* body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0 0 1 0 0 0 1 0\n3 0 1 2\n", "0 0 0 1 0 0\n0 1 0 3\n0 1 2",
+                             "0 0\n0\n1 0 0\n0\n\n1 0\n3\n0 1 2\n", "0\r\n0\r\n0 1 0 0 0 1 0 3 0 1 2"}) {
+        const Read found = read("a.ply", kAsciiHead + kVertex + kFace + body);
+        expect_triangle(found.soup, body);
+        EXPECT_EQ(found.notes, "") << body;
+    }
+}
+
+TEST_F(PlyTest, ReadsBinaryNumbersBehindEveryLineEnd)
+{
+    // The first byte is a line feed: behind a header of lines that end with CR it belongs to the numbers.
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        std::string head = "ply\nformat binary_big_endian 1.0\n" + kVertex + kFace;
+        for (std::size_t at = 0; (at = head.find('\n', at)) != std::string::npos; at += std::string(end).size())
+            head.replace(at, 1, end);
+        Binary body(Endian::big);
+        body << std::bit_cast<float>(0x0A000000u);
+        for (int i = 1; i < 9; ++i) body << float(i == 3 || i == 7);
+        body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
+        expect_triangle(soup_of("a.ply", head + body.bytes()), end);
+    }
+}
+
+TEST_F(PlyTest, PassesOverFacesThatBoundNothingAndListsOfVertices)
+{
+    const Read found = read("a.ply", kAsciiHead + kVertex + "property list uchar float weights\n" +
+                                         "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                                         "0 0 0 2 1 1\n1 0 0 0\n0 1 0 1 7\n0\n1 0\n2 0 1\n3 0 1 2\n");
+    expect_triangle(found.soup, "lists");
+    EXPECT_EQ(found.notes, "3 faces of fewer than three corners passed over");
+}
+
 TEST_F(PlyTest, SaysWhatIsWrong)
 {
     const std::string vertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
@@ -139,6 +325,12 @@ TEST_F(PlyTest, SaysWhatIsWrong)
     EXPECT_TRUE(
         contains(error_of("a.ply", std::string(kAsciiHead) + vertex + vertex + face + points + points + "3 0 1 2"),
                  "more than one"));
+    EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + vertex + "element face 1\nproperty list uchar int corners\n" +
+                                               "end_header\n" + points + "3 0 1 2"),
+                         "its faces have no list 'vertex_indices'"));
+    EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + vertex + "end_header\n" + points), "no triangles"));
+    EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + vertex + face + "0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n"),
+                         "line 14: a coordinate is 'x', which is not a number"));
 }
 
 TEST_F(PlyTest, RefusesCountsThatTheFileHasNoRoomForBeforeTakingMemory)

@@ -13,7 +13,7 @@ namespace {
 
 PlyType to_type(const TextScanner& line, std::string_view word)
 {
-    constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames{{
+    constexpr std::array<std::pair<std::string_view, PlyType>, 18> kNames{{
         {"char", PlyType::int8},
         {"int8", PlyType::int8},
         {"uchar", PlyType::uint8},
@@ -26,6 +26,9 @@ PlyType to_type(const TextScanner& line, std::string_view word)
         {"int32", PlyType::int32},
         {"uint", PlyType::uint32},
         {"uint32", PlyType::uint32},
+        // Not in the description, but what NumPy's programs write.
+        {"int64", PlyType::int64},
+        {"uint64", PlyType::uint64},
         {"float", PlyType::float32},
         {"float32", PlyType::float32},
         {"double", PlyType::float64},
@@ -52,8 +55,6 @@ PlyProperty read_property(TextScanner& line)
     if (word == "list") {
         property.is_list = true;
         property.count_type = to_type(line, line.word());
-        if (!is_integer(property.count_type))
-            line.fail("the length of a list is not an integer; give it an integer type");
         word = line.word();
     }
     property.type = to_type(line, word);
@@ -99,20 +100,28 @@ std::size_t size_of(PlyType type)
         case PlyType::uint32:
         case PlyType::float32:
             return 4;
+        case PlyType::int64:
+        case PlyType::uint64:
         case PlyType::float64:
             return 8;
     }
     return 0;
 }
 
-bool is_integer(PlyType type)
+/// Bytes of the header that ends where `line` is. A header of lines that end with CR leaves a LF behind its last one to
+/// the numbers of a binary file.
+std::size_t header_size(std::string_view bytes, const TextScanner& line)
 {
-    return type != PlyType::float32 && type != PlyType::float64;
+    const std::size_t size = bytes.size() - line.bytes_left();
+    const std::size_t first_end = bytes.find_first_of("\r\n");
+    const bool ends_with_cr = bytes[first_end] == '\r' && bytes[first_end + 1] != '\n';
+    return size >= 2 && ends_with_cr && bytes.substr(size - 2, 2) == "\r\n" ? size - 1 : size;
 }
 
-PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view bytes)
+PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& text, ReadingNotes& notes)
 {
-    TextScanner line(path, bytes, TextScanner::Syntax{});
+    const std::string_view bytes = text.view();
+    TextScanner line(path, bytes, TextScanner::Syntax{}, &notes);
     PlyHeader header;
     if (!line.next_line() || line.word() != "ply")
         line.fail("it does not begin with 'ply'; export it again or mend its extension");
@@ -123,11 +132,13 @@ PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view by
         if (keyword == "end_header") break;
         if (keyword == "format") {
             header.format = to_format(line, line.word());
+            if (text.was_converted() && header.format != PlyFormat::ascii)
+                line.fail("it is text in UTF-16, which destroys binary numbers; export it again");
             has_format = true;
         } else if (keyword == "element") {
             PlyElement element;
             element.name = line.word();
-            const std::int64_t count = line.integer("the number of " + in_quotes(element.name));
+            const std::int64_t count = line.to_integer(line.word(), "the number of " + in_quotes(element.name));
             if (count < 0)
                 line.fail("the number of " + in_quotes(element.name) +
                           " is negative; mend it or export the file again");
@@ -144,7 +155,7 @@ PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view by
     if (!has_format) line.fail("the header does not name the format; add a line such as 'format ascii 1.0'");
     line.end_line();
     check_room(line, header);
-    header.size = bytes.size() - line.bytes_left();
+    header.size = header_size(bytes, line);
     header.lines = line.line() - 1;
     return header;
 }

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "common/io/plain_text.h"
+#include "common/io/reading_notes.h"
 
 namespace kerf::io {
 
@@ -22,12 +24,13 @@ enum class PlyType : std::uint8_t
     uint16,
     int32,
     uint32,
+    int64,
+    uint64,
     float32,
     float64
 };
 
 std::size_t size_of(PlyType type);
-bool is_integer(PlyType type);
 
 struct PlyProperty
 {
@@ -54,6 +57,6 @@ struct PlyHeader
 
 /// Reads "ply ... end_header", and holds the counts that it claims against the size of the file.
 /// @throws FileError
-PlyHeader read_ply_header(const std::filesystem::path& path, std::string_view bytes);
+PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& text, ReadingNotes& notes);
 
 }  // namespace kerf::io

@@ -39,6 +39,10 @@ float full(PlyType type)
             return 2147483648.0f;
         case PlyType::uint32:
             return 4294967296.0f;
+        case PlyType::int64:
+            return 9223372036854775808.0f;
+        case PlyType::uint64:
+            return 18446744073709551616.0f;
         case PlyType::float32:
         case PlyType::float64:
             break;

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/io/bytes.h"
+#include "common/io/plain_text.h"
 #include "common/io/ply_header.h"
 #include "common/io/ply_names.h"
 #include "common/io/read_formats.h"
@@ -17,23 +20,36 @@ namespace kerf::io {
 
 namespace {
 
-/// Numbers of an ASCII file, one word each.
+/// Numbers of an ASCII file, one word each. Elements begin on lines of their own, or follow one another on fewer lines.
 class TextSource
 {
 public:
-    TextSource(const std::filesystem::path& path, std::string_view bytes, const PlyHeader& header)
-        : words_(path, bytes.substr(header.size), TextScanner::Syntax{})
+    /// @param body  what follows the header
+    TextSource(const std::filesystem::path& path, std::string_view body, const PlyHeader& header, ReadingNotes& notes)
+        : words_(path, body, TextScanner::Syntax{}, &notes)
     {
         words_.set_line(header.lines + 1);
     }
 
+    void begin_elements() { words_.new_records(); }
+    void begin_element(std::uint64_t left) { words_.next_record(left); }
+
     // Whatever the type: the float nearest to the decimal number, not to the double nearest to it.
-    float number(PlyType) { return words_.to_number(words_.word_of_any_line(), "a number"); }
+    float coordinate(PlyType, SoupBuilder& builder)
+    {
+        return builder.read_coordinate(words_, words_.word_of_any_line());
+    }
+    float attribute(PlyType) { return words_.to_float(words_.word_of_any_line(), "a number"); }
     std::int64_t integer(PlyType) { return words_.to_integer(words_.word_of_any_line(), "an integer"); }
     void skip(PlyType, std::uint64_t count)
     {
         for (std::uint64_t i = 0; i < count; ++i)
             if (words_.word_of_any_line().empty()) fail("a number is missing; export it again");
+    }
+    void finish(ReadingNotes& notes)
+    {
+        words_.end_records();
+        notes.add("lines with more numbers than they need read without them", words_.lines_passed_over());
     }
     [[noreturn]] void fail(const std::string& reason) const { words_.fail(reason); }
 
@@ -53,13 +69,20 @@ public:
     {
     }
 
-    float number(PlyType type)
+    void begin_elements() {}
+    void begin_element(std::uint64_t) {}
+
+    float coordinate(PlyType type, SoupBuilder&) { return attribute(type); }
+
+    float attribute(PlyType type)
     {
         switch (type) {
             case PlyType::float32:
                 return load<float>(take(4), order_);
             case PlyType::float64:
                 return static_cast<float>(load<double>(take(8), order_));
+            case PlyType::uint64:
+                return static_cast<float>(load<std::uint64_t>(take(8), order_));
             default:
                 return static_cast<float>(integer(type));
         }
@@ -80,11 +103,18 @@ public:
                 return load<std::int32_t>(take(4), order_);
             case PlyType::uint32:
                 return load<std::uint32_t>(take(4), order_);
+            case PlyType::int64:
+                return load<std::int64_t>(take(8), order_);
+            case PlyType::uint64:
+                // Beyond the largest it is no index and no length either.
+                return static_cast<std::int64_t>(std::min(load<std::uint64_t>(take(8), order_),
+                                                          std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
             case PlyType::float32:
+                return whole(load<float>(take(4), order_));
             case PlyType::float64:
-                break;
+                return whole(load<double>(take(8), order_));
         }
-        fail("an index is not an integer; give indices an integer type");
+        return 0;
     }
 
     void skip(PlyType type, std::uint64_t count)
@@ -93,12 +123,24 @@ public:
         at_ += static_cast<std::size_t>(count) * size_of(type);
     }
 
+    void finish(ReadingNotes& notes) { notes.add("integers stored as floating point read", floats_); }
+
     [[noreturn]] void fail(const std::string& reason) const
     {
         io::fail(path_, reason + " (at byte " + std::to_string(at_) + " of " + std::to_string(bytes_.size()) + ")");
     }
 
 private:
+    std::int64_t whole(double value)
+    {
+        // Up to here doubles are whole numbers without gaps.
+        constexpr double kLargest = 9007199254740992.0;
+        if (!(std::abs(value) <= kLargest) || std::trunc(value) != value)
+            fail("an index or the length of a list is not a whole number; export it again");
+        ++floats_;
+        return static_cast<std::int64_t>(value);
+    }
+
     const char* take(std::size_t size)
     {
         if (bytes_.size() - at_ < size) fail("it is truncated; export it again");
@@ -111,6 +153,7 @@ private:
     std::string_view bytes_;
     std::size_t at_;
     Endian order_;
+    std::uint64_t floats_ = 0;
 };
 
 template <class Source>
@@ -118,16 +161,19 @@ class PlyReader
 {
 public:
     PlyReader(const std::filesystem::path& path, const PlyHeader& header, Source source, ReadingNotes& notes)
-        : path_(path), header_(header), source_(std::move(source)), builder_(path, notes)
+        : path_(path), header_(header), source_(std::move(source)), notes_(notes), builder_(path, notes)
     {
-        for (const PlyElement& element : header_.elements)
+        for (const PlyElement& element : header_.elements) {
             if (element.name == "vertex") vertex_count_ += element.count;
+            if (!element.properties.empty()) elements_left_ += element.count;
+        }
     }
 
     TriangleSoup read()
     {
         bool has_vertices = false;
         for (const PlyElement& element : header_.elements) {
+            source_.begin_elements();
             if (element.name == "vertex") {
                 if (std::exchange(has_vertices, true)) fail(path_, "it has more than one element 'vertex'; join them");
                 read_vertices(element);
@@ -139,6 +185,8 @@ public:
                 skip(element);
             }
         }
+        source_.finish(notes_);
+        if (face_sizes_.empty()) check_list_names();
         // Faces may stand before their vertices.
         for (std::size_t i = 0, first = 0; i < face_sizes_.size(); first += face_sizes_[i], ++i)
             builder_.add_face(std::span(corners_).subspan(first, face_sizes_[i]));
@@ -157,6 +205,7 @@ private:
         }
         std::vector<VertexStream>& streams = builder_.soup.streams;
         for (std::uint64_t i = 0; i < element.count; ++i) {
+            source_.begin_element(elements_left_--);
             // As floats: position, normal, uv.
             std::array<float, 8> core{};
             for (std::size_t k = 0; k < element.properties.size(); ++k) {
@@ -166,8 +215,10 @@ private:
                     skip_list(property);
                     continue;
                 }
-                const float value = source_.number(property.type);
-                if (to.stream == PlyDestination::kCore)
+                const bool is_core = to.stream == PlyDestination::kCore;
+                const float value = is_core && to.component < 3 ? source_.coordinate(property.type, builder_)
+                                                                : source_.attribute(property.type);
+                if (is_core)
                     core[to.component] = value;
                 else
                     streams[to.stream].values[i * streams[to.stream].width + to.component] = value / to.one;
@@ -178,9 +229,10 @@ private:
 
     void read_faces(const PlyElement& element)
     {
-        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+            source_.begin_element(elements_left_--);
             for (const PlyProperty& property : element.properties) {
-                if (property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index")) {
+                if (lists_vertices(property)) {
                     const std::size_t first = corners_.size();
                     read_indices(property, 0);
                     face_sizes_.push_back(corners_.size() - first);
@@ -188,14 +240,23 @@ private:
                     skip(property);
                 }
             }
+        }
+    }
+
+    /// Two names by the description, which uses both, and one that some programs write.
+    static bool lists_vertices(const PlyProperty& property)
+    {
+        return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index" ||
+                                    property.name == "vertex_indexes");
     }
 
     /// Strips of triangles, several in a list, separated by -1; every other triangle is turned over.
     void read_strips(const PlyElement& element)
     {
-        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+            source_.begin_element(elements_left_--);
             for (const PlyProperty& property : element.properties) {
-                if (!property.is_list || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+                if (!lists_vertices(property)) {
                     skip(property);
                     continue;
                 }
@@ -206,6 +267,7 @@ private:
                 corners_.resize(first);
                 add_strips(strip);
             }
+        }
     }
 
     void add_strips(const std::vector<std::uint32_t>& strip)
@@ -236,8 +298,10 @@ private:
 
     void skip(const PlyElement& element)
     {
-        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+        for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+            source_.begin_element(elements_left_--);
             for (const PlyProperty& property : element.properties) skip(property);
+        }
     }
 
     void skip(const PlyProperty& property)
@@ -255,13 +319,23 @@ private:
         source_.skip(property.type, static_cast<std::uint64_t>(count));
     }
 
+    /// Where there are faces but none has corners, the name of their list may be to blame.
+    void check_list_names() const
+    {
+        for (const PlyElement& element : header_.elements)
+            if (element.name == "face" && element.count > 0 &&
+                std::none_of(element.properties.begin(), element.properties.end(), lists_vertices))
+                fail(path_, "its faces have no list 'vertex_indices'; name the list of their corners so");
+    }
+
     static constexpr std::uint32_t kRestart = 0xFFFFFFFFu;
 
     const std::filesystem::path& path_;
     const PlyHeader& header_;
     Source source_;
+    ReadingNotes& notes_;
     SoupBuilder builder_;
-    std::uint64_t vertex_count_ = 0;
+    std::uint64_t vertex_count_ = 0, elements_left_ = 0;
     std::vector<std::uint32_t> corners_;
     std::vector<std::size_t> face_sizes_;
 };
@@ -270,9 +344,12 @@ private:
 
 TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
-    const PlyHeader header = read_ply_header(path, bytes);
-    if (header.format == PlyFormat::ascii)
-        return PlyReader(path, header, TextSource(path, bytes, header), notes).read();
+    const PlainText text(bytes, notes);
+    const PlyHeader header = read_ply_header(path, text, notes);
+    if (header.format == PlyFormat::ascii) {
+        const std::string_view body = without_padding(text.view().substr(header.size), notes);
+        return PlyReader(path, header, TextSource(path, body, header, notes), notes).read();
+    }
     return PlyReader(path, header, BinarySource(path, bytes, header), notes).read();
 }
 
