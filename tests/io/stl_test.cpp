@@ -1,3 +1,7 @@
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "common/io/bytes.h"
 #include "io/test_files.h"
 
@@ -53,6 +57,49 @@ TEST_F(StlTest, TakesWhatFillsUpABlock)
     EXPECT_EQ(soup_of("a.stl", binary(2, 2, "x") + std::string(512, '\0')).triangles.size(), 2u);
 }
 
+TEST_F(StlTest, ReadsTextAsOtherProgramsWriteItAndNotesWhatIsUnusual)
+{
+    const std::string one = facet("0 0 0", "1 0 0", "0 1 0"), two = facet("0 0 0", "0 1 0", "0 0 1");
+    const std::string unended = " solids without an end read as far as they go";
+    const std::string unknown = " lines of no known kind passed over";
+    const std::string divided = " keywords in two words read";
+    const std::string line = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+    const std::string spaced =
+        "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nEND LOOP\nEND FACET\n";
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"solid x\n" + one + two + "endsolid x\n", ""},
+        {"solid x\n" + one + two, "1" + unended},
+        {"solid x\n" + one + "solid y\n" + two + "endsolid y\n", "1" + unended},
+        {"solid x\n" + one + two + "end solid x\n", "1" + divided},
+        {"solid x\n" + spaced + two + "end\tsolid", "3" + divided},
+        {"solid x\ncolor 0.5 0.5 0.5\n" + one + "color 1 0 0\n" + two + "endsolid x\n", "2" + unknown},
+        {"solid x\n" + one + two + "endsolid x\nmaterial 3\n", "1" + unknown},
+        {"; made by hand\nsolid x ; a part\n" + one + "; next\n" + two + "endsolid x\n", ""},
+        {"# made by hand\n// and so\nsolid x\n" + one + two + "endsolid x\n", "2" + unknown},
+        {one + two, "2 facets outside of solids read"},
+        {"solid x\n" + one + "endsolid x\n" + two, "1 facets outside of solids read"},
+        {"solidx\n" + one + two + "endsolid x\n", ""},
+        {"Solid x\n" + one + two + "EndSolid x\n", ""},
+        {"solid a part " + line + line + "endsolid a part", ""},
+        {"solid a " + line + "endsolid a solid b " + line + "endsolid b", ""},
+        {"\xEF\xBB\xBFsolid x\n" + one + two + "endsolid x\n", ""},
+        {"\r\n  solid \xE9t\xE9\r\n" + one + two + "endsolid\r\n", ""},
+        {"solid x\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n" + two +
+             "endsolid\n",
+         ""},
+        {"solid x\nfacet normal 0 0 1\ncolor 1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nendloop\nendfacet\n" + one +
+             two + "endsolid\n",
+         "1" + unknown + ", 1 faces of fewer than three corners passed over"},
+    };
+    for (const auto& [text, notes] : files) {
+        const Read found = read("a.stl", text);
+        EXPECT_EQ(found.notes, notes) << text;
+        ASSERT_EQ(found.soup.triangles.size(), 2u) << text;
+        const Triangle& first = found.soup.triangles[0];
+        EXPECT_EQ(found.soup.vertices[first[1]].position, glm::vec3(1, 0, 0)) << text;
+    }
+}
+
 TEST_F(StlTest, SaysWhatIsWrong)
 {
     EXPECT_TRUE(contains(error_of("a.stl", binary(4000000000u, 1, "x")), "truncated"));
@@ -63,9 +110,20 @@ TEST_F(StlTest, SaysWhatIsWrong)
                          "line 6: a coordinate is 'x'"));
     EXPECT_TRUE(
         contains(error_of("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "0 inf 0") + "endsolid\n"), "not finite"));
-    EXPECT_TRUE(contains(error_of("a.stl", "solid\n" + facet("0 0 0", "1 0 0", "0 1 0")), "ends inside a solid"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"), "inside a facet"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid\nfacet normal 0 0\n"), "ends inside a facet"));
+    EXPECT_TRUE(
+        contains(error_of("a.stl", "solid\nfacet normal 0 0 1\nvertex 0 0 0\n"), "'vertex' stands where 'outer'"));
     EXPECT_TRUE(contains(error_of("a.stl", "solid a\nendsolid a\n"), "no triangles"));
-    EXPECT_TRUE(contains(error_of("a.stl", "solid a\nfacade\n"), "'facade' stands where a facet should begin"));
+    EXPECT_TRUE(contains(error_of("a.stl", "solid a\nvertex 0 0 0\n"), "'vertex' stands where a facet should begin"));
+    // Text that is no STL is not called a truncated binary file, however long it is.
+    const std::string page = "<html><head><title>404</title></head><body>" + std::string(200, ' ') + "</body></html>";
+    EXPECT_TRUE(contains(error_of("a.stl", page), "it begins with '<html><head><title>404</title></head><bo..."));
+    EXPECT_TRUE(contains(error_of("a.stl", "v 0 0 0\n" + std::string(2000, 'x')), "neither a text nor a binary STL"));
+    EXPECT_TRUE(contains(error_of("a.stl", " \n"), "neither a text nor a binary"));
+    std::string cut = binary(4, 4, "solid cut off");
+    cut.resize(cut.size() - 60);
+    EXPECT_TRUE(contains(error_of("a.stl", cut), "it is truncated: its header promises 4 triangles"));
     std::string with_nan = binary(1, 1, "x");
     with_nan.replace(96, 4, "\xFF\xFF\xFF\xFF");
     EXPECT_TRUE(contains(error_of("a.stl", with_nan), "not finite; give it a number, or take it and its faces out"));

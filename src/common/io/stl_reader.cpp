@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <array>
-#include <cctype>
+#include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/io/bytes.h"
+#include "common/io/plain_text.h"
 #include "common/io/read_formats.h"
 #include "common/io/soup_builder.h"
 #include "common/io/text_scanner.h"
@@ -18,10 +21,8 @@ constexpr std::size_t kTriangleBytes = 50;
 
 bool is_word(std::string_view word, std::string_view lower_case)
 {
-    if (word.size() != lower_case.size()) return false;
-    for (std::size_t i = 0; i < word.size(); ++i)
-        if (std::tolower(static_cast<unsigned char>(word[i])) != lower_case[i]) return false;
-    return true;
+    const auto is_same = [](char c, char lower) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower; };
+    return word.size() == lower_case.size() && std::equal(word.begin(), word.end(), lower_case.begin(), is_same);
 }
 
 std::uint32_t binary_count(std::string_view bytes)
@@ -35,13 +36,14 @@ bool has_exactly_its_triangles(std::string_view bytes)
            bytes.size() - kHeaderBytes == std::uint64_t{binary_count(bytes)} * kTriangleBytes;
 }
 
-/// Binary files begin with anything, "solid" too: the size decides, and then whether a text could go on like this.
+/// Binary files begin with anything, "solid" too. But they have bytes that no text has: the number of triangles ends
+/// with a 0 below 2^24.
 bool is_text(std::string_view bytes)
 {
-    if (has_exactly_its_triangles(bytes)) return false;
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || !is_word(bytes.substr(first, 5), "solid")) return false;
-    return bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+    const auto is_control = [](char c) { return (c >= '\0' && c < ' ' && (c < '\t' || c > '\r')) || c == '\x7F'; };
+    const std::string_view beginning = bytes.substr(0, 1024);
+    return bytes.find_first_not_of(" \t\r\n") != std::string_view::npos &&
+           std::none_of(beginning.begin(), beginning.end(), is_control);
 }
 
 /// Facet normals are not read: they say nothing that the corners do not, and are often wrong.
@@ -74,85 +76,185 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
     return builder.finish();
 }
 
+enum class Keyword : std::uint8_t
+{
+    none,  ///< no keyword
+    end_of_file,
+    solid,
+    facet,
+    outer,
+    loop,
+    vertex,
+    endloop,
+    endfacet,
+    endsolid
+};
+
+constexpr std::array<std::pair<std::string_view, Keyword>, 8> kKeywords{{{"vertex", Keyword::vertex},
+                                                                         {"facet", Keyword::facet},
+                                                                         {"outer", Keyword::outer},
+                                                                         {"loop", Keyword::loop},
+                                                                         {"endloop", Keyword::endloop},
+                                                                         {"endfacet", Keyword::endfacet},
+                                                                         {"endsolid", Keyword::endsolid},
+                                                                         {"solid", Keyword::solid}}};
+
 /// Text: any number of "solid NAME facet normal x y z outer loop vertex x y z ... endloop endfacet ... endsolid NAME".
+/// Other lines - colours, remarks - are passed over.
 class TextStlReader
 {
 public:
-    TextStlReader(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
-        : words_(path, bytes, TextScanner::Syntax{}), builder_(path, notes)
+    TextStlReader(const std::filesystem::path& path, std::string_view text, ReadingNotes& notes)
+        : words_(path, text, {.comment = ';', .continuations = false}), notes_(notes), builder_(path, notes)
     {
     }
 
     TriangleSoup read()
     {
-        for (;;) {
-            const std::string_view word = words_.word_of_any_line();
-            if (word.empty()) break;
-            if (!is_word(word, "solid"))
-                words_.fail(in_quotes(word) + " stands where a solid should begin; export it again");
-            words_.rest();
-            read_solid();
+        bool in_solid = false;
+        for (Keyword keyword = first_keyword(); keyword != Keyword::end_of_file;) {
+            switch (keyword) {
+                case Keyword::facet:
+                    outside_ += in_solid ? 0 : 1;
+                    read_facet();
+                    keyword = next_keyword();
+                    break;
+                case Keyword::solid:
+                case Keyword::endsolid:
+                    unended_ += in_solid && keyword == Keyword::solid ? 1 : 0;
+                    in_solid = keyword == Keyword::solid;
+                    if (pass_name()) {
+                        in_solid = true;
+                        keyword = Keyword::facet;
+                    } else {
+                        keyword = next_keyword();
+                    }
+                    break;
+                default:
+                    words_.fail(in_quotes(word_) + " stands where a facet should begin; export it again");
+            }
         }
+        unended_ += in_solid ? 1 : 0;
+        notes_.add("solids without an end read as far as they go", unended_);
+        notes_.add("facets outside of solids read", outside_);
+        notes_.add("keywords in two words read", divided_);
+        notes_.add("lines of no known kind passed over", unknown_);
         return builder_.finish();
     }
 
 private:
-    void read_solid()
+    /// What a file begins with must be known: anything else is another format.
+    Keyword first_keyword()
+    {
+        word_ = words_.word_of_any_line();
+        // Remarks.
+        for (; word_.starts_with('#') || word_.starts_with("//"); word_ = words_.word_of_any_line()) {
+            ++unknown_;
+            words_.rest();
+        }
+        const Keyword keyword = to_keyword(word_);
+        if (keyword == Keyword::solid || keyword == Keyword::facet) return keyword;
+        // The blank behind it may be missing.
+        if (is_word(word_.substr(0, 5), "solid")) return Keyword::solid;
+        words_.fail("it begins with " + in_quotes(word_) +
+                    ", so it is neither a text nor a binary STL file; export it again or mend its extension");
+    }
+
+    Keyword to_keyword(std::string_view word)
+    {
+        if (word.empty()) return Keyword::end_of_file;
+        for (const auto& [name, keyword] : kKeywords)
+            if (is_word(word, name)) return keyword;
+        if (!is_word(word, "end")) return Keyword::none;
+        // In two words: end solid.
+        TextScanner ahead = words_;
+        const std::string whole = "end" + std::string(ahead.word());
+        for (const auto& [name, keyword] : kKeywords)
+            if (is_word(whole, name)) {
+                words_.word();
+                ++divided_;
+                return keyword;
+            }
+        return Keyword::none;
+    }
+
+    /// Lines that begin with no keyword are passed over.
+    Keyword next_keyword()
     {
         for (;;) {
-            const std::string_view word = words_.word_of_any_line();
-            if (is_word(word, "endsolid")) {
-                words_.rest();
-                return;
-            }
-            if (word.empty()) words_.fail("the file ends inside a solid; export it again");
-            if (!is_word(word, "facet"))
-                words_.fail(in_quotes(word) + " stands where a facet should begin; export it again");
-            read_facet();
+            word_ = words_.word_of_any_line();
+            const Keyword keyword = to_keyword(word_);
+            if (keyword != Keyword::none) return keyword;
+            ++unknown_;
+            words_.rest();
         }
+    }
+
+    /// The rest of the line is the name of a solid; but all of the file may be one line. True if it goes on behind
+    /// "facet normal".
+    bool pass_name()
+    {
+        bool after_facet = false;
+        for (std::string_view word = words_.word(); !word.empty(); word = words_.word()) {
+            if (after_facet && is_word(word, "normal")) return true;
+            after_facet = is_word(word, "facet");
+        }
+        return false;
     }
 
     void read_facet()
     {
-        expect("normal");
-        for (int i = 0; i < 3; ++i) words_.word_of_any_line();
-        expect("outer");
-        expect("loop");
+        // "normal" and three numbers, whatever they are, and what else stands there.
+        std::uint64_t words = 0;
+        for (Keyword keyword = Keyword::none; keyword != Keyword::outer; ++words) {
+            word_ = words_.word_of_any_line();
+            keyword = to_keyword(word_);
+            if (keyword != Keyword::none && keyword != Keyword::outer) fail_at("outer");
+        }
+        unknown_ += words > 5 ? 1 : 0;
+        if (next_keyword() != Keyword::loop) fail_at("loop");
         corners_.clear();
         for (;;) {
-            const std::string_view word = words_.word_of_any_line();
-            if (is_word(word, "endloop")) break;
-            if (word.empty()) words_.fail("the file ends inside a facet; export it again");
-            if (!is_word(word, "vertex"))
-                words_.fail(in_quotes(word) + " stands where a vertex should be; export it again");
+            const Keyword keyword = next_keyword();
+            if (keyword == Keyword::endloop) break;
+            if (keyword != Keyword::vertex) fail_at("vertex");
             Vertex v{{}, kNoNormal, {}};
             for (int axis = 0; axis < 3; ++axis)
-                v.position[axis] = words_.to_number(words_.word_of_any_line(), "a coordinate");
+                v.position[axis] = builder_.read_coordinate(words_, words_.word_of_any_line());
             corners_.push_back(builder_.add_vertex(v));
         }
-        if (corners_.size() < 3) words_.fail("a facet has fewer than three vertices; give it three or take it out");
         builder_.add_face(corners_);
-        expect("endfacet");
+        if (next_keyword() != Keyword::endfacet) fail_at("endfacet");
     }
 
-    void expect(std::string_view keyword)
+    [[noreturn]] void fail_at(const std::string& expected) const
     {
-        const std::string_view word = words_.word_of_any_line();
-        if (word.empty()) words_.fail("the file ends where '" + std::string(keyword) + "' should be; export it again");
-        if (!is_word(word, keyword))
-            words_.fail(in_quotes(word) + " stands where '" + std::string(keyword) + "' should be; export it again");
+        if (word_.empty()) words_.fail("the file ends inside a facet; export it again");
+        words_.fail(in_quotes(word_) + " stands where '" + expected + "' should be; export it again");
     }
 
     TextScanner words_;
+    ReadingNotes& notes_;
     SoupBuilder builder_;
+    std::string_view word_;  ///< that a keyword was made of
     std::vector<std::uint32_t> corners_;
+    std::uint64_t unended_ = 0, outside_ = 0, divided_ = 0, unknown_ = 0;
 };
 
 }  // namespace
 
 TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
 {
-    return is_text(bytes) ? TextStlReader(path, bytes, notes).read() : read_binary(path, bytes, notes);
+    if (!has_exactly_its_triangles(bytes)) {
+        ReadingNotes about_text = notes;
+        const PlainText text(bytes, about_text);
+        const std::string_view body = without_padding(text.view(), about_text);
+        if (is_text(body)) {
+            notes = about_text;
+            return TextStlReader(path, body, notes).read();
+        }
+    }
+    return read_binary(path, bytes, notes);
 }
 
 }  // namespace kerf::io
