@@ -36,12 +36,14 @@ public:
 /// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices are streams of their
 ///   own.
 ///
-/// What does not matter for the surface never refuses a file: it is put right or passed over, and noted.
+/// What does not matter for the surface never refuses a file: it is put right or passed over, and noted. So are
+/// spellings of it that other programs write and that have one meaning; docs/robustness.md, "Files", lists them. Text
+/// may be UTF-8, or UTF-16 with its mark.
 ///
 /// Time and memory are O(file size), whatever counts the file claims.
 /// @param notes  what the reader was lenient about is added to it, if given
-/// @throws FileError  unreadable, empty or malformed file; index out of range; a face with a coordinate that is not
-///                    finite
+/// @throws FileError  unreadable, empty, truncated or malformed file; no triangles; a vertex index out of range; a face
+///                    with a coordinate that is not finite
 TriangleSoup read_soup(const std::filesystem::path& path, ReadingNotes* notes = nullptr);
 
 /// A file made ready for cutting, with what was found and what was repaired.

@@ -73,10 +73,6 @@ public:
     /// Lines whose last words next_record() passed over.
     std::uint64_t lines_passed_over() const { return lines_passed_over_; }
 
-    /// The next word of this line as a finite number. `what` names it in the error: "a coordinate".
-    float number(std::string_view what) { return to_number(word(), what); }
-    std::int64_t integer(std::string_view what) { return to_integer(word(), what); }
-
     /// A word as a finite number; an empty word is the end of the line or file. `what` names it in the error: "a
     /// coordinate".
     float to_number(std::string_view text, std::string_view what) const;
