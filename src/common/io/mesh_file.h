@@ -27,10 +27,8 @@ public:
 /// * Text numbers are read correctly rounded. -0 becomes +0 in coordinates.
 /// * Vertices are counted as the format stores them (OBJ: different v/vt/vn triples that a face uses).
 /// * uv have their origin in the lower left corner of the image, as in OBJ and OpenGL; glTF is converted.
-/// * Normals farther than 1e-6 from unit length are normalised. Where a file gives normals for some of its vertices,
-/// the
-///   others get the mean of their triangles' normals, weighted by area. Where it gives none, and for STL, `has_normals`
-///   is false.
+/// * Normals farther than 1e-6 from unit length are normalised. Where only some vertices have one, the others get the
+///   mean of their triangles' normals, weighted by area. Where a file gives none, and for STL, `has_normals` is false.
 /// * Of glTF, what the scene shows, with EXT_mesh_gpu_instancing, KHR_mesh_quantization and KHR_texture_transform; no
 ///   Draco, no skins, no morph targets.
 /// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices are streams of their
