@@ -58,7 +58,7 @@ void fuzz_repair(Bytes input)
     const bool in_range = std::all_of(soup.triangles.begin(), soup.triangles.end(), [&](const Triangle& t) {
         return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return v < soup.vertices.size(); });
     });
-    if (in_range) measure(soup);
+    const MeshFacts facts = in_range ? measure(soup) : MeshFacts();
 
     const Assembled assembled = assemble(std::move(soup));
     if (!assembled.error.empty()) {
@@ -74,6 +74,8 @@ void fuzz_repair(Bytes input)
     require(std::all_of(mesh.sources.begin(), mesh.sources.end(), [&](std::uint32_t s) { return s < triangles; }),
             "sources are triangles of the soup");
     require(referee::triangles_with_equal_corners(mesh) == 0, "no triangle has two corners at one position");
+    require(referee::open_edges(mesh) == facts.open_edges, "the facts say what is open");
+    require(facts.unbalanced_edges > 0 || facts.closed(), "what is closed stays closed");
 
     for (const auto& backend : {baseline::make_backend(), halfedge::make_backend()}) {
         const PrepareResult result = backend->prepare(mesh);
