@@ -43,32 +43,38 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
     const IndexedMesh& mesh = builder.mesh;
     const std::size_t count = side.parts.size();
     // What whole shells need and what cut parts need: for the others it does no harm.
-    std::vector<MassMoments> moments(count);
     std::vector<Box> boxes(count);
-    std::vector<glm::dvec3> references(count);
     std::vector<ShellSample> samples(count);
     std::vector<bool> is_far(count, false);
-    for (const TriangleGroup& group : mesh.groups)
-        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
-            const std::uint32_t i = side.part_of_triangle[t];
-            SurfacePart& part = side.parts[i];
-            const std::array<glm::vec3, 3> p{mesh.vertices[mesh.triangles[t][0]].position,
-                                             mesh.vertices[mesh.triangles[t][1]].position,
-                                             mesh.vertices[mesh.triangles[t][2]].position};
-            if (boxes[i].empty()) references[i] = p[0];
-            part.solid = group.solid;
-            moments[i].add(references[i], p[0], p[1], p[2]);
-            if (!part.is_cut) samples[i].add(p[0], p[1], p[2]);
-            for (const glm::vec3& corner : p) {
-                boxes[i].add(corner);
-                const double distance = plane.signed_distance(corner);
-                is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);
-            }
+    const auto for_each_triangle = [&](auto visit) {
+        for (const TriangleGroup& group : mesh.groups)
+            for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
+                visit(side.part_of_triangle[t], group,
+                      std::array<glm::vec3, 3>{mesh.vertices[mesh.triangles[t][0]].position,
+                                               mesh.vertices[mesh.triangles[t][1]].position,
+                                               mesh.vertices[mesh.triangles[t][2]].position});
+    };
+    for_each_triangle([&](std::uint32_t i, const TriangleGroup& group, const std::array<glm::vec3, 3>& p) {
+        SurfacePart& part = side.parts[i];
+        part.solid = group.solid;
+        if (!part.is_cut) samples[i].add(p[0], p[1], p[2]);
+        for (const glm::vec3& corner : p) {
+            boxes[i].add(corner);
+            const double distance = plane.signed_distance(corner);
+            is_far[i] = is_far[i] || (builder.side() == Side::positive ? distance > noise : distance < -noise);
         }
+    });
+    // About the sample: an open shell has another volume about another point.
+    std::vector<MassMoments> moments(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (!side.parts[i].is_cut) side.parts[i].sample = samples[i].point();
+    if (std::any_of(side.parts.begin(), side.parts.end(), [](const SurfacePart& part) { return !part.is_cut; }))
+        for_each_triangle([&](std::uint32_t i, const TriangleGroup&, const std::array<glm::vec3, 3>& p) {
+            if (!side.parts[i].is_cut) moments[i].add(side.parts[i].sample, p[0], p[1], p[2]);
+        });
     for (std::uint32_t i = 0; i < count; ++i) {
         SurfacePart& part = side.parts[i];
         part.volume6 = moments[i].volume6;
-        if (!part.is_cut) part.sample = samples[i].point();
         part.is_flat = part.is_cut ? !is_far[i] : has_no_volume(part.volume6, boxes[i], noise);
     }
 }
@@ -85,20 +91,23 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
 
     // All triangles at an edge hang together. Where more run one way than the other the edge bounds the side.
+    const EdgeRuns runs(mesh.point_count, corners);
     DisjointSets joined(triangle_count);
-    PairTable triangle_at;  // by the points of boundary edges, the smaller one first
+    PairTable triangle_at;  // by the points of edges, the smaller one first
     triangle_at.reset(section.edges.size());
-    EdgeRuns(mesh.point_count, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+    const auto note = [&](std::span<const EdgeRuns::Side> edge) {
+        const std::uint32_t first = edge.front().half_edge / 3, corner = edge.front().half_edge % 3;
+        const auto [smaller, larger] = std::minmax(corners[first][corner], corners[first][(corner + 1) % 3]);
+        triangle_at(smaller, larger) = first;
+    };
+    runs.for_each([&](std::span<const EdgeRuns::Side> edge) {
         const std::uint32_t first = edge.front().half_edge / 3;
         std::int32_t surplus = 0;
         for (const EdgeRuns::Side& side : edge) {
             joined.unite(first, side.half_edge / 3);
             surplus += corners[side.half_edge / 3][side.half_edge % 3] < side.larger_point ? 1 : -1;
         }
-        if (surplus == 0) return;
-        const std::uint32_t one_end = corners[first][edge.front().half_edge % 3];
-        const std::uint32_t other_end = corners[first][(edge.front().half_edge % 3 + 1) % 3];
-        triangle_at(std::min(one_end, other_end), std::max(one_end, other_end)) = first;
+        if (surplus != 0) note(edge);
     });
 
     PartsOfSide side;
@@ -116,14 +125,30 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         return point.existing != kNone ? builder.point_of_existing(point.existing)
                                        : builder.point_of_cut(crossings, point.cut_point);
     };
+    const auto triangle_of = [&](const SectionEdge& edge) {
+        const std::uint32_t a = point_of(edge.from), b = point_of(edge.to);
+        return triangle_at.find(std::min(a, b), std::max(a, b));
+    };
+    // On open meshes a triangle may lie on the back of another, so that the edge of the section between them bounds
+    // neither: then all edges between its points are looked at.
+    if (std::any_of(section.edges.begin(), section.edges.end(),
+                    [&](const SectionEdge& edge) { return triangle_of(edge) == kNone; })) {
+        std::vector<bool> is_on_section(mesh.point_count, false);
+        for (std::uint32_t i = 0; i < section.points.size(); ++i)
+            if (const std::uint32_t point = point_of(i); point < is_on_section.size()) is_on_section[point] = true;
+        runs.for_each([&](std::span<const EdgeRuns::Side> edge) {
+            const Triangle& t = corners[edge.front().half_edge / 3];
+            const std::uint32_t corner = edge.front().half_edge % 3;
+            if (is_on_section[t[corner]] && is_on_section[t[(corner + 1) % 3]]) note(edge);
+        });
+    }
     side.part_of_edge.resize(section.edges.size());
     for (std::size_t i = 0; i < section.edges.size(); ++i) {
-        const std::uint32_t a = point_of(section.edges[i].from), b = point_of(section.edges[i].to);
-        const std::uint32_t triangle = triangle_at.find(std::min(a, b), std::max(a, b));
+        const std::uint32_t triangle = triangle_of(section.edges[i]);
         // An edge without a triangle on this side occurs on open meshes only, where a piece vanished at the boundary.
-        const std::uint32_t part = triangle == kNone ? 0 : side.part_of_triangle[triangle];
+        const std::uint32_t part = triangle == kNone ? kNoPart : side.part_of_triangle[triangle];
         side.part_of_edge[i] = part;
-        if (part < side.parts.size()) side.parts[part].is_cut = true;
+        if (part != kNoPart) side.parts[part].is_cut = true;
     }
     // A side that hangs together has nothing to be grouped with: the usual case, in which one more loop over all
     // triangles would cost as much as the flood.
@@ -131,22 +156,18 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     return side;
 }
 
-std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
+std::array<std::vector<std::uint32_t>, 2> find_pieces(const IndexedMesh& mesh,
+                                                      const std::array<SideBuilder, 2>& builders,
                                                       const Section& section, const std::array<PartsOfSide, 2>& parts,
                                                       const Plane& plane)
 {
-    std::vector<glm::vec3> points;
-    std::vector<OutlineEdge> outline;
-    points.reserve(section.points.size());
-    outline.reserve(section.edges.size());
-    for (const SectionPoint& point : section.points) points.push_back(point.position);
-    for (std::size_t i = 0; i < section.edges.size(); ++i)
-        outline.push_back(
-            {section.edges[i].from, section.edges[i].to, {parts[0].part_of_edge[i], parts[1].part_of_edge[i]}});
+    std::vector<OutlineEdge> outline = outline_of(mesh, section);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        outline[i].part = {parts[0].part_of_edge[i], parts[1].part_of_edge[i]};
     std::array<SideParts, 2> sides;
     for (std::size_t side = 0; side < 2; ++side)
         sides[side] = {parts[side].parts, RayCounter(builders[side].mesh, parts[side].part_of_triangle)};
-    return group_pieces(plane, sides, points, outline);
+    return group_pieces(plane, sides, positions_of(section), outline);
 }
 
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle)

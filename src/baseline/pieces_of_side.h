@@ -16,7 +16,7 @@ namespace kerf::baseline {
 struct PartsOfSide
 {
     std::vector<std::uint32_t> part_of_triangle;
-    std::vector<std::uint32_t> part_of_edge;  ///< for each section edge the part whose boundary it is
+    std::vector<std::uint32_t> part_of_edge;  ///< for each section edge the part whose boundary it is, or kNoPart
     std::vector<SurfacePart> parts;
 };
 
@@ -26,7 +26,8 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
 
 /// The piece of each part, by side. O(n), and for each whole cavity of a solid that falls apart a loop over the side's
 /// triangles.
-std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
+std::array<std::vector<std::uint32_t>, 2> find_pieces(const IndexedMesh& mesh,
+                                                      const std::array<SideBuilder, 2>& builders,
                                                       const Section& section, const std::array<PartsOfSide, 2>& parts,
                                                       const Plane& plane);
 

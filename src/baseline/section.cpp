@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "baseline/pair_table.h"
-#include "common/outgoing_edges.h"
+#include "common/section_area.h"
 
 namespace kerf::baseline {
 
@@ -60,29 +60,11 @@ private:
 };
 
 /// Removes pairs of opposite edges, whatever they were found in.
-void cancel_opposite_edges(std::vector<SectionEdge>& edges)
+void cancel_opposite_edges(const IndexedMesh& mesh, Section& section)
 {
-    PairTable edge_between;
-    edge_between.reset(edges.size());
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-        SectionEdge& edge = edges[i];
-        const std::uint32_t other = edge_between.find(edge.to, edge.from);
-        if (other != kNone && edges[other].from != kNone) {
-            edge.from = edges[other].from = kNone;
-            continue;
-        }
-        edge_between(edge.from, edge.to) = i;
-    }
-    std::erase_if(edges, [](const SectionEdge& edge) { return edge.from == kNone; });
-}
-
-/// Some edge has its reverse. Where no points coincide only one edge leaves each point, so that a look suffices.
-bool runs_forth_and_back(const Section& section)
-{
-    std::vector<std::uint32_t> next(section.points.size(), kNone);
-    for (const SectionEdge& edge : section.edges) next[edge.from] = edge.to;
-    return std::any_of(section.edges.begin(), section.edges.end(),
-                       [&](const SectionEdge& edge) { return next[edge.to] == edge.from; });
+    for (const auto& pair : opposite_edges(section.points.size(), outline_of(mesh, section)))
+        for (const std::uint32_t edge : pair) section.edges[edge].from = kNone;
+    std::erase_if(section.edges, [](const SectionEdge& edge) { return edge.from == kNone; });
 }
 
 /// The two vertices of an edge in the plane.
@@ -95,8 +77,7 @@ std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane&
 /// The edges, as they run on the positive side, that have a triangle of either side. By count: pieces of earlier cuts
 /// can touch along an edge, so that more than two triangles meet there. Edges that run forth and back on one side bound
 /// nothing there; each of the rest pairs with one reverse on the other side.
-std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, const CutPointClasses& points,
-                                                std::span<const EdgeInPlane> negative,
+std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
                                                 std::span<const EdgeInPlane> positive)
 {
     if (negative.empty() || positive.empty()) return {};
@@ -106,7 +87,7 @@ std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, const C
         surplus;  // for each row and side: edges that ascend less those that do not
     const auto row_of = [&](const EdgeInPlane& edge, std::int32_t& direction) {
         const auto [a, b] = ends_of(mesh, edge);
-        const std::uint32_t p = points.standing_for(mesh.points[a]), q = points.standing_for(mesh.points[b]);
+        const std::uint32_t p = mesh.points[a], q = mesh.points[b];
         direction = p < q ? 1 : -1;
         std::uint32_t& index = row(std::min(p, q), std::max(p, q));
         if (index == PairTable::kNone) {
@@ -145,11 +126,9 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
     section.edges.reserve(crossings.triangles.size());
     PointNumbers numbers(mesh, crossings, section);
 
-    bool some_coincide = false;
     for (std::uint32_t i = 0; i < crossings.triangles.size(); ++i) {
         const CrossingTriangle& crossing = crossings.triangles[i];
         const TriangleSplit& split = crossing.split;
-        some_coincide |= split.next_code < 3 || split.previous_code != TriangleSplit::kCutPrevious;
         if (!split.has_section_edge()) continue;
         const std::uint32_t from = numbers.of_corner(crossing, split.section_from);
         const std::uint32_t to = numbers.of_corner(crossing, split.section_to);
@@ -157,75 +136,54 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
         section.edges.push_back(
             {from, to, i, crossing.triangle, split.section_from, split.section_to, mesh.groups[crossing.group].solid});
     }
-    const std::size_t from_crossings = section.edges.size();
-    for (const EdgeInPlane& edge :
-         section_edges_in_plane(mesh, crossings.cut_points, in_plane_of_negative, in_plane_of_positive)) {
+    for (const EdgeInPlane& edge : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
         const auto [from, to] = ends_of(mesh, edge);
         section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
                                  static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid});
     }
-    some_coincide |= section.edges.size() > from_crossings;
-    if (some_coincide || runs_forth_and_back(section)) cancel_opposite_edges(section.edges);
+    cancel_opposite_edges(mesh, section);
     return section;
 }
 
-std::vector<SectionPath> link_paths(const Section& section, std::span<const std::uint32_t> tags)
+std::vector<OutlineEdge> outline_of(const IndexedMesh& mesh, const Section& section)
 {
-    const std::size_t edge_count = section.edges.size(), point_count = section.points.size();
-    std::vector<std::int32_t> surplus(point_count, 0);  // outgoing less incoming edges
-    for (const SectionEdge& edge : section.edges) {
-        ++surplus[edge.from];
-        --surplus[edge.to];
-    }
-    OutgoingEdges outgoing(
-        point_count, edge_count, [&](std::uint32_t edge) { return section.edges[edge].from; },
-        [&](std::uint32_t edge) { return tags[edge]; });
+    std::vector<OutlineEdge> outline;
+    outline.reserve(section.edges.size());
+    for (const SectionEdge& edge : section.edges)
+        outline.push_back({edge.from, edge.to, {}, mesh.sources[edge.triangle]});
+    return outline;
+}
 
+std::vector<glm::vec3> positions_of(const Section& section)
+{
+    std::vector<glm::vec3> positions;
+    positions.reserve(section.points.size());
+    for (const SectionPoint& point : section.points) positions.push_back(point.position);
+    return positions;
+}
+
+std::vector<SectionPath> link_paths(const IndexedMesh& mesh, const Plane& plane, const Section& section,
+                                    std::span<const std::uint64_t> tags)
+{
+    const DividedOutline divided = divide_outline(plane, positions_of(section), outline_of(mesh, section), tags);
     std::vector<SectionPath> paths;
-    std::vector<std::uint32_t> place(point_count, kNone);  // where on the current path a point's outgoing edge is
-    const auto follow = [&](std::uint32_t first) {
-        const std::uint32_t tag = tags[first];
-        std::vector<std::uint32_t> path;
-        for (std::uint32_t edge = first; edge != kNone;) {
-            outgoing.use(edge);
-            place[section.edges[edge].from] = static_cast<std::uint32_t>(path.size());
-            path.push_back(edge);
-            const std::uint32_t to = section.edges[edge].to;
-            if (place[to] != kNone) {
-                // Back at a point of the path: what lies between is a loop that visits no point twice.
-                const auto begin = path.begin() + place[to];
-                for (auto it = begin; it != path.end(); ++it) place[section.edges[*it].from] = kNone;
-                paths.push_back({{begin, path.end()}, true, tag});
-                path.erase(begin, path.end());
-            }
-            edge = outgoing.next(to, tag);
-        }
-        for (const std::uint32_t edge : path) place[section.edges[edge].from] = kNone;
-        if (!path.empty()) paths.push_back({std::move(path), false, tag});
-    };
-
-    // Chains first, from where they begin, or a loop could swallow a part of one.
-    for (std::uint32_t i = 0; i < edge_count; ++i) {
-        std::int32_t& begins = surplus[section.edges[i].from];
-        if (outgoing.is_used(i) || begins <= 0) continue;
-        --begins;
-        follow(i);
+    paths.reserve(divided.paths.size());
+    for (const OutlinePath& path : divided.paths) {
+        const auto first = divided.edges.begin() + static_cast<std::ptrdiff_t>(path.first);
+        paths.push_back({{first, first + static_cast<std::ptrdiff_t>(path.count)}, path.closed});
     }
-    for (std::uint32_t i = 0; i < edge_count; ++i)
-        if (!outgoing.is_used(i)) follow(i);
     return paths;
 }
 
-double signed_area(const Section& section, const SectionPath& path, const Plane& plane)
+double area_of(const Section& section, std::span<const SectionPath> paths, const Plane& plane)
 {
-    const glm::dvec3 origin(section.points[section.edges[path.edges.front()].from].position);
-    glm::dvec3 twice{0.0};
-    for (const std::uint32_t i : path.edges) {
-        const SectionEdge& edge = section.edges[i];
-        twice += glm::cross(glm::dvec3(section.points[edge.from].position) - origin,
-                            glm::dvec3(section.points[edge.to].position) - origin);
-    }
-    return glm::dot(twice, plane.normal) * 0.5;
+    return section_area(plane, [&](auto visit) {
+        for (const SectionPath& path : paths) {
+            if (!path.closed) continue;
+            for (const std::uint32_t e : path.edges)
+                visit(section.points[section.edges[e].from].position, section.points[section.edges[e].to].position);
+        }
+    });
 }
 
 SectionLoop to_loop(const Section& section, const SectionPath& path)

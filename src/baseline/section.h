@@ -6,6 +6,7 @@
 
 #include "baseline/crossing.h"
 #include "common/cut.h"
+#include "common/outline_loops.h"
 
 namespace kerf::baseline {
 
@@ -42,7 +43,6 @@ struct SectionPath
 {
     std::vector<std::uint32_t> edges;  ///< in order, each starting where the one before ends
     bool closed = true;                ///< false: a chain that ends at the boundary of an open mesh
-    std::uint32_t tag = 0;
 };
 
 /// A directed edge of an untouched triangle whose ends are both exactly on the plane; `corner` is where it starts.
@@ -53,17 +53,24 @@ struct EdgeInPlane
     std::uint8_t corner;
 };
 
+/// The section as common code takes it, but for the parts that it bounds.
+std::vector<OutlineEdge> outline_of(const IndexedMesh& mesh, const Section& section);
+
+/// The positions of the section's points.
+std::vector<glm::vec3> positions_of(const Section& section);
+
 /// Collects the outline from the crossing triangles and from the edges in the plane of both sides. Edges that run forth
 /// and back cancel. O(k) expected.
 Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
                      std::span<const EdgeInPlane> in_plane_of_positive);
 
-/// Links edges into simple loops and chains; only edges of equal tag follow one another. `tags` has one entry an edge.
-/// O(k).
-std::vector<SectionPath> link_paths(const Section& section, std::span<const std::uint32_t> tags);
+/// Links edges into simple loops and chains, as divide_outline() does; only edges of equal tag follow one another.
+/// `tags` has one entry an edge. O(k log k).
+std::vector<SectionPath> link_paths(const IndexedMesh& mesh, const Plane& plane, const Section& section,
+                                    std::span<const std::uint64_t> tags);
 
-/// Signed area of a closed path, positive when it runs counter-clockwise seen from the positive side.
-double signed_area(const Section& section, const SectionPath& path, const Plane& plane);
+/// The area of the closed ones among the paths, as section_area() has it.
+double area_of(const Section& section, std::span<const SectionPath> paths, const Plane& plane);
 
 /// The path as the contract shows it.
 SectionLoop to_loop(const Section& section, const SectionPath& path);

@@ -262,63 +262,68 @@ private:
     void close_sections(Stopwatch& watch)
     {
         CutStatistics& statistics = slices_.statistics;
-        std::vector<std::uint32_t> solids(section_.edges.size());
-        for (std::size_t i = 0; i < solids.size(); ++i) solids[i] = section_.edges[i].solid;
-        const std::vector<SectionPath> paths = link_paths(section_, solids);
-        for (const SectionPath& path : paths) {
-            loops_.push_back(to_loop(section_, path));
-            if (path.closed) {
-                slices_.section_area += signed_area(section_, path, plane_);
-                ++statistics.section_loops;
-            } else {
-                ++statistics.open_chains;
-            }
-        }
-
         materials_ = mesh_.materials;
         const std::uint32_t material = material_of_caps();
         const glm::vec3 centre = section_centre(section_);
         const double step = whole_.noise / kNoiseInUnits;
+        statistics.phases[Phase::cap] += watch.lap();
+        std::array<PartsOfSide, 2> parts;
+        std::array<std::vector<std::uint32_t>, 2> piece_of_part;
+        const auto piece_at = [&](std::size_t side, std::uint32_t edge) {
+            const std::uint32_t part = parts[side].part_of_edge[edge];
+            return part == kNoPart ? kNoPart : piece_of_part[side][part];
+        };
+        std::vector<std::uint64_t> tags;
+        tags.reserve(section_.edges.size());
+        if (options_.split_components) {
+            for (std::size_t side = 0; side < 2; ++side)
+                parts[side] = find_parts(builders_[side], crossings_, section_, plane_, whole_.noise);
+            piece_of_part = find_pieces(mesh_, builders_, section_, parts, plane_);
+            // Loops keep to one piece on either side: where they touch, the other way round would join pieces.
+            for (std::uint32_t e = 0; e < section_.edges.size(); ++e)
+                tags.push_back(std::uint64_t{piece_at(0, e)} << 32 | piece_at(1, e));
+        } else {
+            for (const SectionEdge& edge : section_.edges) tags.push_back(edge.solid);
+        }
+        statistics.phases[Phase::components] += watch.lap();
+
+        std::vector<SectionPath> paths = link_paths(mesh_, plane_, section_, tags);
+        // What bounds nothing on a side is no loop to be closed.
+        if (options_.split_components)
+            for (SectionPath& path : paths)
+                path.closed = path.closed && piece_at(0, path.edges.front()) != kNoPart &&
+                              piece_at(1, path.edges.front()) != kNoPart;
+        for (const SectionPath& path : paths) ++(path.closed ? statistics.section_loops : statistics.open_chains);
+        slices_.section_area = area_of(section_, paths, plane_);
+        std::array<std::vector<std::uint32_t>, 2> path_of_cap;
         if (options_.build_caps) {
             const FanFacts fan = measure_fan(section_, paths, centre, plane_);
             slices_.caps_exceed_section = caps_exceed_section(fan.excess, slices_.section_area, fan.rim, step);
-        }
-        if (!options_.split_components) {
-            if (options_.build_caps)
-                for (SideBuilder& b : builders_)
+            for (SideBuilder& b : builders_)
+                path_of_cap[static_cast<std::size_t>(b.side())] =
                     close_with_fan(b, crossings_, section_, paths, centre, step, plane_, material);
-            statistics.phases[Phase::cap] += watch.lap();
-            return;
         }
         statistics.phases[Phase::cap] += watch.lap();
-        const std::array<PartsOfSide, 2> parts{find_parts(builders_[0], crossings_, section_, plane_, whole_.noise),
-                                               find_parts(builders_[1], crossings_, section_, plane_, whole_.noise)};
-        const std::array<std::vector<std::uint32_t>, 2> piece_of_part = find_pieces(builders_, section_, parts, plane_);
+        if (options_.split_components)
+            for (std::size_t side = 0; side < 2; ++side) {
+                const std::vector<std::uint32_t>& piece = piece_of_part[side];
+                const auto piece_of_path = [&](std::uint32_t path) {
+                    return piece_at(side, paths[path].edges.front());
+                };
+                is_one_piece_[side] = std::all_of(piece.begin(), piece.end(), [](std::uint32_t p) { return p == 0; });
+                if (!is_one_piece_[side]) {
+                    piece_of_triangle_[side].reserve(builders_[side].mesh.triangles.size());
+                    for (const std::uint32_t part : parts[side].part_of_triangle)
+                        piece_of_triangle_[side].push_back(piece[part]);
+                    for (const std::uint32_t path : path_of_cap[side])
+                        piece_of_triangle_[side].push_back(piece_of_path(path));
+                }
+                for (std::uint32_t path = 0; path < paths.size(); ++path)
+                    piece_of_loop_[side].push_back(piece_of_path(path));
+            }
+        loops_.reserve(paths.size());
+        for (const SectionPath& path : paths) loops_.push_back(to_loop(section_, path));
         statistics.phases[Phase::components] += watch.lap();
-        for (SideBuilder& b : builders_) {
-            const auto side = static_cast<std::size_t>(b.side());
-            const std::vector<std::uint32_t>& piece = piece_of_part[side];
-            // On each side edges of one part follow one another: where loops touch, the other way round would join
-            // pieces.
-            const std::vector<SectionPath> paths_of_side = link_paths(section_, parts[side].part_of_edge);
-            std::vector<std::uint32_t> path_of_cap;
-            if (options_.build_caps)
-                path_of_cap = close_with_fan(b, crossings_, section_, paths_of_side, centre, step, plane_, material);
-            statistics.phases[Phase::cap] += watch.lap();
-            is_one_piece_[side] = std::all_of(piece.begin(), piece.end(), [](std::uint32_t p) { return p == 0; });
-            if (!is_one_piece_[side]) {
-                piece_of_triangle_[side].reserve(b.mesh.triangles.size());
-                for (const std::uint32_t part : parts[side].part_of_triangle)
-                    piece_of_triangle_[side].push_back(piece[part]);
-                for (const std::uint32_t path : path_of_cap)
-                    piece_of_triangle_[side].push_back(piece[paths_of_side[path].tag]);
-            }
-            for (const SectionPath& path : paths_of_side) {
-                piece_of_loop_[side].push_back(piece[path.tag]);
-                loops_of_side_[side].push_back(to_loop(section_, path));
-            }
-            statistics.phases[Phase::components] += watch.lap();
-        }
     }
 
     std::uint32_t material_of_caps()
@@ -359,11 +364,9 @@ private:
             else
                 out.push_back(std::move(fragment));
             // Every piece gets the loops that bound it, and no others: copies of all would cost pieces times loops.
-            if (options_.split_components)
-                for (std::size_t i = 0; i < loops_of_side_[side].size(); ++i)
-                    out[piece_of_loop_[side][i]].section.push_back(std::move(loops_of_side_[side][i]));
-            else
-                out.front().section = loops_;
+            if (!options_.split_components) out.front().section = loops_;
+            for (std::size_t i = 0; i < piece_of_loop_[side].size(); ++i)
+                if (piece_of_loop_[side][i] != kNoPart) out[piece_of_loop_[side][i]].section.push_back(loops_[i]);
             for (Fragment& piece : out) {
                 piece.release_spare_room();
                 slices_.statistics.bytes_to_upload +=
@@ -393,7 +396,6 @@ private:
     std::uint32_t added_cap_material_ = kDefaultCapMaterial;
     std::array<bool, 2> is_one_piece_{true, true};                 ///< nothing has to be taken apart
     std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;  ///< caps included; of sides that are several
-    std::array<std::vector<SectionLoop>, 2> loops_of_side_;
     std::array<std::vector<std::uint32_t>, 2> piece_of_loop_;
 };
 

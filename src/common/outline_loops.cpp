@@ -4,169 +4,263 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
-#include <unordered_map>
 
 #include "common/cut_geometry.h"
-#include "common/outgoing_edges.h"
 
 namespace kerf {
 
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kSeveral = kNone - 1;
 
-/// Removes pairs of opposite edges. They bound the same part on either side: whatever has the same two points is joined
-/// by them.
-void cancel_opposite_edges(std::vector<OutlineEdge>& edges)
+/// The only edge at each point, or kSeveral, or kNone.
+class EdgeAtPoint
 {
-    std::sort(edges.begin(), edges.end(), [](const OutlineEdge& a, const OutlineEdge& b) {
-        return std::tuple(std::minmax(a.from, a.to), a.from, a.part) <
-               std::tuple(std::minmax(b.from, b.to), b.from, b.part);
-    });
-    std::size_t kept = 0;
-    for (std::size_t first = 0, last; first < edges.size(); first = last) {
-        const auto ends = std::minmax(edges[first].from, edges[first].to);
-        last = first;
-        while (last < edges.size() && std::minmax(edges[last].from, edges[last].to) == ends) ++last;
-        std::size_t middle = first;
-        while (middle < last && edges[middle].from == edges[first].from) ++middle;
-        const std::size_t forth = middle - first, back = last - middle, gone = std::min(forth, back);
-        for (std::size_t i = first + gone; i < middle; ++i) edges[kept++] = edges[i];
-        for (std::size_t i = middle + gone; i < last; ++i) edges[kept++] = edges[i];
-    }
-    edges.resize(kept);
+public:
+    explicit EdgeAtPoint(std::size_t point_count) : edge_(point_count, kNone) {}
+
+    void add(std::uint32_t point, std::uint32_t edge) { edge_[point] = edge_[point] == kNone ? edge : kSeveral; }
+    std::uint32_t operator[](std::uint32_t point) const { return edge_[point]; }
+
+private:
+    std::vector<std::uint32_t> edge_;
+};
+
+/// -1, 0 or 1 by x, then y, then z.
+int compare(const glm::vec3& a, const glm::vec3& b)
+{
+    if (same_position(a, b)) return 0;
+    return lexicographically_less(a, b) ? -1 : 1;
 }
 
-/// Sorts points whose positions are equal, which have no order that all back ends have, by where their edges lead.
-void sort_points_of_one_place(std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
-                              std::vector<std::uint32_t>& order)
+/// Divides one outline: the strands between nodes are followed from node to node. A node is a point, as the edges of
+/// one tag see it, where they do not just pass.
+class Divider
 {
+public:
+    Divider(bool backwards, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
+            std::span<const std::uint64_t> tags)
+        : backwards_(backwards),
+          points_(points),
+          edges_(edges),
+          tags_(tags),
+          out_(points.size()),
+          in_(points.size()),
+          is_used_(edges.size(), false)
+    {
+        for (std::uint32_t e = 0; e < edges.size(); ++e) {
+            out_.add(edges[e].from, e);
+            in_.add(edges[e].to, e);
+        }
+    }
+
+    DividedOutline run()
+    {
+        divided_.edges.reserve(edges_.size());
+        find_nodes();
+        std::vector<std::uint32_t> order(nodes_.size());
+        std::iota(order.begin(), order.end(), 0u);
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
+        for (const std::uint32_t node : order)
+            for (std::uint32_t i = nodes_[node].arriving(); i < nodes_[node].leaving(); ++i) follow(node);
+        for (const std::uint32_t node : order) follow(node);
+        for (std::uint32_t e = 0; e < edges_.size(); ++e)
+            if (!is_used_[e]) go_round(e);
+        return std::move(divided_);
+    }
+
+private:
+    /// An edge at a point that is a node.
     struct End
     {
-        bool leaves;
-        glm::vec3 other;
+        std::uint32_t point;
+        std::uint64_t tag;
+        bool arrives;
+        std::uint32_t edge;
     };
-    const auto is_less = [](const End& a, const End& b) {
-        if (a.leaves != b.leaves) return a.leaves;
-        return !same_position(a.other, b.other) && lexicographically_less(a.other, b.other);
+    /// A run of ends_: first those that leave, then those that arrive.
+    struct Node
+    {
+        std::uint32_t point, first, middle, last;
+        std::uint32_t next;           ///< the first end that is not used
+        std::uint32_t place = kNone;  ///< where the path has passed
+
+        std::uint32_t leaving() const { return middle - first; }
+        std::uint32_t arriving() const { return last - middle; }
     };
-    std::unordered_map<std::uint32_t, std::vector<End>> ends;  // nearly always empty
-    for (std::size_t i = 1; i < order.size(); ++i)
-        if (same_position(points[order[i - 1]], points[order[i]])) {
-            ends[order[i - 1]];
-            ends[order[i]];
+
+    std::uint64_t tag(std::uint32_t edge) const { return tags_.empty() ? 0 : tags_[edge]; }
+
+    /// One edge arrives and one of its tag leaves.
+    bool passes(std::uint32_t point) const
+    {
+        const std::uint32_t in = in_[point], out = out_[point];
+        return in < kSeveral && out < kSeveral && tag(in) == tag(out);
+    }
+
+    const glm::vec3& far_position(const End& end) const
+    {
+        const OutlineEdge& edge = edges_[end.edge];
+        return points_[edge.from == end.point ? edge.to : edge.from];
+    }
+
+    /// -1, 0 or 1: edges that leave first, by where they lead, then by their sources.
+    int compare_ends(const End& a, const End& b) const
+    {
+        if (a.arrives != b.arrives) return a.arrives ? 1 : -1;
+        if (const int order = compare(far_position(a), far_position(b)); order != 0) return order;
+        const std::uint32_t p = edges_[a.edge].source, q = edges_[b.edge].source;
+        return p == q ? 0 : (p < q ? -1 : 1);
+    }
+
+    void find_nodes()
+    {
+        for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+            if (!passes(edges_[e].from)) ends_.push_back({edges_[e].from, tag(e), backwards_, e});
+            if (!passes(edges_[e].to)) ends_.push_back({edges_[e].to, tag(e), !backwards_, e});
         }
-    if (ends.empty()) return;
-    for (const OutlineEdge& edge : edges) {
-        if (const auto at = ends.find(edge.from); at != ends.end()) at->second.push_back({true, points[edge.to]});
-        if (const auto at = ends.find(edge.to); at != ends.end()) at->second.push_back({false, points[edge.from]});
+        if (ends_.empty()) return;
+        std::sort(ends_.begin(), ends_.end(), [&](const End& a, const End& b) {
+            if (a.point != b.point) return a.point < b.point;
+            if (a.tag != b.tag) return a.tag < b.tag;
+            const int order = compare_ends(a, b);
+            return order != 0 ? order < 0 : a.edge < b.edge;
+        });
+        head_.assign(edges_.size(), kNone);
+        for (std::uint32_t first = 0, last; first < ends_.size(); first = last) {
+            std::uint32_t middle = first;
+            for (last = first;
+                 last < ends_.size() && ends_[last].point == ends_[first].point && ends_[last].tag == ends_[first].tag;
+                 ++last) {
+                if (ends_[last].arrives)
+                    head_[ends_[last].edge] = static_cast<std::uint32_t>(nodes_.size());
+                else
+                    ++middle;
+            }
+            nodes_.push_back({ends_[first].point, first, middle, last, first});
+        }
     }
-    for (auto& [point, own] : ends) std::sort(own.begin(), own.end(), is_less);
-    for (std::size_t first = 0, last; first < order.size(); first = last) {
-        last = first + 1;
-        while (last < order.size() && same_position(points[order[first]], points[order[last]])) ++last;
-        if (last - first < 2) continue;
-        std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.begin() + static_cast<std::ptrdiff_t>(last),
-                  [&](std::uint32_t a, std::uint32_t b) {
-                      const std::vector<End>&of_a = ends.at(a), &of_b = ends.at(b);
-                      return std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), is_less);
-                  });
+
+    bool comes_before(std::uint32_t a, std::uint32_t b) const
+    {
+        const Node &p = nodes_[a], &q = nodes_[b];
+        if (const int order = compare(points_[p.point], points_[q.point]); order != 0) return order < 0;
+        for (std::uint32_t i = p.first, j = q.first; i < p.last && j < q.last; ++i, ++j)
+            if (const int order = compare_ends(ends_[i], ends_[j]); order != 0) return order < 0;
+        if (p.last - p.first != q.last - q.first) return p.last - p.first < q.last - q.first;
+        return a < b;
     }
-}
+
+    /// Takes the path that begins at a node on until no edge is left to take. Loops leave it on the way.
+    void follow(std::uint32_t node)
+    {
+        path_.clear();
+        passed_.clear();
+        while (nodes_[node].next < nodes_[node].middle) {
+            nodes_[node].place = static_cast<std::uint32_t>(path_.size());
+            passed_.push_back(node);
+            node = follow_strand(ends_[nodes_[node].next++].edge);
+            const std::uint32_t place = nodes_[node].place;
+            if (place == kNone) continue;
+            emit(place, true);
+            while (nodes_[node].place != kNone) {
+                nodes_[passed_.back()].place = kNone;
+                passed_.pop_back();
+            }
+        }
+        if (!path_.empty()) emit(0, false);
+        for (const std::uint32_t n : passed_) nodes_[n].place = kNone;
+    }
+
+    /// Adds the edges from one node to the next to the path; returns that node.
+    std::uint32_t follow_strand(std::uint32_t edge)
+    {
+        for (;;) {
+            is_used_[edge] = true;
+            path_.push_back(edge);
+            if (head_[edge] != kNone) return head_[edge];
+            edge = backwards_ ? in_[edges_[edge].from] : out_[edges_[edge].to];
+        }
+    }
+
+    /// A loop that passes no node, as it runs.
+    void go_round(std::uint32_t first)
+    {
+        const std::size_t begin = divided_.edges.size();
+        std::uint32_t edge = first;
+        do {
+            is_used_[edge] = true;
+            divided_.edges.push_back(edge);
+            edge = out_[edges_[edge].to];
+        } while (edge != first);
+        divided_.paths.push_back({begin, divided_.edges.size() - begin, true});
+    }
+
+    /// Takes the path from `first` on off as a loop or chain.
+    void emit(std::size_t first, bool closed)
+    {
+        const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(first);
+        divided_.paths.push_back({divided_.edges.size(), path_.size() - first, closed});
+        if (backwards_) std::reverse(begin, path_.end());
+        divided_.edges.insert(divided_.edges.end(), begin, path_.end());
+        path_.resize(first);
+    }
+
+    const bool backwards_;
+    std::span<const glm::vec3> points_;
+    std::span<const OutlineEdge> edges_;
+    std::span<const std::uint64_t> tags_;
+    EdgeAtPoint out_, in_;
+    std::vector<bool> is_used_;
+    std::vector<End> ends_;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> head_;    ///< the node that an edge leads to, or kNone
+    std::vector<std::uint32_t> path_;    ///< edges
+    std::vector<std::uint32_t> passed_;  ///< nodes on the path
+    DividedOutline divided_;
+};
 
 }  // namespace
 
-SortedOutline::SortedOutline(std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
-    : edges_(edges.begin(), edges.end())
+std::vector<std::array<std::uint32_t, 2>> opposite_edges(std::size_t point_count, std::span<const OutlineEdge> edges)
 {
-    std::vector<std::uint32_t> order(points.size()), rank(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        if (same_position(points[a], points[b])) return a < b;
-        return lexicographically_less(points[a], points[b]);
+    EdgeAtPoint out(point_count);
+    for (std::uint32_t e = 0; e < edges.size(); ++e) out.add(edges[e].from, e);
+    // Those that may have a reverse.
+    std::vector<std::uint32_t> some;
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+        const std::uint32_t back = out[edges[e].to];
+        if (back == kNone) continue;
+        if (back == kSeveral || edges[back].to == edges[e].from) some.push_back(e);
+    }
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    if (some.empty()) return pairs;
+    const auto ends = [&](std::uint32_t e) { return std::minmax(edges[e].from, edges[e].to); };
+    std::sort(some.begin(), some.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tuple(ends(a), edges[a].from, edges[a].source, a) <
+               std::tuple(ends(b), edges[b].from, edges[b].source, b);
     });
-    sort_points_of_one_place(points, edges, order);
-    positions_.reserve(points.size());
-    for (const std::uint32_t point : order) {
-        rank[point] = static_cast<std::uint32_t>(positions_.size());
-        positions_.push_back(points[point]);
+    for (std::size_t first = 0, last; first < some.size(); first = last) {
+        std::size_t middle = first;
+        for (last = first; last < some.size() && ends(some[last]) == ends(some[first]); ++last)
+            if (edges[some[last]].from == edges[some[first]].from) ++middle;
+        for (std::size_t forth = first, back = middle; forth < middle && back < last; ++forth, ++back)
+            pairs.push_back({some[forth], some[back]});
     }
-    for (OutlineEdge& edge : edges_) {
-        edge.from = rank[edge.from];
-        edge.to = rank[edge.to];
-    }
-    std::erase_if(edges_, [](const OutlineEdge& edge) { return edge.from == edge.to; });
-    sort_by_points();
-    if (some_run_forth_and_back()) {
-        cancel_opposite_edges(edges_);
-        sort_by_points();
-    }
+    return pairs;
 }
 
-void SortedOutline::sort_by_points()
+DividedOutline divide_outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
+                              std::span<const std::uint64_t> tags)
 {
-    row_.assign(positions_.size() + 1, 0);
-    for (const OutlineEdge& edge : edges_) ++row_[edge.from + 1];
-    for (std::size_t i = 1; i < row_.size(); ++i) row_[i] += row_[i - 1];
-    std::vector<OutlineEdge> sorted(edges_.size());
-    std::vector<std::uint32_t> fill(row_.begin(), row_.end() - 1);
-    for (const OutlineEdge& edge : edges_) sorted[fill[edge.from]++] = edge;
-    edges_.swap(sorted);
-    // Nearly always one edge leaves a point.
-    for (std::size_t i = 0; i + 1 < row_.size(); ++i) {
-        if (row_[i + 1] - row_[i] < 2) continue;
-        has_joints_ = true;
-        std::sort(
-            edges_.begin() + row_[i], edges_.begin() + row_[i + 1],
-            [](const OutlineEdge& a, const OutlineEdge& b) { return std::tie(a.to, a.part) < std::tie(b.to, b.part); });
-    }
+    return Divider(plane.normal[dominant_axis(plane)] < 0.0, points, edges, tags).run();
 }
 
-bool SortedOutline::some_run_forth_and_back() const
+int dominant_axis(const Plane& plane)
 {
-    return std::any_of(edges_.begin(), edges_.end(), [&](const OutlineEdge& edge) {
-        // Edges that leave one point are sorted by where they end.
-        const auto last = edges_.begin() + row_[edge.to + 1];
-        const auto back = std::lower_bound(edges_.begin() + row_[edge.to], last, edge.from,
-                                           [](const OutlineEdge& other, std::uint32_t to) { return other.to < to; });
-        return back != last && back->to == edge.from;
-    });
-}
-
-std::vector<OutlineLoop> SortedOutline::loops(std::size_t side) const
-{
-    OutgoingEdges outgoing(
-        positions_.size(), edges_.size(), [&](std::uint32_t edge) { return edges_[edge].from; },
-        [&](std::uint32_t edge) { return edges_[edge].part[side]; });
-
-    std::vector<OutlineLoop> loops;
-    std::vector<std::uint32_t> place(positions_.size(), kNone);  // where on the path a point's outgoing edge is
-    std::vector<std::uint32_t> path;
-    for (std::uint32_t first = 0; first < edges_.size(); ++first) {
-        if (outgoing.is_used(first)) continue;
-        const std::uint32_t part = edges_[first].part[side];
-        path.clear();
-        for (std::uint32_t edge = first; edge != kNone;) {
-            outgoing.use(edge);
-            place[edges_[edge].from] = static_cast<std::uint32_t>(path.size());
-            path.push_back(edge);
-            const std::uint32_t to = edges_[edge].to;
-            if (place[to] != kNone) {
-                // Back at a point of the path: what lies between is a loop that visits no point twice.
-                OutlineLoop& loop = loops.emplace_back();
-                loop.part = part;
-                const std::size_t begin = place[to];
-                for (std::size_t i = begin; i < path.size(); ++i) {
-                    loop.points.push_back(edges_[path[i]].from);
-                    place[edges_[path[i]].from] = kNone;
-                }
-                path.resize(begin);
-            }
-            edge = outgoing.next(to, part);
-        }
-        for (const std::uint32_t edge : path) place[edges_[edge].from] = kNone;
-    }
-    return loops;
+    const glm::dvec3 size = glm::abs(plane.normal);
+    return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
 }
 
 }  // namespace kerf

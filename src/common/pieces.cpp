@@ -11,18 +11,35 @@
 #include "common/cut_geometry.h"
 #include "common/disjoint_sets.h"
 #include "common/nesting.h"
+#include "common/section_area.h"
 
 namespace kerf {
 
 namespace {
 
-/// The axis along which the plane's normal is longest: leaving it out projects the plane without loss, and a ray along
-/// it gets away from the plane fastest.
-int dominant_axis(const Plane& plane)
+/// The section as edges between points; what runs forth and back is gone.
+class Outline
 {
-    const glm::dvec3 size = glm::abs(plane.normal);
-    return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-}
+public:
+    Outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
+        : plane_(plane), points_(points)
+    {
+        std::vector<bool> is_gone(edges.size(), false);
+        for (const auto& pair : opposite_edges(points.size(), edges)) is_gone[pair[0]] = is_gone[pair[1]] = true;
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (!is_gone[e] && edges[e].from != edges[e].to) edges_.push_back(edges[e]);
+    }
+
+    const Plane& plane() const { return plane_; }
+    std::span<const glm::vec3> points() const { return points_; }
+    std::span<const OutlineEdge> edges() const { return edges_; }
+    const glm::vec3& position(std::uint32_t point) const { return points_[point]; }
+
+private:
+    const Plane& plane_;
+    std::span<const glm::vec3> points_;
+    std::vector<OutlineEdge> edges_;
+};
 
 /// A section loop in the plane of the two other axes.
 struct FlatLoop
@@ -33,32 +50,39 @@ struct FlatLoop
     std::vector<PlanarPoint> points;
 };
 
-FlatLoop flatten(const SortedOutline& outline, const OutlineLoop& loop, int axis)
-{
-    FlatLoop flat;
-    flat.part = loop.part;
-    flat.points.reserve(loop.points.size());
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const std::uint32_t point : loop.points) {
-        const glm::vec3& p = outline.position(point);
-        flat.points.push_back({p[u], p[v]});
-        flat.box.add(glm::vec3(p[u], p[v], 0.0f));
-    }
-    for (std::size_t i = 0; i + 2 < flat.points.size(); ++i) {
-        // About the first point, so that a loop far from the origin loses no digits.
-        const PlanarPoint &o = flat.points[0], &p = flat.points[i + 1], &q = flat.points[i + 2];
-        flat.area2 += (double(p.u) - double(o.u)) * (double(q.v) - double(o.v)) -
-                      (double(p.v) - double(o.v)) * (double(q.u) - double(o.u));
-    }
-    return flat;
-}
-
 /// Calls visit(p, q) for each edge of a loop.
 template <class Visit>
 void for_each_edge(const FlatLoop& loop, Visit&& visit)
 {
     for (std::size_t i = 0; i < loop.points.size(); ++i)
         visit(loop.points[i], loop.points[i + 1 < loop.points.size() ? i + 1 : 0]);
+}
+
+/// `path` is a loop of the outline that bounds `part`. Neither its size nor its points depend on where it begins.
+FlatLoop flatten(const Outline& outline, std::span<const std::uint32_t> path, std::uint32_t part, int axis)
+{
+    FlatLoop flat;
+    flat.part = part;
+    flat.points.reserve(path.size());
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const std::uint32_t edge : path) {
+        const glm::vec3& p = outline.position(outline.edges()[edge].from);
+        flat.points.push_back({p[u], p[v]});
+        flat.box.add(glm::vec3(p[u], p[v], 0.0f));
+    }
+    std::rotate(flat.points.begin(),
+                std::min_element(flat.points.begin(), flat.points.end(),
+                                 [](auto& p, auto& q) { return p.u != q.u ? p.u < q.u : p.v < q.v; }),
+                flat.points.end());
+    // About a corner of its box, so that a loop far from the origin loses no digits.
+    const glm::dvec3 origin(flat.box.lo), size = glm::dvec3(flat.box.hi) - origin;
+    OrderlessSum area2(4.0 * (size.x * size.x + size.y * size.y));
+    for_each_edge(flat, [&](const PlanarPoint& p, const PlanarPoint& q) {
+        area2.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
+                  (double(p.v) - origin.y) * (double(q.u) - origin.x));
+    });
+    flat.area2 = area2.value();
+    return flat;
 }
 
 /// The middle of the longest way through the inside of the loop at height v; false when there is none.
@@ -225,34 +249,43 @@ public:
                            [](const SolidParts& solid) { return solid.is_cut && solid.shown.size() > 1; });
     }
 
-    void join_holes_of_solids(const SortedOutline& outline, int axis)
+    void join_holes_of_solids(const Outline& outline, int axis)
     {
+        std::vector<std::uint64_t> parts;
+        parts.reserve(outline.edges().size());
+        for (const OutlineEdge& edge : outline.edges()) parts.push_back(edge.part[at_]);
+        const DividedOutline divided = divide_outline(outline.plane(), outline.points(), outline.edges(), parts);
         std::vector<std::vector<FlatLoop>> flat(solids_.size());
-        for (const OutlineLoop& loop : outline.loops(at_)) {
-            const std::uint32_t solid = solid_of_[loop.part];
-            if (loop.points.size() > 2 && solids_[solid].shown.size() > 1)
-                flat[solid].push_back(flatten(outline, loop, axis));
+        for (const OutlinePath& path : divided.paths) {
+            const std::uint32_t part = outline.edges()[divided.edges[path.first]].part[at_];
+            if (!path.closed || path.count < 3 || part == kNoPart) continue;
+            const std::uint32_t solid = solid_of_[part];
+            if (solids_[solid].shown.size() > 1)
+                flat[solid].push_back(
+                    flatten(outline, std::span(divided.edges).subspan(path.first, path.count), part, axis));
         }
         for (const auto& loops : flat) join_holes(loops, pieces);
     }
 
     /// Finds in each solid the first piece that has volume: the one that alone has the outline's first edge of those
     /// that one piece alone has. Which way an edge runs does not matter.
-    void find_first_pieces(const SortedOutline& outline)
+    void find_first_pieces(const Outline& outline)
     {
         struct Claim
         {
             std::uint32_t solid;
             glm::vec3 low, high;
-            std::uint32_t piece;
+            std::uint32_t piece, source;
         };
         const std::vector<bool> has_volume = find_volume();
         std::vector<Claim> claims;
         claims.reserve(outline.edges().size());
         for (const OutlineEdge& edge : outline.edges()) {
-            const std::uint32_t part = edge.part[at_], piece = pieces.find(part);
+            const std::uint32_t part = edge.part[at_];
+            if (part == kNoPart) continue;
+            const std::uint32_t piece = pieces.find(part);
             if (!has_volume[piece]) continue;
-            Claim claim{solid_of_[part], outline.position(edge.from), outline.position(edge.to), piece};
+            Claim claim{solid_of_[part], outline.position(edge.from), outline.position(edge.to), piece, edge.source};
             if (lexicographically_less(claim.high, claim.low)) std::swap(claim.low, claim.high);
             claims.push_back(claim);
         }
@@ -263,7 +296,7 @@ public:
             return false;
         };
         std::sort(claims.begin(), claims.end(), [&](const Claim& a, const Claim& b) {
-            return is_less(a, b) || (!is_less(b, a) && a.piece < b.piece);
+            return is_less(a, b) || (!is_less(b, a) && a.source < b.source);
         });
         first_piece_.assign(solids_.size(), kNoContainer);
         std::vector<bool> is_alone(solids_.size(), false);
@@ -271,7 +304,9 @@ public:
             last = first + 1;
             while (last < claims.size() && !is_less(claims[first], claims[last])) ++last;
             const std::uint32_t solid = claims[first].solid;
-            const bool alone = claims[first].piece == claims[last - 1].piece;
+            const bool alone = std::all_of(claims.begin() + static_cast<std::ptrdiff_t>(first),
+                                           claims.begin() + static_cast<std::ptrdiff_t>(last),
+                                           [&](const Claim& c) { return c.piece == claims[first].piece; });
             if (first_piece_[solid] != kNoContainer && (is_alone[solid] || !alone)) continue;
             first_piece_[solid] = claims[first].piece;
             is_alone[solid] = alone;
@@ -279,7 +314,7 @@ public:
     }
 
     /// Joins pieces without volume with the first piece of their solid that has some.
-    void join_flat_pieces(const SortedOutline& outline)
+    void join_flat_pieces(const Outline& outline)
     {
         if (std::none_of(side_.parts.begin(), side_.parts.end(), [](const SurfacePart& part) { return part.is_flat; }))
             return;
@@ -293,7 +328,7 @@ public:
     }
 
     /// `outline` is null where no solid has come apart.
-    void join_the_rest(const AxisRay& away, const SortedOutline* outline)
+    void join_the_rest(const AxisRay& away, const Outline* outline)
     {
         join_cavities(away, outline);
         for (const SolidParts& solid : solids_) {
@@ -326,7 +361,7 @@ private:
 
     /// Joins each cavity of a cut solid with the piece it lies in: the one whose winding number around it is not 0.
     /// Where pieces overlap there may be several, which are one then.
-    void join_cavities(const AxisRay& direction, const SortedOutline* outline)
+    void join_cavities(const AxisRay& direction, const Outline* outline)
     {
         // Joining a cavity changes the names of pieces: first all are looked for, then joined.
         std::vector<Home> homes, sought;
@@ -396,7 +431,7 @@ private:
 
 /// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
 /// then the pieces at that point become one. Not so where the outline itself ends.
-void join_where_loops_need_it(const SortedOutline& outline, const std::array<SideParts, 2>& sides,
+void join_where_loops_need_it(const Outline& outline, const std::array<SideParts, 2>& sides,
                               std::array<SideGrouping, 2>& grouping)
 {
     struct End
@@ -405,15 +440,32 @@ void join_where_loops_need_it(const SortedOutline& outline, const std::array<Sid
         std::array<std::uint32_t, 2> piece;
         std::int32_t leaves;  // +1 or -1
     };
-    std::vector<End> ends;
-    ends.reserve(2 * outline.edges().size());
-    for (const OutlineEdge& edge : outline.edges()) {
-        const std::array<std::uint32_t, 2> piece{grouping[0].pieces.find(edge.part[0]),
-                                                 grouping[1].pieces.find(edge.part[1])};
-        const std::uint32_t solid = sides[0].parts[edge.part[0]].solid;
-        ends.push_back({edge.from, solid, piece, 1});
-        ends.push_back({edge.to, solid, piece, -1});
-    }
+    // Nearly everywhere one edge arrives and one leaves, between the same pieces: those are left out.
+    std::vector<End> first_at(outline.points().size(), End{kNoContainer, 0, {}, 0}), ends;
+    std::vector<bool> is_plain(outline.points().size(), false);
+    const auto visit_ends = [&](auto visit) {
+        for (const OutlineEdge& edge : outline.edges()) {
+            if (edge.part[0] == kNoPart || edge.part[1] == kNoPart) continue;
+            const std::array<std::uint32_t, 2> piece{grouping[0].pieces.find(edge.part[0]),
+                                                     grouping[1].pieces.find(edge.part[1])};
+            const std::uint32_t solid = sides[0].parts[edge.part[0]].solid;
+            visit(End{edge.from, solid, piece, 1});
+            visit(End{edge.to, solid, piece, -1});
+        }
+    };
+    visit_ends([&](const End& end) {
+        End& first = first_at[end.point];
+        if (first.point == kNoContainer) {
+            first = end;
+        } else {
+            // The second one; any further makes the point one to look at.
+            is_plain[end.point] = first.leaves + end.leaves == 0 && first.piece == end.piece;
+            first.leaves = 2;
+        }
+    });
+    visit_ends([&](const End& end) {
+        if (!is_plain[end.point]) ends.push_back(end);
+    });
     std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
         return std::tie(a.point, a.solid, a.piece) < std::tie(b.point, b.solid, b.piece);
     });
@@ -462,25 +514,25 @@ std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const
         // Loops that touch can be linked in several ways: a flipped plane must link them as the plane does.
         std::vector<OutlineEdge> reversed;
         reversed.reserve(edges.size());
-        for (const OutlineEdge& edge : edges) reversed.push_back({edge.to, edge.from, {edge.part[1], edge.part[0]}});
+        for (const OutlineEdge& edge : edges)
+            reversed.push_back({edge.to, edge.from, {edge.part[1], edge.part[0]}, edge.source});
         auto [positive, negative] = group_pieces(plane.flipped(), {sides[1], sides[0]}, points, reversed);
         return {std::move(negative), std::move(positive)};
     }
     std::array<SideGrouping, 2> grouping{SideGrouping(sides[0], 0), SideGrouping(sides[1], 1)};
     const std::array<bool, 2> apart{grouping[0].has_come_apart(), grouping[1].has_come_apart()};
-    std::optional<SortedOutline> sorted;
+    std::optional<Outline> outline_of_parts;
     if (apart[0] || apart[1]) {
-        const SortedOutline& outline = sorted.emplace(points, edges);
+        const Outline& outline = outline_of_parts.emplace(plane, points, edges);
         for (std::size_t side = 0; side < 2; ++side)
             if (apart[side]) grouping[side].join_holes_of_solids(outline, axis);
-        // Where loops do not meet, or a solid is one piece on a side, they keep to their pieces.
-        if (apart[0] && apart[1] && outline.has_joints()) join_where_loops_need_it(outline, sides, grouping);
+        join_where_loops_need_it(outline, sides, grouping);
         for (std::size_t side = 0; side < 2; ++side)
             if (apart[side]) grouping[side].join_flat_pieces(outline);
     }
     for (const Side side : {Side::negative, Side::positive})
         grouping[static_cast<std::size_t>(side)].join_the_rest({{}, axis, side == Side::positive},
-                                                               sorted ? &*sorted : nullptr);
+                                                               outline_of_parts ? &*outline_of_parts : nullptr);
     return {grouping[0].result(), grouping[1].result()};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/section_area.h"
+
 namespace kerf::halfedge {
 
 CapPlanner::CapPlanner()
@@ -205,16 +207,13 @@ void CapPlanner::order_spatially(const GroupCap& cap, CutScratch& scratch)
 
 double section_area(const Plane& plane, const CutScratch& scratch)
 {
-    double area = 0.0;
-    for (const Loop& loop : scratch.loops) {
-        if (!loop.closed) continue;
-        const glm::vec3* p = &scratch.loop_points[loop.first];
-        glm::dvec3 sum{0.0};
-        for (std::size_t i = 1; i + 1 < loop.count; ++i)
-            sum += glm::cross(glm::dvec3(p[i]) - glm::dvec3(p[0]), glm::dvec3(p[i + 1]) - glm::dvec3(p[0]));
-        area += 0.5 * glm::dot(sum, plane.normal);
-    }
-    return area;
+    return kerf::section_area(plane, [&](auto visit) {
+        for (const Loop& loop : scratch.loops) {
+            if (!loop.closed) continue;
+            const glm::vec3* p = &scratch.loop_points[loop.first];
+            for (std::size_t i = 0; i < loop.count; ++i) visit(p[i], p[i + 1 < loop.count ? i + 1 : 0]);
+        }
+    });
 }
 
 double section_length(const CutScratch& scratch)

@@ -116,6 +116,7 @@ Prepared compact_copy(const Universe& u, std::span<const Shell> shells)
     v.cap_material = u.cap_material;
     v.reference = u.reference;
     v.noise = u.noise;
+    v.has_boundary = u.has_boundary;
 
     Segments segments(u, shells);
     const std::vector<Segment*> order = in_drawing_order(u, segments.list());

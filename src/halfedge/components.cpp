@@ -249,9 +249,10 @@ void Components::assign_targets(Index shell)
             if (searches_[i].side != side) continue;
             Search& search = searches_[i];
             const Index root = find(i);
+            search.is_empty = size[root] == 0 && !unfinished[root];
             if (root != i) {
                 search.target = searches_[root].target;
-            } else if (i == largest || (size[i] == 0 && !unfinished[i])) {
+            } else if (i == largest || search.is_empty) {
                 search.target = default_target;
             } else {
                 Target t;
@@ -278,7 +279,9 @@ void Components::retarget(Index shell)
     for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
         for (const Side side : {Side::negative, Side::positive}) {
             const Index search = crossing_mark_[i][static_cast<std::size_t>(side)];
-            if (search != kNone) s_->crossings[i].target[static_cast<std::size_t>(side)] = searches_[search].target;
+            if (search == kNone) continue;
+            s_->crossings[i].target[static_cast<std::size_t>(side)] = searches_[search].target;
+            s_->crossings[i].bounds_nothing[static_cast<std::size_t>(side)] = searches_[search].is_empty;
         }
     const auto target_of = [&](Index face, Side side) {
         const std::uint64_t stamp = u_->stamp_of_face[face];

@@ -30,6 +30,7 @@ private:
         std::size_t next = 0;
         Index parent;  // union-find over searches
         Index target = kNone;
+        bool is_empty = false;  // reached nothing but triangles that vanished
     };
 
     void search_shell(Index shell);

@@ -25,6 +25,8 @@ struct Crossing
     TriangleSplit split;
     bool walked = false;
     std::array<Index, 2> target{};  ///< by side, where its pieces go
+    /// By side: nothing is left of the triangle, nor of what its section edge would bound beyond it. Open meshes only.
+    std::array<bool, 2> bounds_nothing{};
 
     // The section runs through the triangle from its entry edge (positive to negative corner) to its exit edge
     // (negative to positive), as seen in the positive side's surface. kNone: it runs through an end point of that edge,
@@ -296,11 +298,23 @@ struct CutScratch
         const InPlaneEdge& e = in_plane[seam - crossings.size()];
         return side == Side::negative ? e.negative_face : e.positive_face;
     }
+    Index group_of_seam(SeamIndex seam) const
+    {
+        return seam < crossings.size() ? crossings[seam].group : in_plane[seam - crossings.size()].group;
+    }
+    Index shell_of_seam(SeamIndex seam) const
+    {
+        return seam < crossings.size() ? crossings[seam].shell : in_plane[seam - crossings.size()].shell;
+    }
     /// Where what is left of it on that side goes.
     Index target_of_seam(SeamIndex seam, Side side) const
     {
         const auto at = static_cast<std::size_t>(side);
         return seam < crossings.size() ? crossings[seam].target[at] : in_plane[seam - crossings.size()].target[at];
+    }
+    bool bounds_nothing(SeamIndex seam, Side side) const
+    {
+        return seam < crossings.size() && crossings[seam].bounds_nothing[static_cast<std::size_t>(side)];
     }
     /// The bundles that a seam lies between, by side.
     std::array<Index, 2> bundles_of_seam(SeamIndex seam) const
@@ -320,6 +334,6 @@ std::array<bool, 2> find(Universe& universe, Index root, const Plane& plane, Ind
 
 /// SPLIT and WALK: splits the crossing triangles, makes the new vertices and links the outline into loops and chains.
 void split_crossings(const Universe& universe, CutScratch& scratch);
-void walk_section(Universe& universe, CutScratch& scratch);
+void walk_section(Universe& universe, const Plane& plane, CutScratch& scratch);
 
 }  // namespace kerf::halfedge

@@ -65,10 +65,8 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     clock.done(Phase::split);
     // All of a side can vanish: a spike so thin that its cut points are one.
     if (!keeps_triangles(Side::negative) || !keeps_triangles(Side::positive)) return result;
-    walk_section(u, s);
+    walk_section(u, plane, s);
 
-    for (const Loop& loop : s.loops) ++(loop.closed ? statistics.section_loops : statistics.open_chains);
-    result.section_area = section_area(plane, s);
     clock.done(Phase::walk);
 
     for (Index i = 0; i < s.cut_shells.size(); ++i)
@@ -84,6 +82,8 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     } else {
         pieces_ = plan_sides(whole_, s);
     }
+    for (const Loop& loop : s.loops) ++(loop.closed ? statistics.section_loops : statistics.open_chains);
+    result.section_area = section_area(plane, s);
     group_loops(s);
     clock.done(Phase::components);
     if (options.build_caps) {
@@ -108,6 +108,7 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     result.positive.reserve(fragments_[1].size());
 
     // From here on nothing can fail.
+    u.has_boundary |= !options.build_caps || statistics.open_chains > 0;
     add_cap_groups();
     s.stitcher->run(u, s);
     clock.done(Phase::split);

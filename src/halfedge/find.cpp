@@ -161,6 +161,7 @@ private:
         c.group = group;
         c.shell = shell_;
         c.target = {target(Side::negative), target(Side::positive)};
+        c.bounds_nothing = {};
         c.corner = t;
         c.distance = d;
         u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + s_.crossings.size() - 1);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "common/outgoing_edges.h"
-
 namespace kerf::halfedge {
 
 namespace {
@@ -99,139 +97,78 @@ void collect_seams(const Universe& u, CutScratch& s)
 }
 
 /// Takes out pairs of seams that run forth and back.
-void cancel_seams(CutScratch& s)
+void cancel_seams(const Universe& u, CutScratch& s)
 {
-    std::vector<OutlineSeam>& seams = s.outline;
-    std::vector<Index> order(seams.size());
-    for (Index i = 0; i < order.size(); ++i) order[i] = i;
-    const auto key = [&](Index i) { return std::minmax(seams[i].from, seams[i].to); };
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-    std::vector<bool> gone(seams.size(), false);
-    for (std::size_t first = 0, last; first < order.size(); first = last) {
-        for (last = first + 1; last < order.size() && key(order[last]) == key(order[first]);) ++last;
-        std::size_t back = first;
-        for (std::size_t i = first; i < last; ++i) {
-            const OutlineSeam& e = seams[order[i]];
-            if (e.from > e.to) continue;
-            while (back < last && seams[order[back]].from < seams[order[back]].to) ++back;
-            if (back == last) break;
-            s.cancelled.push_back({e.seam, seams[order[back]].seam});
-            gone[order[i]] = gone[order[back++]] = true;
-        }
+    std::vector<bool> gone(s.outline.size(), false);
+    for (const auto& [a, b] : opposite_edges(s.outline_points.size(), outline_edges(u, s))) {
+        s.cancelled.push_back({s.outline[a].seam, s.outline[b].seam});
+        gone[a] = gone[b] = true;
     }
+    if (s.cancelled.empty()) return;
     std::size_t kept = 0;
-    for (Index i = 0; i < seams.size(); ++i)
-        if (!gone[i]) seams[kept++] = seams[i];
-    seams.resize(kept);
+    for (Index i = 0; i < s.outline.size(); ++i)
+        if (!gone[i]) s.outline[kept++] = s.outline[i];
+    s.outline.resize(kept);
 }
 
-/// Follows unused seams from point to point, those of one tag after one another. Where the path comes back to a point
-/// that it has passed, the loop between is cut off, so loops are simple and a pinch separates two loops.
-template <class Tag>
-class OutlineLinker
+/// Divides the outline into loops and chains, those of one tag after one another.
+void divide(const Universe& u, const Plane& plane, std::span<const std::uint64_t> tags, CutScratch& s)
 {
-public:
-    OutlineLinker(const Universe& universe, CutScratch& scratch, Tag tag)
-        : u_(universe),
-          s_(scratch),
-          tag_of_{scratch, tag},
-          outgoing_(
-              scratch.outline_points.size(), scratch.outline.size(), [&](Index i) { return scratch.outline[i].from; },
-              tag_of_),
-          position_on_path_(scratch.outline_points.size(), kNone)
-    {
-    }
-
-    void run()
-    {
-        // Chains first: they start where more seams leave than arrive.
-        std::vector<int> excess(s_.outline_points.size(), 0);
-        for (const OutlineSeam& e : s_.outline) {
-            ++excess[e.from];
-            --excess[e.to];
-        }
-        for (Index i = 0; i < excess.size(); ++i) {
-            if (excess[i] <= 0) continue;
-            for (const Index seam : outgoing_.leaving(i)) {
-                if (excess[i] <= 0) break;
-                if (outgoing_.is_used(seam)) continue;
-                --excess[i];
-                follow(seam);
-            }
-        }
-        for (Index i = 0; i < s_.outline.size(); ++i)
-            if (!outgoing_.is_used(i)) follow(i);
-    }
-
-private:
-    struct TagOfNumber
-    {
-        const CutScratch& scratch;
-        Tag tag;
-        auto operator()(Index i) const { return tag(scratch.outline[i]); }
-    };
-
-    void follow(Index first)
-    {
-        const auto tag = tag_of_(first);
-        path_.clear();
-        for (Index i = first; i != kNone;) {
-            outgoing_.use(i);
-            position_on_path_[s_.outline[i].from] = static_cast<Index>(path_.size());
-            path_.push_back(i);
-            const Index at = s_.outline[i].to;
-            if (position_on_path_[at] != kNone) emit(position_on_path_[at], true);
-            i = outgoing_.next(at, tag);
-        }
-        if (!path_.empty()) emit(0, false);
-    }
-
-    /// Takes the path from position `first` on as a loop or chain.
-    void emit(Index first, bool closed)
-    {
+    const DividedOutline divided = divide_outline(plane, s.outline_points, outline_edges(u, s), tags);
+    for (const OutlinePath& path : divided.paths) {
+        const auto edge = [&](std::size_t i) -> const OutlineSeam& { return s.outline[divided.edges[path.first + i]]; };
         Loop loop;
-        loop.first = s_.loop_seams.size();
-        loop.count = path_.size() - first;
-        loop.closed = closed;
-        const SeamIndex seam = s_.outline[path_[first]].seam;
-        const bool crossing = seam < s_.crossings.size();
-        loop.solid =
-            u_.groups[crossing ? s_.crossings[seam].group : s_.in_plane[seam - s_.crossings.size()].group].solid;
-        loop.shell = crossing ? s_.crossings[seam].shell : s_.in_plane[seam - s_.crossings.size()].shell;
-        for (std::size_t i = first; i < path_.size(); ++i) {
-            const OutlineSeam& e = s_.outline[path_[i]];
-            s_.loop_seams.push_back(e.seam);
-            s_.loop_points.push_back(s_.outline_points[e.from]);
-            position_on_path_[e.from] = kNone;
+        loop.first = s.loop_seams.size();
+        loop.count = path.count;
+        // What bounds nothing on a side is no loop to be closed.
+        loop.closed = path.closed && !s.bounds_nothing(edge(0).seam, Side::negative) &&
+                      !s.bounds_nothing(edge(0).seam, Side::positive);
+        loop.solid = u.groups[s.group_of_seam(edge(0).seam)].solid;
+        loop.shell = s.shell_of_seam(edge(0).seam);
+        for (std::size_t i = 0; i < path.count; ++i) {
+            s.loop_seams.push_back(edge(i).seam);
+            s.loop_points.push_back(s.outline_points[edge(i).from]);
         }
-        if (!closed) loop.end = s_.outline_points[s_.outline[path_.back()].to];
-        s_.loops.push_back(loop);
-        path_.resize(first);
+        if (!loop.closed) loop.end = s.outline_points[edge(path.count - 1).to];
+        s.loops.push_back(loop);
     }
-
-    const Universe& u_;
-    CutScratch& s_;
-    TagOfNumber tag_of_;
-    OutgoingEdges<TagOfNumber> outgoing_;
-    std::vector<Index> path_;
-    std::vector<Index> position_on_path_;  // of the seam that leaves a point
-};
+}
 
 }  // namespace
 
-void link_outline(const Universe& universe, CutScratch& scratch)
+std::vector<OutlineEdge> outline_edges(const Universe& u, const CutScratch& s)
 {
-    collect_seams(universe, scratch);
-    cancel_seams(scratch);
-    OutlineLinker(universe, scratch, [](const OutlineSeam&) { return 0; }).run();
+    std::vector<OutlineEdge> edges;
+    edges.reserve(s.outline.size());
+    for (const OutlineSeam& e : s.outline)
+        edges.push_back({e.from, e.to, {}, u.source_of_face[s.face_of_seam(e.seam, Side::positive)]});
+    return edges;
 }
 
-void relink_outline(const Universe& universe, CutScratch& scratch)
+void link_outline(const Universe& universe, const Plane& plane, CutScratch& scratch)
+{
+    collect_seams(universe, scratch);
+    cancel_seams(universe, scratch);
+    std::vector<std::uint64_t> solids;
+    solids.reserve(scratch.outline.size());
+    for (const OutlineSeam& e : scratch.outline) solids.push_back(universe.groups[scratch.group_of_seam(e.seam)].solid);
+    divide(universe, plane, solids, scratch);
+}
+
+void relink_outline(const Universe& universe, const Plane& plane, CutScratch& scratch)
 {
     scratch.loops.clear();
     scratch.loop_seams.clear();
     scratch.loop_points.clear();
-    OutlineLinker(universe, scratch, [&](const OutlineSeam& e) { return scratch.bundles_of_seam(e.seam); }).run();
+    std::vector<std::uint64_t> bundles;
+    bundles.reserve(scratch.outline.size());
+    for (const OutlineSeam& e : scratch.outline) {
+        std::array<Index, 2> bundle = scratch.bundles_of_seam(e.seam);
+        for (const Side side : {Side::negative, Side::positive})
+            if (scratch.bounds_nothing(e.seam, side)) bundle[static_cast<std::size_t>(side)] = kNone;
+        bundles.push_back(std::uint64_t{bundle[0]} << 32 | bundle[1]);
+    }
+    divide(universe, plane, bundles, scratch);
 }
 
 std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, const CutScratch& s)

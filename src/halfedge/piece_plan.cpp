@@ -76,11 +76,11 @@ void for_each_on_side(const Universe& u, const CutScratch& s, Side side, VisitNo
         }
 }
 
-/// Describes a closed shell by sums over its subtrees and triangles.
-class ClosedShell
+/// Describes a shell that is not cut by sums over its subtrees and triangles.
+class WholeShell
 {
 public:
-    explicit ClosedShell(const Universe& universe) : u_(universe) {}
+    explicit WholeShell(const Universe& universe) : u_(universe) {}
 
     void add(Index root)
     {
@@ -99,9 +99,10 @@ public:
     {
         part.sample = sample();
         part.volume6 = volume6_ + sum_of_triangles(u_.reference);
-        // Sums about a point far away have no digits left for what is very small.
+        // Sums about a point far away have no digits left for what is very small; those of an open shell are about its
+        // sample, and cost O(n).
         const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kUnitsAcross * u_.noise;
-        if (std::abs(part.volume6) <= kLostDigits * far * far * far) {
+        if (u_.has_boundary || std::abs(part.volume6) <= kLostDigits * far * far * far) {
             part.volume6 = sum_of_triangles(part.sample);
             MassMoments moments;
             for (const Index root : roots_)
@@ -211,8 +212,8 @@ public:
         };
         std::vector<bool> is_far(parts_.size(), false);
         mark_far_parts(is_far, has_several);
-        std::vector<Index> whole_number(parts_.size(), kNone);  // of closed shells
-        std::vector<ClosedShell> closed;
+        std::vector<Index> whole_number(parts_.size(), kNone);  // of those that are not cut
+        std::vector<WholeShell> shells;
         for (Index i = 0; i < parts_.size(); ++i) {
             SurfacePart& part = parts_[i];
             if (!has_several(part.solid)) continue;
@@ -220,27 +221,27 @@ public:
                 part.is_flat = !is_far[i];
                 continue;
             }
-            whole_number[i] = static_cast<Index>(closed.size());
-            closed.emplace_back(u_);
-            if (i >= cut_count_) closed.back().add(whole_[i - cut_count_].root);
+            whole_number[i] = static_cast<Index>(shells.size());
+            shells.emplace_back(u_);
+            if (i >= cut_count_) shells.back().add(whole_[i - cut_count_].root);
         }
-        if (closed.empty()) return;
-        const auto closed_at = [&](Index target) {
+        if (shells.empty()) return;
+        const auto shell_at = [&](Index target) {
             const Index number = whole_number[of_target_[target]];
-            return number == kNone ? nullptr : &closed[number];
+            return number == kNone ? nullptr : &shells[number];
         };
-        // Only what an earlier cut has left in parts holds closed shells beside what is cut.
+        // Only what an earlier cut has left in parts holds whole shells beside what is cut.
         if (std::any_of(whole_number.begin(), whole_number.begin() + cut_count_, [](Index n) { return n != kNone; }))
             for_each_on_side(
                 u_, s_, side_,
                 [&](Index target, Index node) {
-                    if (ClosedShell* const shell = closed_at(target)) shell->add(node);
+                    if (WholeShell* const shell = shell_at(target)) shell->add(node);
                 },
                 [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-                    if (ClosedShell* const shell = closed_at(target)) shell->add(a, b, c);
+                    if (WholeShell* const shell = shell_at(target)) shell->add(a, b, c);
                 });
         for (Index i = 0; i < parts_.size(); ++i)
-            if (whole_number[i] != kNone) closed[whole_number[i]].describe(parts_[i]);
+            if (whole_number[i] != kNone) shells[whole_number[i]].describe(parts_[i]);
     }
 
     void count_crossings(std::span<const AxisRay> rays, const std::vector<bool>& is_wanted,
@@ -357,23 +358,29 @@ struct PiecesOutline
     std::vector<OutlineEdge> edges;
 };
 
-PiecesOutline outline_of(const CutScratch& s, std::array<PartsOfSide, 2>& sides)
+PiecesOutline outline_of(const Universe& u, const CutScratch& s, std::array<PartsOfSide, 2>& sides)
 {
     PiecesOutline outline;
-    const auto add = [&](SeamIndex seam, Index from, Index to) {
-        OutlineEdge edge{from, to, {}};
+    const auto bound = [&](OutlineEdge& edge, SeamIndex seam) {
         for (const Side side : kSides) {
             const auto at = static_cast<std::size_t>(side);
+            edge.part[at] = kNoPart;
+            if (s.bounds_nothing(seam, side)) continue;
             edge.part[at] = sides[at].of_target(s.target_of_seam(seam, side));
             sides[at].mark_cut(edge.part[at]);
         }
-        outline.edges.push_back(edge);
     };
     if (s.irregular) {
         outline.points = s.outline_points;
-        for (const OutlineSeam& e : s.outline) add(e.seam, e.from, e.to);
+        outline.edges = outline_edges(u, s);
+        for (std::size_t i = 0; i < s.outline.size(); ++i) bound(outline.edges[i], s.outline[i].seam);
         return outline;
     }
+    const auto add = [&](SeamIndex seam, Index from, Index to) {
+        bound(outline.edges.emplace_back(
+                  OutlineEdge{from, to, {}, u.source_of_face[s.face_of_seam(seam, Side::positive)]}),
+              seam);
+    };
     outline.points = s.loop_points;
     for (const Loop& loop : s.loops) {
         const auto first = static_cast<Index>(loop.first), last = static_cast<Index>(loop.first + loop.count - 1);
@@ -430,7 +437,7 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
     if (s.irregular && s.targets.size() > 2 * s.cut_shells.size())
         for (const auto& [a, b] : targets_that_share_edges(universe, s)) same.unite(a, b);
     for (PartsOfSide& side : sides) side.list(same);
-    const PiecesOutline outline = outline_of(s, sides);
+    const PiecesOutline outline = outline_of(universe, s, sides);
     for (PartsOfSide& side : sides) side.measure();
 
     std::array<SideParts, 2> input;
@@ -442,7 +449,7 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
     PiecePlan plan;
     for (std::size_t at = 0; at < 2; ++at)
         plan.fragment_count[at] = sides[at].make_bundles(piece[at], s, plan.whole_fragment[at]);
-    if (s.irregular) relink_outline(universe, s);
+    if (s.irregular) relink_outline(universe, plane, s);
     return plan;
 }
 

@@ -214,6 +214,7 @@ Universe::Universe(const Universe& other)
       cap_material(other.cap_material),
       reference(other.reference),
       noise(other.noise),
+      has_boundary(other.has_boundary),
       live_slots(0),
       scratch(std::make_unique<CutScratch>())
 {
@@ -300,7 +301,10 @@ Prepared prepare_universe(IndexedMesh mesh)
 
     const std::vector<Index> twin = find_twins(corner_points, point_count);
     std::size_t edges = 0;
-    for (Index h = 0; h < twin.size(); ++h) edges += twin[h] == kNone || twin[h] > h;
+    for (Index h = 0; h < twin.size(); ++h) {
+        edges += twin[h] == kNone || twin[h] > h;
+        u.has_boundary |= twin[h] == kNone;
+    }
 
     // Sizes are known: reserve once, room for cuts included, then fill.
     const std::size_t crossings = reserved_crossings(n);

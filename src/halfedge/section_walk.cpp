@@ -195,7 +195,7 @@ private:
 
 }  // namespace
 
-void walk_section(Universe& universe, CutScratch& scratch)
+void walk_section(Universe& universe, const Plane& plane, CutScratch& scratch)
 {
     Walker(universe, scratch).run();
     scratch.shared_cut.assign(scratch.cut_points.size(), 0);
@@ -203,7 +203,7 @@ void walk_section(Universe& universe, CutScratch& scratch)
         scratch.loops.clear();
         scratch.loop_seams.clear();
         scratch.loop_points.clear();
-        link_outline(universe, scratch);
+        link_outline(universe, plane, scratch);
     }
     for (const Loop& loop : scratch.loops) ++scratch.cut_shells[loop.shell].loops;
 }

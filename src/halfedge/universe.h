@@ -64,6 +64,7 @@ struct Universe
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< the one that was added for caps, if one was
     glm::dvec3 reference{0.0};  ///< what mass moments are summed about: the centre of the prepared mesh
     double noise = 0.0;         ///< plane_noise() of the prepared mesh
+    bool has_boundary = false;  ///< some fragment may be open: the prepared mesh was, or a section was not closed
 
     std::size_t uploaded_vertices = 0, uploaded_slots = 0;  ///< what the GPU has
 

@@ -328,7 +328,7 @@ struct Drawing
     void add_path(const std::vector<std::uint32_t>& path, std::uint32_t negative, std::uint32_t positive)
     {
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
-            outline.push_back({path[i], path[i + 1], {negative, positive}});
+            outline.push_back({path[i], path[i + 1], {negative, positive}, static_cast<std::uint32_t>(outline.size())});
     }
 
     std::array<Pieces, 2> pieces() const
