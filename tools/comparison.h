@@ -63,7 +63,7 @@ struct ComparisonRow
     BackEndRow baseline, halfedge;
     std::array<SurfaceDifference, 2> surface;  ///< positive, negative side
     /// Both back ends take both sides apart into pieces of the same surface triangles. Looked at for cuts of the whole:
-    /// those of a piece hang together by earlier caps, too. Those of open sections may differ and are no failure.
+    /// those of a piece hang together by earlier caps, too.
     bool pieces_equal = true;
     double section_area = 0.0;  ///< signed sum of the section's loops
     std::uint64_t loops = 0, open_chains = 0;
