@@ -255,11 +255,15 @@ void fuzz_cut(Bytes input)
         require(referee::canonical_surface(results[0].positive) == referee::canonical_surface(results[1].positive) &&
                     referee::canonical_surface(results[0].negative) == referee::canonical_surface(results[1].negative),
                 "both back ends make the same sides of the surface");
-        // Where chains of an open section end in one place docs/robustness.md leaves open what hangs together there.
-        require(results[0].status == Status::open_section ||
-                    (surfaces_of(results[0].positive) == surfaces_of(results[1].positive) &&
-                     surfaces_of(results[0].negative) == surfaces_of(results[1].negative)),
+        require(surfaces_of(results[0].positive) == surfaces_of(results[1].positive) &&
+                    surfaces_of(results[0].negative) == surfaces_of(results[1].negative),
                 "both back ends make the same pieces of the surface");
+        require(results[0].section_area == results[1].section_area,
+                "both back ends find one section area: " + std::to_string(results[0].section_area) + ", " +
+                    std::to_string(results[1].section_area));
+        require(results[0].statistics.section_loops == results[1].statistics.section_loops &&
+                    results[0].statistics.open_chains == results[1].statistics.open_chains,
+                "both back ends divide a section into the same loops and chains");
         if (results[0].status == Status::missed) continue;
 
         // The next mesh is a piece, with the caps of either back end.

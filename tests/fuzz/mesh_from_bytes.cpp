@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/shapes.h"
+#include "support/open_soups.h"
 
 namespace kerf::fuzz {
 
@@ -15,6 +16,14 @@ namespace {
 
 /// Largest coordinates, as powers of two: most inputs stay where rounding is the same everywhere.
 constexpr int kUsualExponent = 20, kExtremeExponent = 126;
+
+/// Meshes of many sheets and holes are too much for bytes to describe: a number names one.
+constexpr std::uint32_t kOpenSoupTriangles = 100;
+
+bool is_open_soup(std::uint8_t kind)
+{
+    return kind >= 0xD0 && kind < 0xF0;
+}
 
 glm::vec3 position_from(ByteReader& bytes, int largest_exponent)
 {
@@ -115,7 +124,9 @@ TriangleSoup soup_from(ByteReader& bytes)
 {
     const std::uint8_t kind = bytes.byte();
     const int largest_exponent = kind >= 0xF0 ? kExtremeExponent : kUsualExponent;
-    TriangleSoup soup = kind % 2 == 0 ? shape_from(bytes, largest_exponent) : triangles_from(bytes, largest_exponent);
+    TriangleSoup soup = is_open_soup(kind) ? test::open_soup(bytes.word(), kOpenSoupTriangles).soup
+                        : kind % 2 == 0    ? shape_from(bytes, largest_exponent)
+                                           : triangles_from(bytes, largest_exponent);
     decorate(soup, bytes);
     return soup;
 }

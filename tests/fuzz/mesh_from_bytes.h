@@ -6,9 +6,9 @@
 
 namespace kerf::fuzz {
 
-/// At most some two hundred triangles: a generated shape whose vertices are moved about, or any triangles over a few
-/// points. Coordinates are finite and indices in range; nothing else is promised. With several materials, seams and a
-/// stream now and then.
+/// At most some two hundred triangles: a generated shape whose vertices are moved about, any triangles over a few
+/// points, or an open mesh that touches itself. Coordinates are finite and indices in range; nothing else is promised.
+/// With several materials, seams and a stream now and then.
 TriangleSoup soup_from(ByteReader& bytes);
 
 /// A plane that meets the mesh in an interesting way: through vertices, along edges, in faces, along the axes,
