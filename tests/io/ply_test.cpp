@@ -39,6 +39,21 @@ private:
 
 constexpr const char* kAsciiHead = "ply\nformat ascii 1.0\ncomment hello\nobj_info x\n";
 
+TEST_F(PlyTest, PassesOverRemarksWithoutAKeywordBeforeTheElements)
+{
+    const auto file_with = [](const std::string& before, const std::string& behind) {
+        return "ply\nformat ascii 1.0\n" + before + "element vertex 3\n" + behind +
+               "property float x\nproperty float y\nproperty float z\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    };
+    ReadingNotes notes;
+    const TriangleSoup soup = read_soup(write("a.ply", file_with("Created by a program\n", "")), &notes);
+    EXPECT_EQ(soup.triangles, (Buffer<Triangle>{{0, 1, 2}}));
+    EXPECT_EQ(notes.describe(), "1 lines of the header that begin with no keyword passed over");
+    // Its numbers would be taken for those of the next property.
+    EXPECT_TRUE(contains(error_of("b.ply", file_with("", "proprety float quality\n")), "'proprety' is not a keyword"));
+}
+
 TEST_F(PlyTest, ReadsTextWithNormalsTextureCoordinatesColoursAndOtherProperties)
 {
     const TriangleSoup soup = soup_of(

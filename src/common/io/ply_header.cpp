@@ -148,8 +148,12 @@ PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& te
             if (header.elements.empty()) line.fail("a property comes before the first element; put it behind one");
             header.elements.back().properties.push_back(read_property(line));
         } else if (keyword != "comment" && keyword != "obj_info") {
-            line.fail(in_quotes(keyword) +
-                      " is not a keyword of PLY headers; take the line out or export the file again");
+            // Before the elements it is a remark. Behind one it may be a property, and its data would be taken for
+            // others.
+            if (!header.elements.empty())
+                line.fail(in_quotes(keyword) +
+                          " is not a keyword of PLY headers; take the line out or export the file again");
+            notes.add("lines of the header that begin with no keyword passed over");
         }
     }
     if (!has_format) line.fail("the header does not name the format; add a line such as 'format ascii 1.0'");
