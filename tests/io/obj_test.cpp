@@ -217,6 +217,8 @@ TEST_F(ObjTest, PassesOverWhatSaysNothingOfTheSurfaceAndNotesIt)
         {v + "vt 0.5\nvt 0.5 0.5 0\n" + uv_f, ""},
         {v + "v nan nan nan\n" + f, unused},
         {v + "v 1e40 0 0\n" + f, unused},
+        {v + "v 1 2. 3.1+e2\n" + f, unused},
+        {v + "v\n" + f, unused},
         {v + "f\n" + f, "1" + few},
         {v + "f 1\nf 1 2\n" + f, "2" + few},
         {v + "f 1/0/0 2/0/0 3/0/0\n", "6" + absent},
@@ -240,6 +242,13 @@ TEST_F(ObjTest, PassesOverWhatSaysNothingOfTheSurfaceAndNotesIt)
         for (const Vertex& vertex : found.soup.vertices)
             EXPECT_TRUE(vertex.normal == glm::vec3(0, 0, 1) || vertex.normal == glm::vec3(0)) << lenient.text;
     }
+}
+
+TEST_F(ObjTest, RefusesCoordinatesOfFacesThatAreNoNumbersWithTheirLine)
+{
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 0 0\nv 1 0 3.1+e2\nv 0 1 0\nf 1 2 3\n"),
+                         "line 2: a coordinate is '3.1+e2', which is not a number"));
+    EXPECT_TRUE(contains(error_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n"), "line 3: a coordinate is missing"));
 }
 
 TEST_F(ObjTest, MakesNormalsThatAreNoNumbersAnewAndKeepsTheOthers)

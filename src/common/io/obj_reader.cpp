@@ -137,7 +137,8 @@ private:
         glm::vec3 position;
         for (int i = 0; i < 3; ++i) {
             const std::string_view word = line.word();
-            position[i] = line.to_float(word, "a coordinate");
+            // What is no number, or is missing, matters only if a face uses it: the line is one vertex all the same.
+            position[i] = TextScanner::to_attribute(word);
             if (!std::isfinite(position[i])) unfit_.push_back({positions_.size(), line.line(), word});
         }
         positions_.push_back(position);
@@ -309,7 +310,7 @@ private:
         builder_.soup.streams.push_back(std::move(stream));
     }
 
-    /// A coordinate that is not finite, until a corner names its position.
+    /// A coordinate that is no finite number, until a corner names its position.
     struct Unfit
     {
         std::size_t position = 0;
