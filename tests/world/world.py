@@ -79,7 +79,8 @@ def fetch(folder):
                 sys.exit(f"world: {package} cannot be downloaded: {done.stderr.strip()}\nTry: apt-get update")
         archive = sorted(archives.glob(f"{package}_*.deb"))[-1]
         unpacked = folder / "files" / f"{package}.unpacking"
-        shutil.rmtree(unpacked, ignore_errors=True)
+        shutil.rmtree(unpacked, ignore_errors=True)  # of a run that was stopped
+        unpacked.mkdir(parents=True)
         subprocess.run(["dpkg-deb", "-x", archive, unpacked], check=True)
         unpack(unpacked)
         unpacked.rename(files)
@@ -126,7 +127,7 @@ def read_by_assimp(path):
     if ending.crashed():
         return {"assimp": None, "assimp_says": f"died by {signal.Signals(-ending.status).name}"}
     error = re.search(r"ERROR: Failed to load file: *(.*)", ending.out + ending.err)
-    return {"assimp": None, "assimp_says": error.group(1) if error else "refused"}
+    return {"assimp": None, "assimp_says": error.group(1).replace(str(path), path.name) if error else "it refuses it"}
 
 
 def read_by_kerf(kerf, path, name):
@@ -246,12 +247,16 @@ def summary(results, version):
         lines += ["| file | what | reason |", "|---|---|---|"]
         for row in chosen:
             why = reason(row) or ("**none is known**" if needs_reason(row) else "")
-            lines.append("| " + " | ".join(text.replace("|", "\\|") for text in (short(row["name"]), finding(row), why)) + " |")
+            lines.append("| " + " | ".join(escaped(text) for text in (short(row["name"]), finding(row), why)) + " |")
         lines.append("")
     noted = [row for row in results if row.get("notes")]
     lines += ["## Read with notes", "", "What the readers were lenient about (`kerf info`, \"notes\").", "", "| file | notes |", "|---|---|"]
-    lines += [f"| {short(row['name'])} | {row['notes']} |".replace("\\|", "|") for row in noted]
+    lines += [f"| {short(row['name'])} | {escaped(row['notes'])} |" for row in noted]
     return "\n".join(lines) + "\n"
+
+
+def escaped(text):
+    return text.replace("|", "\\|")
 
 
 def short(name):
