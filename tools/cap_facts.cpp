@@ -102,7 +102,7 @@ double overlap_area(const FlatCap& cap)
         if (twice_signed_area(cap, t) < 0.0) std::swap(loop.points[1], loop.points[2]);
         loops.push_back(std::move(loop));
     }
-    const std::optional<WindingFacts> winding = measure_winding(loops, {0.0, 0.0, 1.0});
+    const std::optional<WindingFacts> winding = measure_winding(steps_of(loops), {0.0, 0.0, 1.0});
     return winding ? winding->multiple : std::numeric_limits<double>::quiet_NaN();
 }
 

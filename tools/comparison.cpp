@@ -331,7 +331,7 @@ private:
         judge_warning(row, "halfedge", row.halfedge, section);
         if (!row.cap_fits) {
             // Where loops wind backwards, around holes of an open mesh, caps cover that, too.
-            const std::optional<WindingFacts> winding = measure_winding(loops, normal);
+            const std::optional<WindingFacts> winding = winding_of_solids(row, b.mesh[1], loops);
             row.section_is_judged = winding.has_value();
             if (winding) {
                 row.section_intersects_itself = winding->backward > tolerance || winding->multiple > tolerance;
@@ -348,6 +348,25 @@ private:
         const bool is_rounding = std::abs(row.halfedge.cap_excess) <= units * unit_ * section.length;
         if (!row.cap_fits && !is_rounding && row.section_is_judged && !row.section_intersects_itself)
             row.failures.push_back("half-edge cap area off by " + rounded(row.halfedge.cap_excess));
+    }
+
+    /// Solids are capped one by one, and so they wind around: what one of them does backwards can lie in another.
+    /// Nothing where that takes too many looks.
+    std::optional<WindingFacts> winding_of_solids(const ComparisonRow& row, const IndexedMesh& negative,
+                                                  std::span<const SectionLoop> loops) const
+    {
+        std::vector<std::vector<SectionStep>> sections{steps_of(loops)};
+        // What bounds an open surface need not be its section.
+        if (summary_.closed)
+            sections = sections_of_solids(negative, first_cap_ + static_cast<std::uint32_t>(row.piece.size()));
+        WindingFacts sum;
+        for (const std::vector<SectionStep>& section : sections) {
+            const std::optional<WindingFacts> winding = measure_winding(section, row.plane.plane.normal);
+            if (!winding) return std::nullopt;
+            sum.backward += winding->backward;
+            sum.multiple += winding->multiple;
+        }
+        return sum;
     }
 
     /// A result must say that its caps cover more than its section where they do, and nowhere else; either is right

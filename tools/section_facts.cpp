@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,18 +33,15 @@ double crossing(const Segment& s, const Segment& t)
 }
 
 /// Upright edges bound no slab and are left out.
-std::vector<Segment> project(std::span<const SectionLoop> loops, int u, int v)
+std::vector<Segment> project(std::span<const SectionStep> section, int u, int v)
 {
     std::vector<Segment> segments;
-    for (const SectionLoop& loop : loops) {
-        if (!loop.closed) continue;
-        for (std::size_t i = 0; i < loop.points.size(); ++i) {
-            const glm::dvec3 p(loop.points[i]), q(loop.points[(i + 1) % loop.points.size()]);
-            if (p[u] < q[u])
-                segments.push_back({{p[u], p[v]}, {q[u], q[v]}, 1});
-            else if (q[u] < p[u])
-                segments.push_back({{q[u], q[v]}, {p[u], p[v]}, -1});
-        }
+    for (const SectionStep& step : section) {
+        const glm::dvec3 p(step.from), q(step.to);
+        if (p[u] < q[u])
+            segments.push_back({{p[u], p[v]}, {q[u], q[v]}, 1});
+        else if (q[u] < p[u])
+            segments.push_back({{q[u], q[v]}, {p[u], p[v]}, -1});
     }
     std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) { return s.a.x < t.a.x; });
     return segments;
@@ -71,14 +70,63 @@ SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec
     return facts;
 }
 
-std::optional<WindingFacts> measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+std::vector<SectionStep> steps_of(std::span<const SectionLoop> loops)
+{
+    std::vector<SectionStep> steps;
+    for (const SectionLoop& loop : loops)
+        for (std::size_t i = 0; loop.closed && i < loop.points.size(); ++i)
+            steps.push_back({loop.points[i], loop.points[(i + 1) % loop.points.size()]});
+    return steps;
+}
+
+std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& negative, std::uint32_t cap_material)
+{
+    struct Edge
+    {
+        std::uint32_t low, high;  // points
+        SectionStep step;
+        int direction;
+    };
+    std::map<std::uint32_t, std::vector<Edge>> edges_of;
+    for (const TriangleGroup& group : negative.groups) {
+        if (group.kind == TriangleKind::cap && group.material == cap_material) continue;
+        for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t a = negative.triangles[t][i], b = negative.triangles[t][(i + 1) % 3];
+                const std::uint32_t p = negative.points[a], q = negative.points[b];
+                // A cap runs along the edge the other way.
+                edges_of[group.solid].push_back({std::min(p, q),
+                                                 std::max(p, q),
+                                                 {negative.vertices[b].position, negative.vertices[a].position},
+                                                 p < q ? 1 : -1});
+            }
+    }
+    std::vector<std::vector<SectionStep>> sections;
+    for (auto& [solid, edges] : edges_of) {
+        std::vector<SectionStep>& section = sections.emplace_back();
+        std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+            return std::tie(a.low, a.high, a.direction) < std::tie(b.low, b.high, b.direction);
+        });
+        for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
+            int balance = 0;
+            for (; last < edges.size() && edges[last].low == edges[first].low && edges[last].high == edges[first].high;)
+                balance += edges[last++].direction;
+            // Those that run one way come first, those that run the other way last.
+            for (; balance < 0; ++balance) section.push_back(edges[first].step);
+            for (; balance > 0; --balance) section.push_back(edges[last - 1].step);
+        }
+    }
+    return sections;
+}
+
+std::optional<WindingFacts> measure_winding(std::span<const SectionStep> section, const glm::dvec3& normal)
 {
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     int u = (dropped + 1) % 3, v = (dropped + 2) % 3;
     if (normal[dropped] < 0.0) std::swap(u, v);
 
-    const std::vector<Segment> segments = project(loops, u, v);
+    const std::vector<Segment> segments = project(section, u, v);
     std::uint64_t looks_left = kMostWindingLooks;
     std::vector<double> xs;
     for (std::size_t i = 0; i < segments.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "common/cut.h"
 
@@ -19,13 +20,26 @@ struct SectionFacts
 /// O(k).
 SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec3& normal);
 
-/// Where the closed loops do not wind around once. Both are 0, up to rounding, for the section of a surface that does
+/// Where closed loops do not wind around once. Both are 0, up to rounding, for the section of a surface that does
 /// not intersect itself, whether its loops touch or not.
 struct WindingFacts
 {
     double backward = 0.0;  ///< area with a negative winding number, times that number; mesh units squared
     double multiple = 0.0;  ///< area with a winding number above 1
 };
+
+/// An edge of a section, in its direction.
+struct SectionStep
+{
+    glm::vec3 from, to;
+};
+
+/// The closed loops step by step.
+std::vector<SectionStep> steps_of(std::span<const SectionLoop> loops);
+
+/// The section of each solid, in no order: what bounds its part of the negative fragment of a closed mesh, but for the
+/// caps with this material. O(n log n).
+std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& negative, std::uint32_t cap_material);
 
 /// Looks at edges that measure_winding() takes before it gives up: about a second.
 inline constexpr std::uint64_t kMostWindingLooks = 20'000'000;
@@ -34,6 +48,6 @@ inline constexpr std::uint64_t kMostWindingLooks = 20'000'000;
 /// geometric intersections", 1979, without their tree), each of which costs a look at every edge in it: nothing when
 /// that takes more than kMostWindingLooks, as k edges do that cross themselves k^2 times. O(k) memory besides the
 /// crossings.
-std::optional<WindingFacts> measure_winding(std::span<const SectionLoop> loops, const glm::dvec3& normal);
+std::optional<WindingFacts> measure_winding(std::span<const SectionStep> section, const glm::dvec3& normal);
 
 }  // namespace kerf::tools
