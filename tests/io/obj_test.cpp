@@ -205,7 +205,7 @@ TEST_F(ObjTest, PassesOverWhatSaysNothingOfTheSurfaceAndNotesIt)
     const std::string uvs = "1 texture coordinates that are not finite numbers set to 0";
     const std::string absent = " references to normals and texture coordinates that are not there left out";
     const std::string few = " faces of fewer than three corners passed over";
-    const std::string unused = "1 vertices of no face that are not finite passed over";
+    const std::string unused = "1 vertices of no face that are not finite numbers passed over";
     const std::vector<Lenient> files{
         {v + "vn nan nan nan\n" + n_f, normals},
         {v + "vn -1.#IND -1.#IND 1.#QNAN\n" + n_f, normals},

@@ -170,7 +170,8 @@ TEST_F(TextOfFiles, AVertexOfNoFaceMayBeAnythingButFacesNeedNumbers)
             text.insert(text.rfind("0 1 0\n") + 6, line + std::string(bad) + " 2 2\n");
             const Read found = read(name, text);
             expect_triangle(found.soup, name);
-            EXPECT_EQ(found.notes, "1 vertices of no face that are not finite passed over") << name << " " << bad;
+            EXPECT_EQ(found.notes, "1 vertices of no face that are not finite numbers passed over")
+                << name << " " << bad;
             for (const Vertex& v : found.soup.vertices) EXPECT_LE(v.position.x + v.position.y, 1.0f) << "no wider";
         }
 }

@@ -187,7 +187,7 @@ TEST_F(PlyTest, TakesAVertexOfNoFaceThatIsNotFiniteAsBinary)
     head.replace(head.find("vertex 3"), 8, "vertex 4");
     const Read found = read("a.ply", head + body.bytes());
     expect_triangle(found.soup, "unused");
-    EXPECT_EQ(found.notes, "1 vertices of no face that are not finite passed over");
+    EXPECT_EQ(found.notes, "1 vertices of no face that are not finite numbers passed over");
     std::string used = head + body.bytes();
     used[used.size() - 4] = 3;
     EXPECT_TRUE(contains(error_of("a.ply", used), "vertex 3 has a coordinate that is not finite; give it a number"));
@@ -344,6 +344,13 @@ TEST_F(PlyTest, SaysWhatIsWrong)
                                                "end_header\n" + points + "3 0 1 2"),
                          "its faces have no list 'vertex_indices'"));
     EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + vertex + "end_header\n" + points), "no triangles"));
+    EXPECT_TRUE(contains(
+        error_of("a.ply",
+                 kAsciiHead + vertex + "property list uchar uint vertex_indices\nend_header\n" + points + "3 0 1 2"),
+        "corners of faces among the properties of vertices"));
+    EXPECT_TRUE(
+        contains(error_of("a.ply", ascii + "3.5 0 1 2"), "the length of a list is '3.5', which is not an integer"));
+    EXPECT_TRUE(contains(error_of("a.ply", ascii + "3 0 x 2"), "a vertex index is 'x', which is not an integer"));
     EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + vertex + face + "0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n"),
                          "line 14: a coordinate is 'x', which is not a number"));
 }

@@ -37,7 +37,7 @@ TEST_F(ReadingNotesOfFiles, AreHandedOnByReadMeshAndAreNoneForAFileAsItShouldBe)
 {
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
     EXPECT_EQ(read_mesh(write("a.obj", head)).notes.describe(),
-              "1 vertices of no face that are not finite passed over");
+              "1 vertices of no face that are not finite numbers passed over");
     for (const std::string extension : {"obj", "ply", "stl", "glb"}) {
         write_mesh(file("b." + extension), sample_mesh());
         EXPECT_EQ(read_mesh(file("b." + extension)).notes.describe(), "") << extension;

@@ -40,7 +40,7 @@ public:
         return builder.read_coordinate(words_, words_.word_of_any_line());
     }
     float attribute(PlyType) { return words_.to_float(words_.word_of_any_line(), "a number"); }
-    std::int64_t integer(PlyType) { return words_.to_integer(words_.word_of_any_line(), "an integer"); }
+    std::int64_t integer(PlyType, std::string_view what) { return words_.to_integer(words_.word_of_any_line(), what); }
     void skip(PlyType, std::uint64_t count)
     {
         for (std::uint64_t i = 0; i < count; ++i)
@@ -84,11 +84,11 @@ public:
             case PlyType::uint64:
                 return static_cast<float>(load<std::uint64_t>(take(8), order_));
             default:
-                return static_cast<float>(integer(type));
+                return static_cast<float>(integer(type, "a number"));
         }
     }
 
-    std::int64_t integer(PlyType type)
+    std::int64_t integer(PlyType type, std::string_view what)
     {
         switch (type) {
             case PlyType::int8:
@@ -110,9 +110,9 @@ public:
                 return static_cast<std::int64_t>(std::min(load<std::uint64_t>(take(8), order_),
                                                           std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
             case PlyType::float32:
-                return whole(load<float>(take(4), order_));
+                return whole(load<float>(take(4), order_), what);
             case PlyType::float64:
-                return whole(load<double>(take(8), order_));
+                return whole(load<double>(take(8), order_), what);
         }
         return 0;
     }
@@ -131,12 +131,12 @@ public:
     }
 
 private:
-    std::int64_t whole(double value)
+    std::int64_t whole(double value, std::string_view what)
     {
         // Up to here doubles are whole numbers without gaps.
         constexpr double kLargest = 9007199254740992.0;
         if (!(std::abs(value) <= kLargest) || std::trunc(value) != value)
-            fail("an index or the length of a list is not a whole number; export it again");
+            fail(std::string(what) + " is not a whole number; export it again");
         ++floats_;
         return static_cast<std::int64_t>(value);
     }
@@ -197,6 +197,10 @@ private:
     void read_vertices(const PlyElement& element)
     {
         const PlyVertexLayout layout = ply_vertex_layout(element);
+        if (std::any_of(element.properties.begin(), element.properties.end(), lists_vertices))
+            fail(path_,
+                 "its header has the corners of faces among the properties of vertices; write a line 'element face "
+                 "COUNT' before them, or export it again");
         if (!layout.has_position) fail(path_, "its vertices have no x, y and z; name their coordinates so");
         builder_.soup.vertices.reserve(element.count);
         for (const PlyStream& stream : layout.streams) {
@@ -285,10 +289,10 @@ private:
     /// Appends a list of indices to `corners_`; those down to `least` that are no vertex become kRestart.
     void read_indices(const PlyProperty& property, std::int64_t least)
     {
-        const std::int64_t count = source_.integer(property.count_type);
+        const std::int64_t count = source_.integer(property.count_type, kLength);
         if (count < 0) source_.fail("a list of indices has a negative length; export it again");
         for (std::int64_t k = 0; k < count; ++k) {
-            const std::int64_t index = source_.integer(property.type);
+            const std::int64_t index = source_.integer(property.type, "a vertex index");
             if (index < least || (index >= 0 && static_cast<std::uint64_t>(index) >= vertex_count_))
                 source_.fail("vertex " + std::to_string(index) + " is out of range: there are " +
                              std::to_string(vertex_count_) + ", counted from 0; mend the face or take it out");
@@ -314,7 +318,7 @@ private:
 
     void skip_list(const PlyProperty& property)
     {
-        const std::int64_t count = source_.integer(property.count_type);
+        const std::int64_t count = source_.integer(property.count_type, kLength);
         if (count < 0) source_.fail("a list has a negative length; export it again");
         source_.skip(property.type, static_cast<std::uint64_t>(count));
     }
@@ -328,6 +332,7 @@ private:
                 fail(path_, "its faces have no list 'vertex_indices'; name the list of their corners so");
     }
 
+    static constexpr std::string_view kLength = "the length of a list";
     static constexpr std::uint32_t kRestart = 0xFFFFFFFFu;
 
     const std::filesystem::path& path_;
