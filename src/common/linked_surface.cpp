@@ -261,9 +261,11 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
     bool consistent = true;
     EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
         if (edge.size() == 2) {
-            if (surface.coincide(edge[0].half_edge, edge[1].half_edge)) return;
-            surface.link(edge[0].half_edge, edge[1].half_edge);
-            consistent = consistent && surface.start(edge[0].half_edge) != surface.start(edge[1].half_edge);
+            const std::uint32_t a = edge[0].half_edge, b = edge[1].half_edge;
+            const bool agree = surface.start(a) != surface.start(b);
+            if (!agree && surface.coincide(a, b)) return;
+            surface.link(a, b);
+            consistent = consistent && agree;
         } else if (edge.size() > 2) {
             NonmanifoldEdge& sides = resolved.emplace_back();
             for (const EdgeRuns::Side& side : edge) sides.push_back(side.half_edge);
