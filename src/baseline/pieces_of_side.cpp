@@ -156,12 +156,11 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     return side;
 }
 
-std::array<std::vector<std::uint32_t>, 2> find_pieces(const IndexedMesh& mesh,
-                                                      const std::array<SideBuilder, 2>& builders,
+std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
                                                       const Section& section, const std::array<PartsOfSide, 2>& parts,
                                                       const Plane& plane)
 {
-    std::vector<OutlineEdge> outline = outline_of(mesh, section);
+    std::vector<OutlineEdge> outline = outline_of(section);
     for (std::size_t i = 0; i < outline.size(); ++i)
         outline[i].part = {parts[0].part_of_edge[i], parts[1].part_of_edge[i]};
     std::array<SideParts, 2> sides;

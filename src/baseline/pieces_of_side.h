@@ -26,8 +26,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
 
 /// The piece of each part, by side. O(n), and for each whole cavity of a solid that falls apart a loop over the side's
 /// triangles.
-std::array<std::vector<std::uint32_t>, 2> find_pieces(const IndexedMesh& mesh,
-                                                      const std::array<SideBuilder, 2>& builders,
+std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
                                                       const Section& section, const std::array<PartsOfSide, 2>& parts,
                                                       const Plane& plane);
 

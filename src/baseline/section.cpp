@@ -60,12 +60,19 @@ private:
 };
 
 /// Removes pairs of opposite edges, whatever they were found in.
-void cancel_opposite_edges(const IndexedMesh& mesh, Section& section)
+void cancel_opposite_edges(Section& section)
 {
-    for (const auto& pair : opposite_edges(section.points.size(), outline_of(mesh, section)))
+    for (const auto& pair : opposite_edges(section.points.size(), outline_of(section)))
         for (const std::uint32_t edge : pair) section.edges[edge].from = kNone;
     std::erase_if(section.edges, [](const SectionEdge& edge) { return edge.from == kNone; });
 }
+
+/// An edge in the plane as it runs on the positive side, and the least source of the triangles at it.
+struct SectionEdgeInPlane
+{
+    EdgeInPlane edge;
+    std::uint32_t source;
+};
 
 /// The two vertices of an edge in the plane.
 std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane& edge)
@@ -77,41 +84,47 @@ std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane&
 /// The edges, as they run on the positive side, that have a triangle of either side. By count: pieces of earlier cuts
 /// can touch along an edge, so that more than two triangles meet there. Edges that run forth and back on one side bound
 /// nothing there; each of the rest pairs with one reverse on the other side.
-std::vector<EdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
-                                                std::span<const EdgeInPlane> positive)
+std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
+                                                       std::span<const EdgeInPlane> positive)
 {
     if (negative.empty() || positive.empty()) return {};
-    PairTable row;  // by the edge's points, the smaller one first
-    row.reset(negative.size() + positive.size());
-    std::vector<std::array<std::int32_t, 2>>
-        surplus;  // for each row and side: edges that ascend less those that do not
-    const auto row_of = [&](const EdgeInPlane& edge, std::int32_t& direction) {
+    struct Row
+    {
+        std::int32_t below = 0, above = 0;  // edges that ascend less those that do not
+        std::uint32_t source = kNoSource;   // the least
+    };
+    PairTable row_at;  // by the edge's points, the smaller one first
+    row_at.reset(negative.size() + positive.size());
+    std::vector<Row> rows;
+    const auto row_of = [&](const EdgeInPlane& edge, std::int32_t& direction) -> Row& {
         const auto [a, b] = ends_of(mesh, edge);
         const std::uint32_t p = mesh.points[a], q = mesh.points[b];
         direction = p < q ? 1 : -1;
-        std::uint32_t& index = row(std::min(p, q), std::max(p, q));
+        std::uint32_t& index = row_at(std::min(p, q), std::max(p, q));
         if (index == PairTable::kNone) {
-            index = static_cast<std::uint32_t>(surplus.size());
-            surplus.push_back({0, 0});
+            index = static_cast<std::uint32_t>(rows.size());
+            rows.emplace_back();
         }
-        return index;
+        Row& row = rows[index];
+        row.source = std::min(row.source, mesh.sources[edge.triangle]);
+        return row;
     };
     std::int32_t direction = 0;
     for (const EdgeInPlane& edge : negative) {
-        const std::uint32_t i = row_of(edge, direction);
-        surplus[i][0] += direction;
+        Row& row = row_of(edge, direction);
+        row.below += direction;
     }
     for (const EdgeInPlane& edge : positive) {
-        const std::uint32_t i = row_of(edge, direction);
-        surplus[i][1] += direction;
+        Row& row = row_of(edge, direction);
+        row.above += direction;
     }
-    std::vector<EdgeInPlane> result;
+    std::vector<SectionEdgeInPlane> result;
     for (const EdgeInPlane& edge : positive) {
-        auto& [below, above] = surplus[row_of(edge, direction)];
-        if (above * direction <= 0 || below * direction >= 0) continue;
-        above -= direction;
-        below += direction;
-        result.push_back(edge);
+        Row& row = row_of(edge, direction);
+        if (row.above * direction <= 0 || row.below * direction >= 0) continue;
+        row.above -= direction;
+        row.below += direction;
+        result.push_back({edge, row.source});
     }
     return result;
 }
@@ -133,24 +146,24 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
         const std::uint32_t from = numbers.of_corner(crossing, split.section_from);
         const std::uint32_t to = numbers.of_corner(crossing, split.section_to);
         if (from == to) continue;
-        section.edges.push_back(
-            {from, to, i, crossing.triangle, split.section_from, split.section_to, mesh.groups[crossing.group].solid});
+        section.edges.push_back({from, to, i, crossing.triangle, split.section_from, split.section_to,
+                                 mesh.groups[crossing.group].solid, mesh.sources[crossing.triangle]});
     }
-    for (const EdgeInPlane& edge : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
+    for (const auto& [edge, source] : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
         const auto [from, to] = ends_of(mesh, edge);
         section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
-                                 static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid});
+                                 static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid,
+                                 source});
     }
-    cancel_opposite_edges(mesh, section);
+    cancel_opposite_edges(section);
     return section;
 }
 
-std::vector<OutlineEdge> outline_of(const IndexedMesh& mesh, const Section& section)
+std::vector<OutlineEdge> outline_of(const Section& section)
 {
     std::vector<OutlineEdge> outline;
     outline.reserve(section.edges.size());
-    for (const SectionEdge& edge : section.edges)
-        outline.push_back({edge.from, edge.to, {}, mesh.sources[edge.triangle]});
+    for (const SectionEdge& edge : section.edges) outline.push_back({edge.from, edge.to, {}, edge.source});
     return outline;
 }
 
@@ -162,10 +175,9 @@ std::vector<glm::vec3> positions_of(const Section& section)
     return positions;
 }
 
-std::vector<SectionPath> link_paths(const IndexedMesh& mesh, const Plane& plane, const Section& section,
-                                    std::span<const std::uint64_t> tags)
+std::vector<SectionPath> link_paths(const Plane& plane, const Section& section, std::span<const std::uint64_t> tags)
 {
-    const DividedOutline divided = divide_outline(plane, positions_of(section), outline_of(mesh, section), tags);
+    const DividedOutline divided = divide_outline(plane, positions_of(section), outline_of(section), tags);
     std::vector<SectionPath> paths;
     paths.reserve(divided.paths.size());
     for (const OutlinePath& path : divided.paths) {

@@ -29,6 +29,8 @@ struct SectionEdge
     std::uint32_t triangle;               ///< the triangle it was found in
     std::uint8_t from_corner, to_corner;  ///< its ends as corner codes of that triangle
     std::uint32_t solid;
+    std::uint32_t source;  ///< of the triangle; of an edge in the plane the smaller one of the triangles at it, so that
+                           ///< a flipped plane has the same
 };
 
 /// The section: every edge between a triangle kept on one side and a triangle kept on the other.
@@ -54,7 +56,7 @@ struct EdgeInPlane
 };
 
 /// The section as common code takes it, but for the parts that it bounds.
-std::vector<OutlineEdge> outline_of(const IndexedMesh& mesh, const Section& section);
+std::vector<OutlineEdge> outline_of(const Section& section);
 
 /// The positions of the section's points.
 std::vector<glm::vec3> positions_of(const Section& section);
@@ -66,8 +68,7 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
 
 /// Links edges into simple loops and chains, as divide_outline() does; only edges of equal tag follow one another.
 /// `tags` has one entry an edge. O(k log k).
-std::vector<SectionPath> link_paths(const IndexedMesh& mesh, const Plane& plane, const Section& section,
-                                    std::span<const std::uint64_t> tags);
+std::vector<SectionPath> link_paths(const Plane& plane, const Section& section, std::span<const std::uint64_t> tags);
 
 /// The area of the closed ones among the paths, as section_area() has it.
 double area_of(const Section& section, std::span<const SectionPath> paths, const Plane& plane);

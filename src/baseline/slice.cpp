@@ -278,7 +278,7 @@ private:
         if (options_.split_components) {
             for (std::size_t side = 0; side < 2; ++side)
                 parts[side] = find_parts(builders_[side], crossings_, section_, plane_, whole_.noise);
-            piece_of_part = find_pieces(mesh_, builders_, section_, parts, plane_);
+            piece_of_part = find_pieces(builders_, section_, parts, plane_);
             // Loops keep to one piece on either side: where they touch, the other way round would join pieces.
             for (std::uint32_t e = 0; e < section_.edges.size(); ++e)
                 tags.push_back(std::uint64_t{piece_at(0, e)} << 32 | piece_at(1, e));
@@ -287,7 +287,7 @@ private:
         }
         statistics.phases[Phase::components] += watch.lap();
 
-        std::vector<SectionPath> paths = link_paths(mesh_, plane_, section_, tags);
+        std::vector<SectionPath> paths = link_paths(plane_, section_, tags);
         // What bounds nothing on a side is no loop to be closed.
         if (options_.split_components)
             for (SectionPath& path : paths)

@@ -23,7 +23,7 @@ struct OutlineEdge
 {
     std::uint32_t from = 0, to = 0;       ///< numbers of points
     std::array<std::uint32_t, 2> part{};  ///< by Side, what it bounds there, or kNoPart
-    std::uint32_t source = kNoSource;     ///< IndexedMesh::sources of the triangle that it lies in
+    std::uint32_t source = kNoSource;     ///< IndexedMesh::sources of the triangle that it lies in; the smaller of two
 };
 
 /// A loop or chain: a run of DividedOutline::edges.

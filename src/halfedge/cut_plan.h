@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -311,6 +312,12 @@ struct CutScratch
     {
         const auto at = static_cast<std::size_t>(side);
         return seam < crossings.size() ? crossings[seam].target[at] : in_plane[seam - crossings.size()].target[at];
+    }
+    /// The smaller one of its faces' sources: a flipped plane has the same.
+    std::uint32_t source_of_seam(const Universe& universe, SeamIndex seam) const
+    {
+        return std::min(universe.source_of_face[face_of_seam(seam, Side::negative)],
+                        universe.source_of_face[face_of_seam(seam, Side::positive)]);
     }
     bool bounds_nothing(SeamIndex seam, Side side) const
     {

@@ -140,8 +140,7 @@ std::vector<OutlineEdge> outline_edges(const Universe& u, const CutScratch& s)
 {
     std::vector<OutlineEdge> edges;
     edges.reserve(s.outline.size());
-    for (const OutlineSeam& e : s.outline)
-        edges.push_back({e.from, e.to, {}, u.source_of_face[s.face_of_seam(e.seam, Side::positive)]});
+    for (const OutlineSeam& e : s.outline) edges.push_back({e.from, e.to, {}, s.source_of_seam(u, e.seam)});
     return edges;
 }
 

@@ -377,9 +377,7 @@ PiecesOutline outline_of(const Universe& u, const CutScratch& s, std::array<Part
         return outline;
     }
     const auto add = [&](SeamIndex seam, Index from, Index to) {
-        bound(outline.edges.emplace_back(
-                  OutlineEdge{from, to, {}, u.source_of_face[s.face_of_seam(seam, Side::positive)]}),
-              seam);
+        bound(outline.edges.emplace_back(OutlineEdge{from, to, {}, s.source_of_seam(u, seam)}), seam);
     };
     outline.points = s.loop_points;
     for (const Loop& loop : s.loops) {

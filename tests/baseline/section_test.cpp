@@ -11,7 +11,7 @@ TEST(SectionLoopOfAPath, AnOpenOneHasItsLastPointToo)
 {
     Section section;
     for (std::uint32_t i = 0; i < 3; ++i) section.points.push_back({{float(i), 0, 0}, i, kNone});
-    for (std::uint32_t i = 0; i < 2; ++i) section.edges.push_back({i, i + 1, kNone, 0, 0, 1, 0});
+    for (std::uint32_t i = 0; i < 2; ++i) section.edges.push_back({i, i + 1, kNone, 0, 0, 1, 0, 0});
     EXPECT_EQ(to_loop(section, {{0, 1}, false}).points.size(), 3u);
     EXPECT_FALSE(to_loop(section, {{0, 1}, false}).closed);
 }
@@ -38,13 +38,15 @@ IndexedMesh book(const std::vector<bool>& ascending)
 
 TEST(FindSection, AnEdgeInThePlaneBetweenTheSidesRunsAsOnThePositiveSide)
 {
-    const IndexedMesh mesh = book({true, false});
+    IndexedMesh mesh = book({true, false});
+    mesh.sources = {5, 8};
     Crossings none;
     const std::vector<EdgeInPlane> negative{{0, 0, 0}}, positive{{1, 0, 0}};
     const Section section = find_section(mesh, none, negative, positive);
     ASSERT_EQ(section.edges.size(), 1u);
     EXPECT_EQ(section.points[section.edges[0].from].existing, 1u);
     EXPECT_EQ(section.points[section.edges[0].to].existing, 0u);
+    EXPECT_EQ(section.edges[0].source, 5u) << "the smaller source, so that a flipped plane has the same";
 }
 
 TEST(FindSection, AnEdgeInThePlaneWithBothTrianglesOnOneSideIsNoSection)
