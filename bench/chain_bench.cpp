@@ -104,9 +104,9 @@ Chain cut_in_a_chain(std::unique_ptr<Cuttable> object, std::span<const glm::dvec
 
 void recut(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
 {
-    const IndexedMesh& mesh = timed_shape(shape, size);
+    const ProvenMesh& mesh = timed_shape(shape, size);
     std::vector<glm::dvec3> normals;
-    for (const Plane& plane : planes_through_the_middle(mesh.bounds(), kCutsInAChain, kPlaneSeed))
+    for (const Plane& plane : planes_through_the_middle(mesh->bounds(), kCutsInAChain, kPlaneSeed))
         normals.push_back(plane.normal);
     const PrepareResult prepared = backend.prepare(mesh);
     if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
@@ -132,7 +132,7 @@ void recut(benchmark::State& state, const Backend& backend, const std::string& s
         crossing += cut.crossing;
         worst = std::max(worst, cut.seconds);
     }
-    state.counters["triangles"] = double(mesh.triangles.size());
+    state.counters["triangles"] = double(mesh->triangles.size());
     state.counters["cut_ms"] = sum * 1e3 / kCutsInAChain;
     state.counters["worst_cut_ms"] = worst * 1e3;
     state.counters["ns_per_crossing"] = sum * 1e9 / crossing;
@@ -152,18 +152,18 @@ double resident_bytes()
 
 void prepare_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
 {
-    const IndexedMesh& mesh = timed_shape(shape, size);
+    const ProvenMesh& mesh = timed_shape(shape, size);
     {
         const PrepareResult checked = backend.prepare(mesh);
         const std::string error =
-            checked.object ? check_cut(*checked.object, planes_through_the_middle(mesh.bounds(), 1, kPlaneSeed)[0])
+            checked.object ? check_cut(*checked.object, planes_through_the_middle(mesh->bounds(), 1, kPlaneSeed)[0])
                            : checked.reason;
         if (!error.empty()) return state.SkipWithError(error.c_str());
     }
     double seconds = 0.0, bytes = 0.0;
     for (auto _ : state) {
         const double before = resident_bytes();
-        IndexedMesh copy = mesh;
+        ProvenMesh copy = mesh;
         CpuStopwatch watch;
         PrepareResult result = backend.prepare(std::move(copy));
         const double iteration = watch.lap();
@@ -173,7 +173,7 @@ void prepare_shape(benchmark::State& state, const Backend& backend, const std::s
         state.SetIterationTime(iteration);
         seconds += iteration;
     }
-    const auto triangles = double(mesh.triangles.size());
+    const auto triangles = double(mesh->triangles.size());
     state.counters["triangles"] = triangles;
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
     state.counters["bytes_per_triangle"] = bytes / triangles;

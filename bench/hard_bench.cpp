@@ -49,13 +49,13 @@ void hard_section(benchmark::State& state, const Backend& backend, const std::st
     for (auto _ : state) {
         const shapes::HardSection section = *shapes::hard_section(name, size);
         const Plane& plane = section.plane;
-        const IndexedMesh mesh = assemble(section.soup).mesh;
+        const ProvenMesh mesh = assemble(section.soup).mesh;
         const PrepareResult prepared = backend.prepare(mesh);
         if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
         state.counters["assemble"] =
             least_ms([&] { return section.soup; }, [](TriangleSoup soup) { return assemble(std::move(soup)); });
         state.counters["prepare"] =
-            least_ms([&] { return mesh; }, [&](IndexedMesh copy) { return backend.prepare(std::move(copy)); });
+            least_ms([&] { return mesh; }, [&](ProvenMesh copy) { return backend.prepare(std::move(copy)); });
 
         const auto clone = [&] { return prepared.object->clone(); };
         CutOptions pieces;

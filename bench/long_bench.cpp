@@ -43,8 +43,8 @@ constexpr std::array kMarks{1, 3, 10, 30, 100, 300, 1000};
 
 void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t size, bool compacts)
 {
-    const IndexedMesh& mesh = timed_shape("asteroid", size);
-    const auto planes = planes_through_the_middle(mesh.bounds(), kMarks.back(), kPlaneSeed);
+    const ProvenMesh& mesh = timed_shape("asteroid", size);
+    const auto planes = planes_through_the_middle(mesh->bounds(), kMarks.back(), kPlaneSeed);
     const PrepareResult prepared = backend.prepare(mesh);
     if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
     const MassProperties whole = prepared.object->mass_properties();
@@ -111,7 +111,7 @@ void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t s
         if (!(std::abs(volume - whole.volume) <= kShare * std::abs(whole.volume)))
             return state.SkipWithError("the volumes of the pieces do not add up");
     }
-    state.counters["triangles"] = double(mesh.triangles.size());
+    state.counters["triangles"] = double(mesh->triangles.size());
 }
 
 /// Planes with random directions through random places of the box's inner half.
@@ -138,7 +138,7 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
 {
     constexpr std::size_t kRuns = 5;  // the median of five is the cut's own time, not a neighbour's noise
     constexpr double kFrame = 1.0 / 60.0;
-    const IndexedMesh& mesh = timed_shape("asteroid", size);
+    const ProvenMesh& mesh = timed_shape("asteroid", size);
     const PrepareResult prepared = backend.prepare(mesh);
     if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
     const double whole = prepared.object->mass_properties().volume;
@@ -146,7 +146,7 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
     for (auto _ : state) {
         seconds.clear();
         double sum = 0.0;
-        for (const Plane& plane : planes_anywhere(mesh.bounds(), count)) {
+        for (const Plane& plane : planes_anywhere(mesh->bounds(), count)) {
             std::array<double, kRuns> runs{};
             for (double& run : runs) {
                 auto fresh = prepared.object->clone();
@@ -171,7 +171,7 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
         state.SetIterationTime(sum);
     }
     std::sort(seconds.begin(), seconds.end());
-    state.counters["triangles"] = double(mesh.triangles.size());
+    state.counters["triangles"] = double(mesh->triangles.size());
     state.counters["cuts"] = double(seconds.size());
     state.counters["p50_ms"] = quantile(seconds, 0.5) * 1e3;
     state.counters["p90_ms"] = quantile(seconds, 0.9) * 1e3;

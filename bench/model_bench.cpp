@@ -58,11 +58,11 @@ void cut_model(benchmark::State& state, const Backend& backend, const Model& mod
             result = {};
         }
     }
-    const auto triangles = double(model.mesh.triangles.size());
+    const auto triangles = double(model.mesh->triangles.size());
     state.counters["cut_ms"] = seconds * 1e3 / double(cuts);
     state.counters["cuts_each"] = double(planes.size());
     state.counters["triangles"] = triangles;
-    state.counters["vertices"] = double(model.mesh.vertices.size());
+    state.counters["vertices"] = double(model.mesh->vertices.size());
     state.counters["crossing"] = double(crossing) / double(cuts);
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(cuts) / triangles;
 }
@@ -104,7 +104,7 @@ void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind ki
     state.counters["cuts_each"] = double(planes.size());
     state.counters["points"] = double(points) / (2.0 * double(planes.size()));
     state.counters["volume_ratio"] = volume / full_volume;
-    state.counters["triangles"] = double(model.mesh.triangles.size());
+    state.counters["triangles"] = double(model.mesh->triangles.size());
 }
 
 void prepare_model(benchmark::State& state, const Backend& backend, const Model& model)
@@ -112,7 +112,7 @@ void prepare_model(benchmark::State& state, const Backend& backend, const Model&
     if (!prepared(state, backend, model, planes_of_model(model))) return;
     double seconds = 0.0;
     for (auto _ : state) {
-        IndexedMesh copy = model.mesh;
+        ProvenMesh copy = model.mesh;
         CpuStopwatch watch;
         const PrepareResult result = backend.prepare(std::move(copy));
         const double iteration = watch.lap();
@@ -120,7 +120,7 @@ void prepare_model(benchmark::State& state, const Backend& backend, const Model&
         state.SetIterationTime(iteration);
         seconds += iteration;
     }
-    const auto triangles = double(model.mesh.triangles.size());
+    const auto triangles = double(model.mesh->triangles.size());
     state.counters["triangles"] = triangles;
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
 }

@@ -24,7 +24,7 @@ std::vector<Plane> planes_of_model(const Model& model)
 {
     constexpr std::uint32_t kCuts = 10;
     constexpr std::uint64_t kPlaneSeed = 2024;
-    return planes_through_the_middle(model.mesh.bounds(), kCuts, kPlaneSeed);
+    return planes_through_the_middle(model.mesh->bounds(), kCuts, kPlaneSeed);
 }
 
 }  // namespace kerf::bench

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "common/indexed_mesh.h"
 #include "common/plane.h"
+#include "common/proven_mesh.h"
 
 namespace kerf::bench {
 
@@ -12,7 +12,7 @@ namespace kerf::bench {
 struct Model
 {
     std::string name;
-    IndexedMesh mesh;
+    ProvenMesh mesh;
 };
 
 /// The models of data/models in the order of the report's tables.

@@ -37,11 +37,11 @@ struct Prepared
 };
 
 /// A mesh made ready and every cut of it that will be timed checked; kept for the repetitions and for the other extent.
-const Prepared& prepared_and_checked(const Backend& backend, const IndexedMesh& mesh, const std::string& shape,
+const Prepared& prepared_and_checked(const Backend& backend, const ProvenMesh& mesh, const std::string& shape,
                                      std::span<const Plane> planes)
 {
     static Prepared last;
-    const std::string key = backend.name() + "/" + shape + "/" + std::to_string(mesh.triangles.size());
+    const std::string key = backend.name() + "/" + shape + "/" + std::to_string(mesh->triangles.size());
     if (last.key == key) return last;
     last = {};
     PrepareResult result = backend.prepare(mesh);
@@ -56,7 +56,7 @@ const Prepared& prepared_and_checked(const Backend& backend, const IndexedMesh& 
 void cut_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size,
                Extent extent)
 {
-    const IndexedMesh& mesh = timed_shape(shape, size);
+    const ProvenMesh& mesh = timed_shape(shape, size);
     const auto planes = planes_of_shape(mesh);
     const Prepared& prepared = prepared_and_checked(backend, mesh, shape, planes);
     if (!prepared.error.empty()) return state.SkipWithError(prepared.error.c_str());
@@ -96,7 +96,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
         state.SetIterationTime(round);
         seconds += round;
     }
-    const auto n = double(cuts), triangles = double(mesh.triangles.size());
+    const auto n = double(cuts), triangles = double(mesh->triangles.size());
     const CutStatistics& counted = prepared.counted;
     const auto counts = double(planes.size());
     state.counters["triangles"] = triangles;

@@ -15,11 +15,11 @@ std::vector<Plane> planes_of_shape(const IndexedMesh& shape)
     return planes_through_the_middle(shape.bounds(), kPlanes, kPlaneSeed);
 }
 
-const IndexedMesh& timed_shape(const std::string& name, std::uint64_t triangles)
+const ProvenMesh& timed_shape(const std::string& name, std::uint64_t triangles)
 {
     constexpr std::uint64_t kSeed = 1;
     static std::pair<std::string, std::uint64_t> key;
-    static IndexedMesh mesh;
+    static ProvenMesh mesh;
     if (key != std::pair{name, triangles}) {
         mesh = {};
         TriangleSoup soup = shapes::asteroid(triangles, kSeed);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/indexed_mesh.h"
 #include "common/plane.h"
+#include "common/proven_mesh.h"
 
 namespace kerf::bench {
 
@@ -16,6 +16,6 @@ std::vector<Plane> planes_of_shape(const IndexedMesh& shape);
 /// `asteroid` (triangles in a coherent order) or `shuffled` (the same in a random order) with about `triangles`
 /// triangles. The last one made is kept: benchmarks of one size follow one another, and the large ones should not all
 /// stay in memory.
-const IndexedMesh& timed_shape(const std::string& name, std::uint64_t triangles);
+const ProvenMesh& timed_shape(const std::string& name, std::uint64_t triangles);
 
 }  // namespace kerf::bench

@@ -23,7 +23,7 @@ int main(int argc, char** argv)
             if (!made.repairs.none()) throw std::logic_error(made.repairs.describe());
             const std::string path = std::string(argv[1]) + '/' + std::string(fruit.name) + ".glb";
             kerf::io::write_mesh(path, made.mesh);
-            std::cout << path << ": " << made.mesh.triangles.size() << " triangles\n";
+            std::cout << path << ": " << made.mesh->triangles.size() << " triangles\n";
         } catch (const std::exception& error) {
             std::cerr << fruit.name << ": " << error.what() << '\n';
             ++failures;

@@ -410,9 +410,9 @@ private:
     std::uint32_t first_cap_;  ///< material of the first cut's cap; every further cut in a row has the next one
 };
 
-std::unique_ptr<Cuttable> prepared(const Backend& backend, const IndexedMesh& mesh, double& ms)
+std::unique_ptr<Cuttable> prepared(const Backend& backend, const ProvenMesh& mesh, double& ms)
 {
-    IndexedMesh copy = mesh;
+    ProvenMesh copy = mesh;
     Stopwatch watch;
     PrepareResult result = backend.prepare(std::move(copy));
     ms = watch.lap();
@@ -422,13 +422,14 @@ std::unique_ptr<Cuttable> prepared(const Backend& backend, const IndexedMesh& me
 
 }  // namespace
 
-ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backend& halfedge,
+ComparedMesh compare_mesh(ProvenMesh proven, const Backend& baseline, const Backend& halfedge,
                           const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row)
 {
     // A material of its own for the caps of each cut in a row, so that a cut's own caps can be told from older ones.
-    const auto first_cap = static_cast<std::uint32_t>(mesh.materials.size());
+    const auto first_cap = static_cast<std::uint32_t>(proven->materials.size());
     for (std::uint64_t i = 0; i < std::max<std::uint64_t>(options.depth, 1); ++i)
-        mesh.materials.push_back({"cap of cut " + std::to_string(i + 1), glm::vec4(1.0f), {}});
+        proven.add_material({"cap of cut " + std::to_string(i + 1), glm::vec4(1.0f), {}});
+    const IndexedMesh& mesh = proven;
 
     ComparedMesh summary;
     summary.triangles = mesh.triangles.size();
@@ -437,8 +438,8 @@ ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backe
     if (options.was_closed && open > 0)
         summary.failures.push_back("was closed before it was repaired and has " + counted(open, "open edge") + " now");
     summary.volume = volume_of(mesh);
-    const auto a = prepared(baseline, mesh, summary.baseline_prepare_ms);
-    const auto b = prepared(halfedge, mesh, summary.halfedge_prepare_ms);
+    const auto a = prepared(baseline, proven, summary.baseline_prepare_ms);
+    const auto b = prepared(halfedge, proven, summary.halfedge_prepare_ms);
 
     const SurfaceKeys surface(mesh);
     for (const auto& [name, object] : {std::pair{"baseline", a.get()}, {"halfedge", b.get()}}) {

@@ -111,7 +111,7 @@ struct ComparedMesh
 /// A piece that its plane misses is tried with a few other planes; pieces of different surfaces are not cut again.
 /// O(n) for each row.
 /// @throws std::runtime_error  the mesh cannot be prepared, or memory runs out; one sentence
-ComparedMesh compare_mesh(IndexedMesh mesh, const Backend& baseline, const Backend& halfedge,
+ComparedMesh compare_mesh(ProvenMesh proven, const Backend& baseline, const Backend& halfedge,
                           const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row);
 
 }  // namespace kerf::tools

@@ -106,7 +106,7 @@ CutReport perform(const CutCommandOptions& options)
     io::LoadedMesh loaded = io::read_mesh(options.file);
     const std::optional<Plane> plane =
         options.plane ? options.plane
-                      : Plane::through(options.point.value_or(loaded.mesh.bounds().centre()), *options.normal);
+                      : Plane::through(options.point.value_or(loaded.mesh->bounds().centre()), *options.normal);
     if (!plane) throw std::runtime_error("the plane's numbers are too large to calculate with");
     const std::unique_ptr<Backend> backend = make_backend(options.backend, options.lookup);
 

@@ -25,8 +25,8 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
     Json materials = Json::array(), streams = Json::array(), notes = Json::array();
     for (const io::ReadingNote& note : loaded.notes.list())
         notes.push_back(Json{{"what", note.what}, {"count", note.count}});
-    for (const Material& material : loaded.mesh.materials) materials.push_back(material.name);
-    for (const VertexStream& stream : loaded.mesh.streams)
+    for (const Material& material : loaded.mesh->materials) materials.push_back(material.name);
+    for (const VertexStream& stream : loaded.mesh->streams)
         streams.push_back(Json{{"name", stream.name}, {"width", stream.width}});
     return {{"file", file},
             {"triangles", facts.triangles},

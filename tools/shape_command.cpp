@@ -32,7 +32,7 @@ void run(const ShapeOptions& options)
     const Assembled assembled = assemble(std::move(*soup));
     if (!assembled.error.empty()) throw std::runtime_error(options.name + ": " + assembled.error);
     io::write_mesh(options.out, assembled.mesh);
-    print(options.out + ": " + counted(assembled.mesh.triangles.size(), "triangle") + "\n");
+    print(options.out + ": " + counted(assembled.mesh->triangles.size(), "triangle") + "\n");
 }
 
 std::string list_of_names()

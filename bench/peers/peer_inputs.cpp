@@ -12,14 +12,14 @@ namespace kerf::bench {
 
 namespace {
 
-PeerInput input_of(const std::string& name, const IndexedMesh& mesh, std::vector<Plane> planes)
+PeerInput input_of(const std::string& name, const ProvenMesh& mesh, std::vector<Plane> planes)
 {
     PeerInput input;
     input.name = name;
-    input.points.resize(mesh.point_count);
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) input.points[mesh.points[v]] = mesh.vertices[v].position;
-    for (const Triangle& t : mesh.triangles)
-        input.triangles.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
+    input.points.resize(mesh->point_count);
+    for (std::size_t v = 0; v < mesh->vertices.size(); ++v) input.points[mesh->points[v]] = mesh->vertices[v].position;
+    for (const Triangle& t : mesh->triangles)
+        input.triangles.push_back({mesh->points[t[0]], mesh->points[t[1]], mesh->points[t[2]]});
     input.planes = std::move(planes);
 
     const auto backend = baseline::make_backend(baseline::VertexLookup::remap);
@@ -39,7 +39,7 @@ PeerInput input_of(const std::string& name, const IndexedMesh& mesh, std::vector
 
 PeerInput asteroid_input(std::uint64_t triangles)
 {
-    const IndexedMesh& mesh = timed_shape("asteroid", triangles);
+    const ProvenMesh& mesh = timed_shape("asteroid", triangles);
     return input_of("asteroid", mesh, planes_of_shape(mesh));
 }
 

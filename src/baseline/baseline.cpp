@@ -118,10 +118,10 @@ public:
     std::string name() const override { return "baseline/" + std::string(name_of(method_.lookup)); }
 
 private:
-    std::unique_ptr<Cuttable> make(IndexedMesh mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
     {
         Fragment fragment;
-        fragment.mesh = std::move(mesh);
+        fragment.mesh = *std::move(mesh);
         fragment.bounds = fragment.mesh.bounds();
         fragment.noise = plane_noise(fragment.bounds.largest_coordinate());
         return std::make_unique<BaselineCuttable>(std::move(fragment), method_);

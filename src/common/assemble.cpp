@@ -50,6 +50,22 @@ std::string find_error(const TriangleSoup& soup)
     return {};
 }
 
+/// Takes normals and uv that are not finite for missing: build_vertices() gives a normal of length 0 that of its
+/// triangles. Returns how many vertices that is.
+std::uint64_t replace_attributes(TriangleSoup& soup)
+{
+    std::uint64_t count = 0;
+    for (Vertex& v : soup.vertices) {
+        const bool has_normal =
+            !soup.has_normals || (std::isfinite(v.normal.x) && std::isfinite(v.normal.y) && std::isfinite(v.normal.z));
+        const bool has_uv = std::isfinite(v.uv.x) && std::isfinite(v.uv.y);
+        if (!has_normal) v.normal = glm::vec3(0.0f);
+        if (!has_uv) v.uv = glm::vec2(0.0f);
+        count += !has_normal || !has_uv;
+    }
+    return count;
+}
+
 /// Triangles worth keeping, as points.
 struct Kept
 {
@@ -157,6 +173,7 @@ std::string Repairs::describe() const
     clause(nonmanifold_points, "point", "points", "split");
     clause(flipped_triangles, "triangle", "triangles", "turned over");
     clause(unorientable_edges, "edge", "edges", "cut open where no orientation fits");
+    clause(replaced_attributes, "vertex", "vertices", "with a normal or uv that is not finite given another");
     return text;
 }
 
@@ -166,10 +183,11 @@ Assembled assemble(TriangleSoup soup)
     result.error = find_error(soup);
     if (!result.error.empty()) return result;
     Repairs& repairs = result.repairs;
-    IndexedMesh& mesh = result.mesh;
+    IndexedMesh mesh;
 
     // -0 becomes +0, so that equal positions have equal bits.
     for (Vertex& v : soup.vertices) v.position += 0.0f;
+    repairs.replaced_attributes = replace_attributes(soup);
     const Weld weld = weld_positions(soup.vertices);
     Kept kept = drop_faults(soup, weld, repairs);
     if (kept.corners.empty()) {
@@ -210,6 +228,7 @@ Assembled assemble(TriangleSoup soup)
     const Buffer<std::uint32_t> first_equal =
         first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
     build_vertices({soup, first_equal, kept.soup_triangles, surface, fans, positions}, order, mesh);
+    result.mesh = ProvenMesh(std::move(mesh));
     return result;
 }
 

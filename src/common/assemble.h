@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/indexed_mesh.h"
+#include "common/proven_mesh.h"
 
 namespace kerf {
 
@@ -29,11 +30,13 @@ struct Repairs
     std::uint64_t nonmanifold_points = 0;    ///< several fans met in one point: split into one point for each
     std::uint64_t flipped_triangles = 0;     ///< turned over to agree with their patch, or with the outside
     std::uint64_t unorientable_edges = 0;    ///< cut open because no orientation satisfies both sides (Moebius)
+    std::uint64_t replaced_attributes = 0;   ///< vertices with a normal or uv that is not finite: the mean normal of
+                                             ///< their triangles and uv (0, 0) instead
 
     bool none() const
     {
         return degenerate_triangles + duplicate_triangles + coinciding_triangles + nonmanifold_edges +
-                   nonmanifold_points + flipped_triangles + unorientable_edges ==
+                   nonmanifold_points + flipped_triangles + unorientable_edges + replaced_attributes ==
                0;
     }
     /// One clause for each kind that occurred, for people: "3 degenerate triangles dropped, 2 points split".
@@ -43,7 +46,7 @@ struct Repairs
 /// A mesh ready for a back end, or the reason why there is none.
 struct Assembled
 {
-    IndexedMesh mesh;  ///< valid when `error` is empty
+    ProvenMesh mesh;  ///< without triangles when there is an error
     Repairs repairs;
     std::string error;  ///< one sentence: no triangle, an index out of range, a coordinate that is not finite, ...
 };

@@ -149,13 +149,26 @@ PrepareResult without_memory()
 
 }  // namespace
 
+PrepareResult Backend::prepare(ProvenMesh mesh) const
+{
+    try {
+        if (mesh->triangles.empty())
+            return {Status::invalid_mesh, nullptr, "the mesh has no triangles; give it one at least"};
+        const bool is_coarse = has_coarse_coordinates(shortest_edge(mesh->vertices, mesh->triangles), mesh->bounds());
+        return {Status::cut, make(std::move(mesh)), {}, is_coarse};
+    } catch (const std::bad_alloc&) {
+        return without_memory();
+    } catch (const std::length_error&) {
+        return without_memory();
+    }
+}
+
 PrepareResult Backend::prepare(IndexedMesh mesh) const
 {
     try {
-        std::string reason = check(mesh);
-        if (!reason.empty()) return {Status::invalid_mesh, nullptr, std::move(reason)};
-        const bool is_coarse = has_coarse_coordinates(shortest_edge(mesh.vertices, mesh.triangles), mesh.bounds());
-        return {Status::cut, make(std::move(mesh)), {}, is_coarse};
+        Proof proof = prove(std::move(mesh));
+        if (!proof.error.empty()) return {Status::invalid_mesh, nullptr, std::move(proof.error)};
+        return prepare(std::move(proof.mesh));
     } catch (const std::bad_alloc&) {
         return without_memory();
     } catch (const std::length_error&) {

@@ -13,6 +13,7 @@
 #include "common/indexed_mesh.h"
 #include "common/mass_properties.h"
 #include "common/plane.h"
+#include "common/proven_mesh.h"
 
 // The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the
 // fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
@@ -267,12 +268,16 @@ public:
     /// "baseline/hash", "halfedge": what tables and file names show.
     virtual std::string name() const = 0;
 
-    /// Makes a mesh ready for cutting; all sorting and building of trees happens here. Never throws.
+    /// Makes a mesh ready for cutting; all sorting and building of trees happens here. Never throws. A mesh that was
+    /// moved away is an `invalid_mesh`, as it has no triangles.
+    PrepareResult prepare(ProvenMesh mesh) const;
+    /// The same for a mesh that nothing is known of: proves it first, which costs O(n) more, and refuses it with a
+    /// reason when it breaks a promise. To prepare one mesh several times prove() it once.
     PrepareResult prepare(IndexedMesh mesh) const;
 
 private:
-    /// `mesh` has passed check(). May throw std::bad_alloc.
-    virtual std::unique_ptr<Cuttable> make(IndexedMesh mesh) const = 0;
+    /// `mesh` has triangles. May throw std::bad_alloc.
+    virtual std::unique_ptr<Cuttable> make(ProvenMesh mesh) const = 0;
 };
 
 }  // namespace kerf

@@ -18,48 +18,74 @@ bool is_usable(const glm::vec3& p)
     return true;
 }
 
-std::string check_vertices(const IndexedMesh& mesh)
+bool are_finite(const glm::vec3& normal, const glm::vec2& uv)
 {
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-        if (!is_usable(mesh.vertices[i].position))
-            return "vertex " + std::to_string(i) + " has a coordinate that is not finite, or is -0";
-    if (mesh.points.size() != mesh.vertices.size())
-        return "there are " + std::to_string(mesh.vertices.size()) + " vertices but " +
-               std::to_string(mesh.points.size()) + " point ids";
-    constexpr std::uint32_t kNone = kNoSource;
-    std::vector<std::uint32_t> vertex_of_point(mesh.point_count, kNone);
-    for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    return std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z) && std::isfinite(uv.x) &&
+           std::isfinite(uv.y);
+}
+
+std::string check_points(const IndexedMesh& mesh)
+{
+    const std::size_t n = mesh.vertices.size();
+    if (mesh.points.size() != n)
+        return "there are " + std::to_string(n) + " vertices but " + std::to_string(mesh.points.size()) +
+               " point ids; give each vertex one";
+    if (mesh.point_count > n)
+        return "there are " + std::to_string(mesh.point_count) + " points but only " + std::to_string(n) +
+               " vertices; give each point a vertex";
+    std::vector<std::uint32_t> vertex_of_point(mesh.point_count, kNoSource);
+    for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t point = mesh.points[i];
         if (point >= mesh.point_count)
             return "vertex " + std::to_string(i) + " has point id " + std::to_string(point) + ", but there are only " +
-                   std::to_string(mesh.point_count) + " points";
+                   std::to_string(mesh.point_count) + " points, counted from 0";
         std::uint32_t& first = vertex_of_point[point];
-        if (first == kNone)
+        if (first == kNoSource)
             first = i;
         else if (mesh.vertices[first].position != mesh.vertices[i].position)
             return "vertices " + std::to_string(first) + " and " + std::to_string(i) +
-                   " share a point but not their position";
+                   " share a point but not their position; give each a point of its own";
     }
     for (std::uint32_t point = 0; point < mesh.point_count; ++point)
-        if (vertex_of_point[point] == kNone) return "point " + std::to_string(point) + " has no vertex";
+        if (vertex_of_point[point] == kNoSource)
+            return "point " + std::to_string(point) + " has no vertex; use every id below the number of points";
+    return {};
+}
+
+std::string check_vertices(const IndexedMesh& mesh)
+{
+    const std::size_t n = mesh.vertices.size();
+    if (n >= kNoSource) return "the mesh has more than 2^32 vertices; divide it into several";
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!is_usable(mesh.vertices[i].position))
+            return "vertex " + std::to_string(i) + " has a coordinate that is not finite, or is -0; give it a number";
+        if (!are_finite(mesh.vertices[i].normal, mesh.vertices[i].uv))
+            return "vertex " + std::to_string(i) + " has a normal or uv that is not finite; give it a number";
+    }
+    if (std::string error = check_points(mesh); !error.empty()) return error;
     for (const VertexStream& stream : mesh.streams)
-        if (stream.width == 0 || stream.values.size() != mesh.vertices.size() * stream.width)
-            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) + " values per vertex";
+        if (stream.width == 0 || stream.values.size() / stream.width != n || stream.values.size() % stream.width != 0)
+            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) +
+                   " values for each vertex, one at least; complete it or leave it out";
     return {};
 }
 
 std::string check_triangles(const IndexedMesh& mesh)
 {
-    if (mesh.triangles.empty()) return "the mesh has no triangles";
+    if (mesh.triangles.empty()) return "the mesh has no triangles; give it one at least";
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max() / 3)
-        return "the mesh has more than 2^32 corners";
-    if (mesh.sources.size() != mesh.triangles.size()) return "there is not one source for each triangle";
+        return "the mesh has more than 2^32 corners; divide it into several";
+    if (mesh.sources.size() != mesh.triangles.size())
+        return "there is not one source for each triangle; give each one, or kNoSource";
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto& [a, b, c] = mesh.triangles[i];
         const std::size_t n = mesh.vertices.size();
-        if (a >= n || b >= n || c >= n) return "triangle " + std::to_string(i) + " has a vertex index out of range";
-        const std::uint32_t p = mesh.points[a], q = mesh.points[b], r = mesh.points[c];
-        if (p == q || q == r || r == p) return "triangle " + std::to_string(i) + " has two corners in one point";
+        if (a >= n || b >= n || c >= n)
+            return "triangle " + std::to_string(i) + " refers to a vertex beyond the last, which is " +
+                   std::to_string(n - 1);
+        const glm::vec3 &p = mesh.vertices[a].position, &q = mesh.vertices[b].position, &r = mesh.vertices[c].position;
+        if (p == q || q == r || r == p)
+            return "triangle " + std::to_string(i) + " has two corners at one position; take it out";
     }
     return {};
 }
@@ -68,11 +94,17 @@ std::string check_groups(const IndexedMesh& mesh)
 {
     std::uint64_t covered = 0;
     for (const TriangleGroup& group : mesh.groups) {
-        if (group.first != covered) return "the triangle groups do not follow one another";
-        if (group.material >= mesh.materials.size()) return "a triangle group names a material that does not exist";
+        if (group.first != covered)
+            return "the triangle groups do not follow one another; begin each where the one before ends";
+        if (group.material >= mesh.materials.size())
+            return "a triangle group refers to material " + std::to_string(group.material) + ", but there are only " +
+                   std::to_string(mesh.materials.size()) + ", counted from 0";
+        if (group.kind != TriangleKind::surface && group.kind != TriangleKind::cap)
+            return "a triangle group is neither surface nor cap; make it one of them";
         covered += group.count;
     }
-    if (covered != mesh.triangles.size()) return "the triangle groups do not cover all triangles";
+    if (covered != mesh.triangles.size())
+        return "the triangle groups do not cover the triangles, all and no more; end the last where the triangles end";
     return {};
 }
 

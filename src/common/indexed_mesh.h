@@ -62,16 +62,24 @@ struct VertexStream
 };
 
 /// An indexed triangle mesh that a back end can cut. `assemble()` (common/assemble.h) makes one out of triangles as
-/// they come and establishes what is promised here; `check()` tests it.
+/// they come and establishes what is promised here; `prove()` (common/proven_mesh.h) tests it, for meshes made by hand.
+/// What breaks a promise is refused with one sentence.
 ///
+/// * There is a triangle; at most 2^32 / 3 triangles and fewer than 2^32 - 1 vertices; each vertex has a point and is a
+///   corner of a triangle; each triangle has a source.
 /// * `points` says which vertices are one place on the surface: vertices at a seam differ in normal or uv and share
-/// their
-///   point. Connectivity is by point. Point ids are dense: every id below `point_count` is used, and all vertices of a
-///   point have bit-equal positions. (Equal positions do not mean equal points: touching corners stay apart.)
-/// * No triangle has two equal points; no directed edge (by point) occurs twice; the triangles around a point form one
-/// fan.
-/// * `groups` cover the triangles in order, without gap or overlap; several may be alike.
-/// * Coordinates are finite; -0 does not occur.
+///   their point. Connectivity is by point. Point ids are dense: every id below `point_count` is used, and all vertices
+///   of a point have equal positions. (Equal positions do not mean equal points: touching corners stay apart.)
+/// * No triangle has two corners at one position.
+/// * No directed edge (by point) occurs twice. The triangles around a point form one fan.
+/// * `groups` cover the triangles in order, without gap or overlap, and name materials and kinds that exist.
+///   Several may be alike, or empty. Triangles that share an edge are in groups of one solid.
+/// * Coordinates are finite, however large; -0 does not occur. Normals and uv are finite.
+/// * Streams have `width` >= 1 values for each vertex.
+///
+/// Anything else is data that rides along: any `source` and any number of a `solid` are as good as others, normals may
+/// have any length (cuts make unit ones), streams may hold NaN and infinity (and give NaN next to them), materials need
+/// no name, triangles may have no area or lie on one another.
 struct IndexedMesh
 {
     Buffer<Vertex> vertices;
@@ -93,7 +101,8 @@ struct IndexedMesh
 };
 
 /// Empty when the mesh keeps what IndexedMesh promises about sizes, indices, ids, groups and numbers; otherwise one
-/// sentence that names the first thing that is wrong. Does not look at the neighbourhood of edges and points. O(n).
+/// sentence that names the first thing that is wrong. Does not look at what meets at edges and points: prove() does.
+/// Takes any mesh. O(n).
 std::string check(const IndexedMesh& mesh);
 
 }  // namespace kerf

@@ -12,10 +12,9 @@ public:
     std::string name() const override { return "halfedge"; }
 
 private:
-    std::unique_ptr<Cuttable> make(IndexedMesh mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
     {
-        const std::size_t material_count = mesh.materials.size();
-        return std::make_unique<Fragment>(prepare_universe(std::move(mesh)), material_count);
+        return std::make_unique<Fragment>(prepare_universe(mesh), mesh->materials.size());
     }
 };
 

@@ -253,15 +253,16 @@ void reserve_for_cuts(Universe& u, std::size_t crossings)
     u.tree.reserve(u.tree.nodes.size() + crossings + crossings / 4 + 64);
 }
 
-Prepared prepare_universe(IndexedMesh mesh)
+Prepared prepare_universe(const ProvenMesh& proven)
 {
+    const IndexedMesh& mesh = proven;
     Prepared prepared{std::make_shared<Universe>(), {}};
     Universe& u = *prepared.universe;
     const std::size_t n = mesh.triangles.size();
     const Box bounds = mesh.bounds();
     u.reference = mass_reference(bounds);
     u.noise = plane_noise(bounds.largest_coordinate());
-    u.materials = std::move(mesh.materials);
+    u.materials = mesh.materials;
 
     // Groups in the order in which ranges are drawn.
     for (const TriangleGroup& g : mesh.groups) u.groups.push_back({g.material, g.solid, g.kind});

@@ -7,6 +7,7 @@
 
 #include "common/cut.h"
 #include "common/indexed_mesh.h"
+#include "common/proven_mesh.h"
 #include "halfedge/append_buffer.h"
 #include "halfedge/fair_shared_mutex.h"
 #include "halfedge/surface_mesh.h"
@@ -104,9 +105,9 @@ struct Prepared
     std::vector<Shell> shells;
 };
 
-/// Builds the universe of a mesh that has passed check(): triangles in Morton order, half-edges, the tree, and reserved
-/// room for cuts (kReservedCrossings). O(n log n) with a radix sort's constant.
-Prepared prepare_universe(IndexedMesh mesh);
+/// Builds the universe of a mesh: triangles in Morton order, half-edges, the tree, and reserved room for cuts
+/// (kReservedCrossings). O(n log n) with a radix sort's constant.
+Prepared prepare_universe(const ProvenMesh& proven);
 
 /// Room that prepare_universe() reserves and touches, in crossing triangles: about eight cuts through the middle of a
 /// surface, whose section crosses some 3 sqrt(n) triangles.

@@ -167,7 +167,7 @@ TEST(VertexLookup, ComparesNoMoreWhereAllCutPointsLieInOnePlace)
         SCOPED_TRACE(name);
         const auto comparisons = [&](std::uint32_t n) {
             const shapes::HardSection section = *shapes::hard_section(name, n);
-            const Fragment whole = fragment_of(assemble(section.soup).mesh);
+            const Fragment whole = fragment_of(*assemble(section.soup).mesh);
             const Slices slices = slice(whole, section.plane, {}, VertexLookup::hash);
             EXPECT_GE(slices.statistics.crossing_triangles, 3 * n);
             return double(slices.statistics.vertex_comparisons);

@@ -34,8 +34,8 @@ TEST(Assemble, LeavesACleanMeshAlone)
 {
     const Assembled result = assembled(tetrahedron());
     EXPECT_TRUE(result.repairs.none()) << result.repairs.describe();
-    EXPECT_EQ(result.mesh.point_count, 4u);
-    EXPECT_EQ(result.mesh.sources, (Buffer<std::uint32_t>{0, 1, 2, 3}));
+    EXPECT_EQ(result.mesh->point_count, 4u);
+    EXPECT_EQ(result.mesh->sources, (Buffer<std::uint32_t>{0, 1, 2, 3}));
     EXPECT_NEAR(measure(result.mesh).volume, 1.0 / 6.0, 1e-15);
 }
 
@@ -74,7 +74,7 @@ TEST(Assemble, WeldsPositionsThatDifferInTheSignOfZero)
     const TriangleSoup mesh =
         soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, -0.0f}, {-0.0f, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}});
     const Assembled result = assembled(mesh);
-    EXPECT_EQ(result.mesh.point_count, 4u);
+    EXPECT_EQ(result.mesh->point_count, 4u);
     EXPECT_EQ(measure(result.mesh).shells, 1u);
 }
 
@@ -87,7 +87,7 @@ TEST(Assemble, DropsDegenerateAndDuplicateTriangles)
     EXPECT_EQ(result.repairs.degenerate_triangles, 1u);
     EXPECT_EQ(result.repairs.duplicate_triangles, 1u);
     EXPECT_EQ(result.repairs.describe(), "1 degenerate triangle dropped, 1 duplicate triangle dropped");
-    EXPECT_EQ(result.mesh.sources, (Buffer<std::uint32_t>{1, 2, 3, 4}));
+    EXPECT_EQ(result.mesh->sources, (Buffer<std::uint32_t>{1, 2, 3, 4}));
 }
 
 // Dropping a triangle of this mesh because it is there twice opens one of the two solids.
@@ -103,7 +103,7 @@ TEST(Assemble, KeepsATriangleTwiceThatTwoSolidsHaveInCommon)
     const MeshFacts facts = measure(result.mesh);
     EXPECT_TRUE(facts.closed());
     EXPECT_EQ(facts.shells, 2u);
-    EXPECT_EQ(result.mesh.point_count, 8u);
+    EXPECT_EQ(result.mesh->point_count, 8u);
     EXPECT_NEAR(facts.volume, 0.5, 1e-7);
 }
 
@@ -136,7 +136,7 @@ TEST(Assemble, DividesTwoCubesGluedAtAnEdge)
     EXPECT_TRUE(facts.closed());
     EXPECT_EQ(facts.shells, 2u);
     EXPECT_EQ(facts.volume, 2.0);
-    EXPECT_EQ(result.mesh.point_count, 16u);
+    EXPECT_EQ(result.mesh->point_count, 16u);
 }
 
 TEST(Assemble, DividesGluedCubesWhicheverWayTheyAreTurned)
@@ -171,14 +171,14 @@ TEST(Assemble, KeepsBothSidesOfASheet)
     // corner runs from rim to rim: front and back would pass there between the same two points.
     EXPECT_EQ(measure(result.mesh).shells, 3u);
     EXPECT_TRUE(measure(result.mesh).closed());
-    EXPECT_EQ(result.mesh.triangles.size(), 2 * sheet.triangles.size());
+    EXPECT_EQ(result.mesh->triangles.size(), 2 * sheet.triangles.size());
 }
 
 TEST(Assemble, DividesTwoCubesGluedAtAPoint)
 {
     const Assembled result = assembled(cube({0, 0, 0}) + cube({1, 1, 1}));
     EXPECT_EQ(result.repairs.nonmanifold_points, 1u);
-    EXPECT_EQ(result.mesh.point_count, 16u);
+    EXPECT_EQ(result.mesh->point_count, 16u);
     EXPECT_TRUE(measure(result.mesh).closed());
 }
 
@@ -188,7 +188,7 @@ TEST(Assemble, DividesTwoCubesGluedAtAFace)
     const MeshFacts facts = measure(result.mesh);
     EXPECT_TRUE(facts.closed());
     EXPECT_EQ(facts.shells, 2u);
-    EXPECT_EQ(result.mesh.point_count, 16u);
+    EXPECT_EQ(result.mesh->point_count, 16u);
 }
 
 TEST(Assemble, TurnsOverWhatIsInsideOut)
@@ -226,13 +226,13 @@ TEST(Assemble, CutsAKleinBottleOpenAlongOneRing)
 TEST(Assemble, NamesEveryMaterialAndHasOne)
 {
     TriangleSoup mesh = tetrahedron();
-    EXPECT_EQ(assembled(mesh).mesh.materials.at(0).name, "surface");
+    EXPECT_EQ(assembled(mesh).mesh->materials.at(0).name, "surface");
     mesh.materials.resize(2);
     mesh.materials[0].name = "bark";
     const Assembled result = assembled(mesh);
-    ASSERT_EQ(result.mesh.materials.size(), 2u);
-    EXPECT_EQ(result.mesh.materials[0].name, "bark");
-    EXPECT_EQ(result.mesh.materials[1].name, "material 1");
+    ASSERT_EQ(result.mesh->materials.size(), 2u);
+    EXPECT_EQ(result.mesh->materials[0].name, "bark");
+    EXPECT_EQ(result.mesh->materials[1].name, "material 1");
 }
 
 TEST(Assemble, GroupsTrianglesByMaterialThenSolidInOtherwiseUnchangedOrder)
@@ -241,13 +241,13 @@ TEST(Assemble, GroupsTrianglesByMaterialThenSolidInOtherwiseUnchangedOrder)
     mesh.materials.resize(2);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.triangle_materials.push_back(t % 2);
     const Assembled result = assembled(mesh);
-    ASSERT_EQ(result.mesh.groups.size(), 4u);
+    ASSERT_EQ(result.mesh->groups.size(), 4u);
     for (std::uint32_t g = 0; g < 4; ++g) {
-        EXPECT_EQ(result.mesh.groups[g].material, g / 2);
-        EXPECT_EQ(result.mesh.groups[g].solid, g % 2);
-        EXPECT_EQ(result.mesh.groups[g].count, 6u);
+        EXPECT_EQ(result.mesh->groups[g].material, g / 2);
+        EXPECT_EQ(result.mesh->groups[g].solid, g % 2);
+        EXPECT_EQ(result.mesh->groups[g].count, 6u);
         for (std::uint32_t i = 0; i < 6; ++i)
-            EXPECT_EQ(result.mesh.sources[result.mesh.groups[g].first + i], 12 * (g % 2) + 2 * i + g / 2);
+            EXPECT_EQ(result.mesh->sources[result.mesh->groups[g].first + i], 12 * (g % 2) + 2 * i + g / 2);
     }
 }
 
@@ -259,14 +259,14 @@ TEST(Assemble, DropsVerticesThatNobodyUsesAndNumbersTheOthersByFirstUse)
         for (std::uint32_t& v : triangle) ++v;
     const Assembled result = assembled(mesh);
     std::uint32_t next_point = 0, next_vertex = 0;
-    for (const Triangle& triangle : result.mesh.triangles)
+    for (const Triangle& triangle : result.mesh->triangles)
         for (const std::uint32_t v : triangle) {
             ASSERT_LE(v, next_vertex);
             next_vertex += v == next_vertex;
-            ASSERT_LE(result.mesh.points[v], next_point);
-            next_point += result.mesh.points[v] == next_point;
+            ASSERT_LE(result.mesh->points[v], next_point);
+            next_point += result.mesh->points[v] == next_point;
         }
-    EXPECT_LT(result.mesh.bounds().hi.x, 2.0f);
+    EXPECT_LT(result.mesh->bounds().hi.x, 2.0f);
 }
 
 TEST(Assemble, TurnsNormalsOfWhatItTurnsOverAndReplacesLostOnes)
@@ -280,7 +280,7 @@ TEST(Assemble, TurnsNormalsOfWhatItTurnsOverAndReplacesLostOnes)
             for (Vertex& v : turned.vertices) v.normal = -v.normal;
         const Assembled result = assembled(turned);
         EXPECT_EQ(result.repairs.flipped_triangles, mesh.triangles.size());
-        for (const Vertex& v : result.mesh.vertices) {
+        for (const Vertex& v : result.mesh->vertices) {
             EXPECT_NEAR(glm::length(v.normal), 1.0f, 1e-5f);
             EXPECT_GT(glm::dot(v.normal, v.position), 0.9f);
         }
@@ -341,7 +341,7 @@ RC_GTEST_PROP(Assemble, KeepsItsPromisesForAnyTriangles, ())
         return;
     }
     expect_faithful(soup, result);
-    RC_ASSERT(same_bytes(result.mesh, assemble(soup).mesh));
+    RC_ASSERT(same_bytes(result.mesh, *assemble(soup).mesh));
 }
 
 TEST(Assemble, KeepsClosedWhatIsClosed)

@@ -38,13 +38,13 @@ TEST(EdgeRuns, BringTheHalfEdgesOfEachEdgeTogetherInOrder)
 
 TEST(EdgeRuns, SortTheHubOfALargeFanToo)
 {
-    const IndexedMesh cone = assemble(shapes::cone(1.0f, 1.0f, 1000)).mesh;
+    const IndexedMesh cone = *assemble(shapes::cone(1.0f, 1.0f, 1000)).mesh;
     for (const std::uint32_t twin : half_edge_twins(cone)) ASSERT_NE(twin, kNoTwin);
 }
 
 TEST(HalfEdgeTwins, RunAlongTheSamePointsTheOtherWay)
 {
-    const IndexedMesh mesh = assemble(cube()).mesh;
+    const IndexedMesh mesh = *assemble(cube()).mesh;
     const Buffer<std::uint32_t> twins = half_edge_twins(mesh);
     const auto point = [&](std::uint32_t h) { return mesh.points[mesh.triangles[h / 3][h % 3]]; };
     for (std::uint32_t h = 0; h < twins.size(); ++h) {
@@ -57,7 +57,7 @@ TEST(HalfEdgeTwins, RunAlongTheSamePointsTheOtherWay)
 
 TEST(HalfEdgeTwins, AreMissingAtTheBoundary)
 {
-    const IndexedMesh mesh = assemble(moebius_strip(24)).mesh;
+    const IndexedMesh mesh = *assemble(moebius_strip(24)).mesh;
     const Buffer<std::uint32_t> twins = half_edge_twins(mesh);
     EXPECT_EQ(static_cast<std::uint64_t>(std::count(twins.begin(), twins.end(), kNoTwin)),
               measure(mesh).boundary_edges);

@@ -107,7 +107,7 @@ TEST(MeshFacts, CountFaultyTriangles)
 
 TEST(MeshFacts, OfAnAssembledMeshGoByPoints)
 {
-    const MeshFacts facts = measure(assemble(cube() + cube({1, 1, 0})).mesh);
+    const MeshFacts facts = measure(*assemble(cube() + cube({1, 1, 0})).mesh);
     EXPECT_EQ(facts.welded_vertices, 16u);
     EXPECT_TRUE(facts.closed() && facts.manifold() && facts.oriented());
     EXPECT_EQ(facts.shells, 2u);

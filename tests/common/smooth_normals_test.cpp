@@ -15,7 +15,7 @@ using namespace small_meshes;
 
 TEST(SmoothNormals, AreSharpAtTheEdgesOfACube)
 {
-    const IndexedMesh mesh = assemble(cube()).mesh;
+    const IndexedMesh mesh = *assemble(cube()).mesh;
     EXPECT_EQ(mesh.vertices.size(), 24u);
     EXPECT_EQ(mesh.point_count, 8u);
     for (const Vertex& v : mesh.vertices) {
@@ -36,8 +36,8 @@ TEST(SmoothNormals, AreRoundOnASphereWhateverItsVerticesWere)
     }
     corners.has_normals = false;
     const Assembled result = assemble(corners);
-    EXPECT_EQ(result.mesh.vertices.size(), result.mesh.point_count);
-    for (const Vertex& v : result.mesh.vertices) EXPECT_GT(glm::dot(v.normal, v.position), 0.999f);
+    EXPECT_EQ(result.mesh->vertices.size(), result.mesh->point_count);
+    for (const Vertex& v : result.mesh->vertices) EXPECT_GT(glm::dot(v.normal, v.position), 0.999f);
 }
 
 TEST(SmoothNormals, DoNotDependOnHowFlatFacesAreDivided)
@@ -49,14 +49,14 @@ TEST(SmoothNormals, DoNotDependOnHowFlatFacesAreDivided)
     divided.vertices.push_back({{0, 1, 0}, glm::vec3(0.0f), glm::vec2(0.0f)});
     divided.triangles[0] = {0, 1, 5};
     divided.triangles.push_back({0, 5, 2});
-    EXPECT_NEAR(glm::length(assemble(plain).mesh.vertices[0].normal - glm::vec3(0, 0, 1)), 0.0f, 1e-6f);
-    EXPECT_NEAR(glm::length(assemble(divided).mesh.vertices[0].normal - glm::vec3(0, 0, 1)), 0.0f, 1e-6f);
+    EXPECT_NEAR(glm::length(assemble(plain).mesh->vertices[0].normal - glm::vec3(0, 0, 1)), 0.0f, 1e-6f);
+    EXPECT_NEAR(glm::length(assemble(divided).mesh->vertices[0].normal - glm::vec3(0, 0, 1)), 0.0f, 1e-6f);
 }
 
 TEST(SmoothNormals, OfTrianglesWithoutAreaAreStillUnit)
 {
     const Assembled flat = assemble(soup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));
-    for (const Vertex& v : flat.mesh.vertices) EXPECT_EQ(glm::length(v.normal), 1.0f);
+    for (const Vertex& v : flat.mesh->vertices) EXPECT_EQ(glm::length(v.normal), 1.0f);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Solids, AnOuterShellAndItsCavityAreOneSolid)
     const Assembled result = assemble(shapes::sphere_in_sphere(2.0f, 1.0f, 4));
     ASSERT_EQ(result.error, "");
     EXPECT_TRUE(result.repairs.none()) << result.repairs.describe();
-    ASSERT_EQ(result.mesh.groups.size(), 1u);
+    ASSERT_EQ(result.mesh->groups.size(), 1u);
 }
 
 TEST(Solids, ABallInACavityIsASolidOfItsOwn)
@@ -70,7 +70,7 @@ TEST(Solids, ABallInTheHoleOfATorusIsNotInTheTorus)
     TriangleSoup ball = inside_out(shapes::icosphere(0.5f, 2));
     const Assembled result = assemble(shapes::torus(2.0f, 0.5f, 24, 12) + ball);
     EXPECT_EQ(result.repairs.flipped_triangles, ball.triangles.size());
-    EXPECT_EQ(result.mesh.groups.size(), 2u);
+    EXPECT_EQ(result.mesh->groups.size(), 2u);
 }
 
 TEST(Solids, ACavityMayTouchTheWall)
@@ -80,7 +80,7 @@ TEST(Solids, ACavityMayTouchTheWall)
         const Assembled result = assemble(cube({0, 0, 0}, 3) + inside_out(cube(corner, 1)));
         ASSERT_EQ(result.error, "");
         EXPECT_EQ(result.repairs.flipped_triangles, 0u);
-        EXPECT_EQ(result.mesh.groups.size(), 1u);
+        EXPECT_EQ(result.mesh->groups.size(), 1u);
         const MeshFacts facts = measure(result.mesh);
         EXPECT_TRUE(facts.closed() && facts.manifold() && facts.oriented());
         EXPECT_EQ(facts.volume, 26.0);
@@ -92,16 +92,16 @@ TEST(Solids, AShellWithoutVolumeBelongsToTheSolidAroundIt)
     // A triangle and its back; not on a lattice, so that the volume is 0 but for rounding.
     const TriangleSoup flat =
         soup({{0.21f, 0.22f, 0.53f}, {0.81f, 0.23f, 0.57f}, {0.24f, 0.83f, 0.51f}}, {{0, 1, 2}, {1, 0, 2}});
-    EXPECT_EQ(assemble(cube() + flat).mesh.groups.size(), 1u);
-    EXPECT_EQ(assemble(cube() + flat + inside_out(flat)).mesh.groups.size(), 1u);
-    EXPECT_EQ(assemble(cube({5, 0, 0}) + flat).mesh.groups.size(), 2u);
+    EXPECT_EQ(assemble(cube() + flat).mesh->groups.size(), 1u);
+    EXPECT_EQ(assemble(cube() + flat + inside_out(flat)).mesh->groups.size(), 1u);
+    EXPECT_EQ(assemble(cube({5, 0, 0}) + flat).mesh->groups.size(), 2u);
 }
 
 TEST(Solids, OverlappingSolidsStayTwo)
 {
     const Assembled result = assemble(cube({0, 0, 0}) + cube({0.5f, 0.5f, 0.5f}));
     EXPECT_TRUE(result.repairs.none());
-    EXPECT_EQ(result.mesh.groups.size(), 2u);
+    EXPECT_EQ(result.mesh->groups.size(), 2u);
 }
 
 TEST(Solids, AnOpenShellIsASolidOfItsOwnAndKeepsItsOrientation)
@@ -109,7 +109,7 @@ TEST(Solids, AnOpenShellIsASolidOfItsOwnAndKeepsItsOrientation)
     TriangleSoup lid = soup({{0.2f, 0.2f, 0.5f}, {0.8f, 0.2f, 0.5f}, {0.2f, 0.8f, 0.5f}}, {{0, 2, 1}});
     const Assembled result = assemble(cube() + lid);
     EXPECT_TRUE(result.repairs.none()) << result.repairs.describe();
-    EXPECT_EQ(result.mesh.groups.size(), 2u);
+    EXPECT_EQ(result.mesh->groups.size(), 2u);
 }
 
 TEST(Solids, AShellWithASmallHoleCanBeInsideOut)
@@ -221,7 +221,7 @@ TEST(Solids, ThousandsOfShellsTakeNoQuadraticStep)
     many.has_normals = false;
     const Assembled cheese = assemble(many + cube(glm::vec3(-1.0f), 30.0f));
     EXPECT_TRUE(cheese.repairs.none());
-    EXPECT_EQ(cheese.mesh.groups.size(), 1u);
+    EXPECT_EQ(cheese.mesh->groups.size(), 1u);
 
     TriangleSoup onion;
     for (int i = 0; i < 2000; ++i) {
@@ -235,7 +235,7 @@ TEST(Solids, ThousandsOfShellsTakeNoQuadraticStep)
     onion.has_normals = false;
     const Assembled peeled = assemble(onion);
     EXPECT_TRUE(peeled.repairs.none());
-    EXPECT_EQ(peeled.mesh.groups.size(), 1000u);
+    EXPECT_EQ(peeled.mesh->groups.size(), 1000u);
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(CgalClip, AgreesWithEveryBackEndOnModels)
     Count count;
     for (const char* name : {"rook", "barrel", "horse", "pedestal"}) {
         const std::string path = std::string(KERF_DATA_DIR) + "/models/" + name + ".obj";
-        compare({name, io::read_mesh(path).mesh}, 1, 43, count);
+        compare({name, *io::read_mesh(path).mesh}, 1, 43, count);
     }
     EXPECT_GT(count.compared, 25);
     EXPECT_LT(count.skipped * 10, count.compared) << count.skipped << " cuts were not compared";

@@ -273,7 +273,7 @@ TEST(CgalInside, IsTheSameAtTenThousandPointsForModels)
     Count count;
     for (const char* name : {"rook", "barrel", "horse", "pedestal"}) {
         const std::string path = std::string(KERF_DATA_DIR) + "/models/" + name + ".obj";
-        compare({name, io::read_mesh(path).mesh}, 53, count);
+        compare({name, *io::read_mesh(path).mesh}, 53, count);
     }
     check(count, 25);
 }

@@ -39,7 +39,7 @@ protected:
         EXPECT_EQ(referee::open_edges_by_position(result.mesh), 0u);
         seen_.kept += result.repairs.coinciding_triangles;
         seen_.dropped += result.repairs.duplicate_triangles;
-        return std::move(result.mesh);
+        return *std::move(result.mesh);
     }
 
     /// Cuts a closed mesh, and one of the halves again.

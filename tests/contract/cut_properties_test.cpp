@@ -9,7 +9,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include "common/cut.h"
 #include "common/shapes.h"
@@ -452,16 +451,6 @@ TEST_P(CutProperties, PiecesAreClosedAndKeepTogetherWhatHangsTogether)
     }));
 }
 
-/// No directed edge occurs twice, as IndexedMesh promises. A cap that runs along an edge of the surface breaks that.
-bool edges_are_unique(const IndexedMesh& mesh)
-{
-    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-            if (!edges.emplace(mesh.points[t[i]], mesh.points[t[(i + 1) % 3]]).second) return false;
-    return true;
-}
-
 TEST_P(CutProperties, PiecesAreTheSameForEveryBackEnd)
 {
     const auto first = test::backends().front().make();
@@ -475,7 +464,8 @@ TEST_P(CutProperties, PiecesAreTheSameForEveryBackEnd)
         for (int generation = 0; generation < 3; ++generation) {
             const std::size_t chosen = below(static_cast<std::uint32_t>(meshes.size()));
             const IndexedMesh mesh = meshes[chosen];
-            if (!edges_are_unique(mesh)) return;
+            // A cap that runs along an edge of the surface, or meets it in a point, is for the back end that made it.
+            if (!prove(mesh).error.empty()) return;
             if (generation > 0) plane = some_plane(mesh, random);
             const CutResult expected = cut(std::move(first->prepare(mesh).object), plane, in_pieces());
             const CutResult result = cut(prepare(mesh), plane, in_pieces());

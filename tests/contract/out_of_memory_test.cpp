@@ -176,7 +176,7 @@ TEST(OutOfMemory, WhileAssemblingIsAnExceptionAndNothingElse)
         } catch (const std::bad_alloc&) {
             EXPECT_TRUE(happened);
         }
-        EXPECT_EQ(referee::bytes_of(assemble(soup).mesh), bytes);
+        EXPECT_EQ(referee::bytes_of(*assemble(soup).mesh), bytes);
         return happened;
     });
     EXPECT_GT(faults, 50u);

@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(All, RealMesh,
 TEST_P(RealMesh, IsCutIntoSidesThatAreClosedAndAddUp)
 {
     const auto& [path, back_end] = GetParam();
-    const IndexedMesh mesh = io::read_mesh(path).mesh;
+    const IndexedMesh mesh = *io::read_mesh(path).mesh;
     const bool is_closed = referee::open_edges(mesh) == 0;
     const bool is_large = mesh.triangles.size() > 200'000;
     const double volume = referee::volume(mesh), surface = referee::area(mesh);

@@ -159,7 +159,7 @@ TEST_P(Scale, FarFromTheOriginGivesClosedPiecesAndAWarningWhereFloatsAreTooCoars
         ASSERT_EQ(mesh.error, "");
         if (place.triangles > 1000 && GetParam().name != "baseline_remap" && GetParam().name != "halfedge") continue;
         EXPECT_EQ(backend_->prepare(mesh.mesh).coarse_coordinates, place.is_coarse);
-        EXPECT_EQ(has_coarse_coordinates(shortest_edge(mesh.mesh.vertices, mesh.mesh.triangles), mesh.mesh.bounds()),
+        EXPECT_EQ(has_coarse_coordinates(shortest_edge(mesh.mesh->vertices, mesh.mesh->triangles), mesh.mesh->bounds()),
                   place.is_coarse);
         expect_sound_cuts(*backend_, mesh.mesh, 3);
     }

@@ -77,8 +77,9 @@ TEST_P(FruitFile, IsClosedAndManifoldAndNeedsNoRepair)
     const io::LoadedMesh loaded = io::read_mesh(path_of(GetParam()));
     EXPECT_TRUE(loaded.repairs.none()) << loaded.repairs.describe();
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
-    for (const Triangle& t : loaded.mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) ++directed[{loaded.mesh.points[t[k]], loaded.mesh.points[t[(k + 1) % 3]]}];
+    for (const Triangle& t : loaded.mesh->triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            ++directed[{loaded.mesh->points[t[k]], loaded.mesh->points[t[(k + 1) % 3]]}];
     for (const auto& [edge, count] : directed) {
         EXPECT_EQ(count, 1);
         EXPECT_EQ(directed.count({edge.second, edge.first}), 1u);

@@ -243,7 +243,7 @@ void fuzz_cut(Bytes input)
     if (!assembled.error.empty()) return;
     require(is_manifold(assembled.mesh), "an assembled mesh is manifold");
     const std::array<std::unique_ptr<Backend>, 2> backends{baseline::make_backend(lookup), halfedge::make_backend()};
-    IndexedMesh mesh = std::move(assembled.mesh);
+    IndexedMesh mesh = *std::move(assembled.mesh);
     for (int i = 0; i < kMostCuts; ++i) {
         const Plane plane = plane_from(bytes, mesh);
         const std::uint8_t more = bytes.byte();

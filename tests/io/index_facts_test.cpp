@@ -76,13 +76,13 @@ TEST_P(IndexFacts, AreRepairedWithoutLosingATriangle)
     const MeshFacts after = measure(result.mesh);
     EXPECT_TRUE(after.manifold() && after.oriented());
     EXPECT_GT(after.volume, 0.0);
-    EXPECT_EQ(result.mesh.triangles.size(), expected.triangles);
+    EXPECT_EQ(result.mesh->triangles.size(), expected.triangles);
     EXPECT_EQ(result.repairs.nonmanifold_edges, expected.nonmanifold_edges);
     EXPECT_EQ(result.repairs.nonmanifold_points, expected.nonmanifold_points);
     EXPECT_EQ(result.repairs.unorientable_edges, 0u);
     EXPECT_EQ(result.repairs.flipped_triangles > 0, expected.misoriented_edges > 0);
     std::uint64_t solids = 0;
-    for (const TriangleGroup& group : result.mesh.groups) solids = std::max(solids, std::uint64_t{group.solid} + 1);
+    for (const TriangleGroup& group : result.mesh->groups) solids = std::max(solids, std::uint64_t{group.solid} + 1);
     EXPECT_EQ(solids, expected.solids);
 }
 

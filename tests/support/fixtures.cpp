@@ -11,7 +11,7 @@ IndexedMesh assembled(TriangleSoup soup)
 {
     Assembled result = assemble(std::move(soup));
     if (!result.error.empty()) throw std::runtime_error(result.error);
-    return std::move(result.mesh);
+    return *std::move(result.mesh);
 }
 
 namespace {

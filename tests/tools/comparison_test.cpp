@@ -72,7 +72,7 @@ public:
     std::string name() const override { return "liar"; }
 
 private:
-    std::unique_ptr<Cuttable> make(IndexedMesh mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
     {
         return std::make_unique<LyingObject>(baseline::make_backend()->prepare(std::move(mesh)).object, spoil_, false);
     }
@@ -80,9 +80,9 @@ private:
     Spoil spoil_;
 };
 
-IndexedMesh assembled(TriangleSoup soup)
+ProvenMesh assembled(TriangleSoup soup)
 {
-    return std::move(assemble(std::move(soup)).mesh);
+    return assemble(std::move(soup)).mesh;
 }
 
 struct Outcome
@@ -240,7 +240,7 @@ TEST(Comparison, SaysWhereTheFanIsWrongAndByHowMuch)
 
 TEST(ComparisonPlanes, DependOnTheSurfaceAndTheSeedOnly)
 {
-    const IndexedMesh mesh = assembled(shapes::torus(1.0f, 0.4f, 20, 12));
+    const IndexedMesh mesh = *assembled(shapes::torus(1.0f, 0.4f, 20, 12));
     IndexedMesh turned = mesh;
     for (Triangle& t : turned.triangles) t = {t[1], t[2], t[0]};
     const SurfaceKeys a(mesh), b(turned);
@@ -347,7 +347,7 @@ TEST(SectionsOfSolids, ShowWhatWindsBackwardsWithinAnother)
 
     CutOptions options;
     options.cap_material = 1;
-    IndexedMesh mesh = assembled(std::move(soup));
+    IndexedMesh mesh = *assembled(std::move(soup));
     mesh.materials.resize(2);
     const glm::dvec3 up{0, 1, 0};
     const CutResult result = cut(baseline::make_backend()->prepare(mesh).object, Plane{up, 0.0}, options);
@@ -386,7 +386,7 @@ TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
         const auto [a, b, c] = soup.triangles[t];
         soup.triangles.push_back({a + vertices, c + vertices, b + vertices});
     }
-    IndexedMesh mesh = assembled(std::move(soup));
+    const ProvenMesh mesh = assembled(std::move(soup));
     ComparisonOptions options;
     options.planes = 12;
     const std::unique_ptr<Backend> baseline = baseline::make_backend();
@@ -404,7 +404,7 @@ TEST(Comparison, SaysThatRepairOpenedTheMesh)
 {
     TriangleSoup sheet = ball();
     sheet.triangles.pop_back();
-    const IndexedMesh mesh = assembled(std::move(sheet));
+    const ProvenMesh mesh = assembled(std::move(sheet));
     const std::unique_ptr<Backend> baseline = baseline::make_backend();
     const auto failures_of = [&](bool was_closed) {
         ComparisonOptions options;
@@ -428,7 +428,7 @@ TEST(Comparison, FindsAWarningThatIsMissing)
 
 TEST(OpenEdges, AreEdgesWithoutAReverse)
 {
-    IndexedMesh mesh = assembled(shapes::icosphere(1.0f, 3));
+    IndexedMesh mesh = *assembled(shapes::icosphere(1.0f, 3));
     EXPECT_EQ(open_edges(mesh), 0u);
     const Triangle last = mesh.triangles.back();
     mesh.triangles.pop_back();

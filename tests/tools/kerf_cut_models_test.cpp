@@ -48,7 +48,7 @@ protected:
             const io::LoadedMesh half = io::read_mesh(folder_ / ("half." + std::string(side) + ".ply"));
             EXPECT_EQ(half.facts.degenerate_triangles, 0u);
             const double sign = side[0] == 'p' ? 1.0 : -1.0;
-            for (const Vertex& v : half.mesh.vertices) ASSERT_GE(sign * plane.signed_distance(v.position), -noise);
+            for (const Vertex& v : half.mesh->vertices) ASSERT_GE(sign * plane.signed_distance(v.position), -noise);
             volume += cut[side]["volume"].get<double>();
             surface += cut[side]["surface_area"].get<double>();
             if (!before.closed()) continue;
@@ -69,18 +69,19 @@ protected:
         std::uniform_real_distribution<double> between(-1.0, 1.0);
         for (const std::filesystem::path& file : files) {
             const io::LoadedMesh whole = io::read_mesh(file);
-            const glm::dvec3 centre = whole.mesh.bounds().centre();
+            const glm::dvec3 centre = whole.mesh->bounds().centre();
             const auto any_direction = [&] { return glm::dvec3(between(random), between(random), between(random)); };
             check_cut(file, whole, centre, any_direction());
             check_cut(file, whole, centre, {0, 1, 0});
             const auto vertex = [&](std::size_t corner) {
                 return glm::dvec3(
-                    whole.mesh.vertices[whole.mesh.triangles[random() % whole.mesh.triangles.size()][corner]].position);
+                    whole.mesh->vertices[whole.mesh->triangles[random() % whole.mesh->triangles.size()][corner]]
+                        .position);
             };
             check_cut(file, whole, vertex(0), any_direction());
             // In a face.
-            const Triangle& t = whole.mesh.triangles[whole.mesh.triangles.size() / 2];
-            const auto p = [&](std::size_t i) { return glm::dvec3(whole.mesh.vertices[t[i]].position); };
+            const Triangle& t = whole.mesh->triangles[whole.mesh->triangles.size() / 2];
+            const auto p = [&](std::size_t i) { return glm::dvec3(whole.mesh->vertices[t[i]].position); };
             check_cut(file, whole, p(0), glm::cross(p(1) - p(0), p(2) - p(0)));
         }
     }

@@ -30,7 +30,7 @@ IndexedMesh sample()
         soup.triangle_materials.push_back(soup.vertices[t[0]].position.z > 0.0f ? 1u : 0u);
     Assembled assembled = assemble(std::move(soup));
     EXPECT_EQ(assembled.error, "");
-    return std::move(assembled.mesh);
+    return *std::move(assembled.mesh);
 }
 
 SurfaceDifference difference(const IndexedMesh& a, const IndexedMesh& b)

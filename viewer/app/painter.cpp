@@ -85,7 +85,7 @@ Painter::Painter(int width, int height) : world_(std::in_place, looks_), rendere
 void Painter::warm_up(const sim::ModelShelf& models)
 {
     for (std::size_t i = 0; i < models.size(); ++i) {
-        std::vector<Material> materials = models.model(i).mesh.materials;
+        std::vector<Material> materials = models.model(i).mesh->materials;
         add_cap_material(materials);
         for (std::uint32_t m = 0; m < materials.size(); ++m) {
             if (!materials[m].texture.empty())

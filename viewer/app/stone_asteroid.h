@@ -8,7 +8,7 @@
 namespace kerf::app {
 
 /// A boulder of so many triangles.
-inline IndexedMesh stone_asteroid(std::uint64_t triangles, std::uint64_t seed)
+inline ProvenMesh stone_asteroid(std::uint64_t triangles, std::uint64_t seed)
 {
     TriangleSoup soup = shapes::asteroid(triangles, seed);
     Material rock;

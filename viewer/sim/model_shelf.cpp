@@ -33,13 +33,13 @@ std::span<const std::string_view> report_model_names()
 
 std::size_t ModelShelf::add(Model model)
 {
-    model.box = model.mesh.bounds();
+    model.box = model.mesh->bounds();
     const std::lock_guard lock(mutex_);
     models_.push_back(std::make_unique<Model>(std::move(model)));
     return models_.size() - 1;
 }
 
-std::size_t ModelShelf::add(std::string name, IndexedMesh mesh, bool is_closed)
+std::size_t ModelShelf::add(std::string name, ProvenMesh mesh, bool is_closed)
 {
     Model model;
     model.name = std::move(name);
@@ -56,14 +56,14 @@ std::size_t ModelShelf::add_file(const std::filesystem::path& path)
     model.is_closed = loaded.is_closed();
     model.mesh = std::move(loaded.mesh);
     model.coarse_coordinates = loaded.facts.has_coarse_coordinates();
-    const Box box = model.mesh.bounds();
+    const Box box = model.mesh->bounds();
     const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
     if (!(radius <= kLargestMesh && radius >= 1.0 / kLargestMesh))
         throw io::FileError(path.string() +
                             ": the mesh is too large or too small to be thrown, beyond 1e18 mesh units");
     model.folder = path.parent_path();
     model.files = std::move(loaded.files);
-    for (Material& material : model.mesh.materials) {
+    for (Material& material : model.mesh.materials()) {
         if (material.texture.empty()) continue;
         model.files.push_back(file_of_texture(model.folder, material.texture));
         material.texture = model.files.back().string();
@@ -79,7 +79,7 @@ void ModelShelf::add_report_models(const std::filesystem::path& folder)
 void ModelShelf::empty_model(std::size_t index)
 {
     // What is freed goes after the lock: it takes time.
-    IndexedMesh mesh;
+    ProvenMesh mesh;
     std::vector<std::shared_ptr<Prepared>> prepared;
     const std::lock_guard lock(mutex_);
     std::swap(mesh, models_[index]->mesh);

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/cut.h"
-#include "common/indexed_mesh.h"
 #include "common/mass_properties.h"
+#include "common/proven_mesh.h"
 
 namespace kerf::sim {
 
@@ -20,7 +20,7 @@ namespace kerf::sim {
 struct Model
 {
     std::string name;
-    IndexedMesh mesh;
+    ProvenMesh mesh;
     Box box;
     bool coarse_coordinates = false;  ///< MeshFacts::has_coarse_coordinates(): a warning
     bool is_closed = false;           ///< the surface of solids, known to have no boundary: nobody sees its back
@@ -67,7 +67,7 @@ class ModelShelf
 public:
     /// Returns the model's index.
     std::size_t add(Model model);
-    std::size_t add(std::string name, IndexedMesh mesh, bool is_closed = false);
+    std::size_t add(std::string name, ProvenMesh mesh, bool is_closed = false);
     /// @throws io::FileError  also for a mesh that is too large or too small to be drawn (kLargestMesh)
     std::size_t add_file(const std::filesystem::path& path);
     /// The report's fifteen models from data/models.

@@ -47,7 +47,7 @@ TriangleSoup read_soup(const std::filesystem::path& path, ReadingNotes* notes = 
 /// A file made ready for cutting, with what was found and what was repaired.
 struct LoadedMesh
 {
-    IndexedMesh mesh;
+    ProvenMesh mesh;
     std::vector<std::filesystem::path> files;  ///< all that were read: the mesh, its material libraries and buffers
     MeshFacts facts;                           ///< before repair
     Repairs repairs;
@@ -55,7 +55,7 @@ struct LoadedMesh
 
     /// Whether the mesh as it was repaired has no boundary: the surface of solids, of which one never sees the back.
     /// O(n log n) if something was repaired, otherwise O(1).
-    bool is_closed() const { return repairs.none() ? facts.closed() : measure(mesh).closed(); }
+    bool is_closed() const { return repairs.none() ? facts.closed() : measure(*mesh).closed(); }
 };
 
 /// read_soup(), measure() and assemble() in one.

@@ -9,13 +9,13 @@
 namespace kerf::test {
 namespace {
 
-IndexedMesh assembled(TriangleSoup soup, const glm::vec3& stretch = glm::vec3(1.0f))
+ProvenMesh assembled(TriangleSoup soup, const glm::vec3& stretch = glm::vec3(1.0f))
 {
     for (Vertex& vertex : soup.vertices) vertex.position *= stretch;
     return std::move(assemble(std::move(soup)).mesh);
 }
 
-IndexedMesh stand_in(game::FruitKind kind)
+ProvenMesh stand_in(game::FruitKind kind)
 {
     using enum game::FruitKind;
     switch (kind) {

@@ -64,7 +64,7 @@ std::vector<StagedPiece> opened(const Backend& backend, io::LoadedMesh loaded, c
                                 const glm::vec3& to = kBright)
 {
     const bool is_closed = loaded.is_closed();
-    const Box box = loaded.mesh.bounds();
+    const Box box = loaded.mesh->bounds();
     const float radius = 0.5f * glm::length(box.hi - box.lo);
     CutResult result = cut(backend.prepare(std::move(loaded.mesh)).object, plane);
     std::vector<StagedPiece> pieces;
@@ -275,7 +275,7 @@ TEST_F(FruitLook, ShowsTheSkinOnlyAtTheEdgeOfACut)
     const NamedBackend backend = both_back_ends().front();
     const View seen = view(opened(*backend.make(), fruit("watermelon"), across));
     // pattern_scale is 1 / diagonal: back to metres.
-    const Box box = fruit("watermelon").mesh.bounds();
+    const Box box = fruit("watermelon").mesh->bounds();
     const float size = glm::length(box.hi - box.lo);
     std::size_t rim = 0, green_rim = 0, inner = 0, red_inner = 0;
     for (std::size_t i = 0; i < seen.facts.size(); ++i) {
@@ -333,7 +333,7 @@ TEST_F(FruitLook, AllFruitTogetherLeaveRoomInTheTableOfLooks)
 {
     std::uint32_t most = 0;
     for (const std::string& name : kFruit) {
-        IndexedMesh mesh = fruit(name).mesh;
+        IndexedMesh mesh = *fruit(name).mesh;
         const std::uint32_t cap = add_cap_material(mesh.materials);
         for (std::uint32_t m = 0; m < mesh.materials.size(); ++m)
             for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap})

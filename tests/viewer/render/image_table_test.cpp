@@ -127,7 +127,7 @@ TEST_F(ImageTest, IsDecodedFromSrgb)
     const std::string grey = image("grey.png", 1, [](int, int) { return Rgb{188, 188, 188}; });
     std::vector<Picture> pictures;
     for (const bool by_image : {true, false}) {
-        IndexedMesh mesh = io::read_mesh(KERF_DATA_DIR "/models/sphere.obj").mesh;
+        IndexedMesh mesh = *io::read_mesh(KERF_DATA_DIR "/models/sphere.obj").mesh;
         for (Material& material : mesh.materials) {
             material = {"a colour", glm::vec4(by_image ? 1.0f : linear), by_image ? grey : ""};
             material.colour.a = 1.0f;

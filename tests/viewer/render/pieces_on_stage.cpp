@@ -16,7 +16,7 @@ std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& back
 {
     io::LoadedMesh loaded = io::read_mesh(std::string(KERF_DATA_DIR "/models/") + model + ".obj");
     const bool is_closed = loaded.is_closed();
-    IndexedMesh mesh = std::move(loaded.mesh);
+    IndexedMesh mesh = *std::move(loaded.mesh);
     for (Material& material : mesh.materials) material.texture = image;
     const Box box = mesh.bounds();
     const glm::vec3 centre = 0.5f * (box.lo + box.hi);

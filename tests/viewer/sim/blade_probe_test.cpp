@@ -17,7 +17,7 @@ const glm::dvec3 kEye = Camera::eye();
 
 IndexedMesh brick()
 {
-    return assemble(shapes::box({2, 2, 2}, {1, 1, 1})).mesh;
+    return *assemble(shapes::box({2, 2, 2}, {1, 1, 1})).mesh;
 }
 
 TEST(BladeProbe, HitsWhatTheStrokeCrosses)
@@ -36,14 +36,14 @@ TEST(BladeProbe, HitsWhatTheStrokeCrosses)
 TEST(BladeProbe, JudgesDepthAsThePlayerSeesIt)
 {
     // Half way to the eye a brick at x = 1 looks as if it were at x = 2.
-    const auto body = test::body_of(assemble(shapes::box({0.5f, 0.5f, 0.5f}, {1, 1, 1})).mesh, 1, {1, 0, 5});
+    const auto body = test::body_of(*assemble(shapes::box({0.5f, 0.5f, 0.5f}, {1, 1, 1})).mesh, 1, {1, 0, 5});
     EXPECT_TRUE(blade_hits(kEye, {2, -1}, {2, 1}, *body));
     EXPECT_FALSE(blade_hits(kEye, {1, -1}, {1, 1}, *body));
 }
 
 TEST(BladeProbe, ABallIsHitOnItsWholeRadius)
 {
-    const auto body = test::body_of(test::shape("uv_sphere"), 1, {0, 0, 0}, {}, ProxyKind::sphere);
+    const auto body = test::body_of(*test::shape("uv_sphere"), 1, {0, 0, 0}, {}, ProxyKind::sphere);
     const double r = 0.97 * body->proxy().proxy().radius;
     EXPECT_TRUE(blade_hits(kEye, {-3, r}, {3, r}, *body));
     EXPECT_FALSE(blade_hits(kEye, {-3, 1.1 * r}, {3, 1.1 * r}, *body));

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Body, StandsWhereItWasPut)
 {
-    const IndexedMesh mesh = test::shape("l_step");
+    const IndexedMesh mesh = *test::shape("l_step");
     const auto model = sim::make_backend("baseline/remap");
     Identity identity;
     identity.id = 1;
@@ -37,7 +37,7 @@ TEST(Body, StandsWhereItWasPut)
 TEST(Body, IsDrawnBetweenTheLastTickAndThisOne)
 {
     World world(0.0);
-    Body& body = world.add(test::body_of(test::shape("box"), 1, {0, 0, 0}, {{1.2, 0, 0}, {0, 0, 1.2}}));
+    Body& body = world.add(test::body_of(*test::shape("box"), 1, {0, 0, 0}, {{1.2, 0, 0}, {0, 0, 1.2}}));
     world.step();
     world.step();
     EXPECT_NEAR(body.pose_at(0.0).translation.x, 0.01, 1e-6);
@@ -51,7 +51,7 @@ TEST(Body, AFreeBodyKeepsItsMomentumAndSpinsAboutItsCentreOfMass)
 {
     World world(0.0);
     const glm::dvec3 spin(0.4, 1.1, -0.7);
-    Body& body = world.add(test::body_of(test::shape("two_legs"), 1, {0, 0, 0}, {{0.5, 0.2, 0}, spin}));
+    Body& body = world.add(test::body_of(*test::shape("two_legs"), 1, {0, 0, 0}, {{0.5, 0.2, 0}, spin}));
     const glm::dvec3 start = body.centre(), momentum = body.momentum();
     const glm::dvec3 angular = body.angular_momentum(start);
     for (int i = 0; i < 120; ++i) world.step();

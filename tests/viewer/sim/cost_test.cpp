@@ -36,7 +36,7 @@ std::uint64_t bytes_to_upload(Cuttable& object)
 Cost cut_asteroid(std::uint64_t triangles)
 {
     World world(0.0);
-    Body& body = world.add(test::body_of(test::shape("asteroid", triangles), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
+    Body& body = world.add(test::body_of(*test::shape("asteroid", triangles), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
                                          ProxyKind::bounded_hull, "halfedge"));
     body.object().mark_uploaded();
     Cost cost;
@@ -99,7 +99,7 @@ const std::map<std::string, Price> kPrices{{"halfedge", {960, 167132}}, {"baseli
 std::vector<Price> prices_of_three_strokes(const std::string& backend)
 {
     World world(0.0);
-    world.add(test::body_of(test::shape("asteroid", 5000), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
+    world.add(test::body_of(*test::shape("asteroid", 5000), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
                             ProxyKind::bounded_hull, backend));
     world.find(1)->object().mark_uploaded();
     ObjectId last_id = 1;

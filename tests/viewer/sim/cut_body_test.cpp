@@ -20,9 +20,9 @@ struct Cut
     CutRecord record;
     ObjectId last_id = 1;
 
-    Cut(const IndexedMesh& mesh, const WorldPlane& plane, const std::string& backend, const Motion& motion = {})
+    Cut(IndexedMesh mesh, const WorldPlane& plane, const std::string& backend, const Motion& motion = {})
     {
-        Body& body = world.add(test::body_of(mesh, 1, {0, 0, 0}, motion, ProxyKind::bounded_hull, backend));
+        Body& body = world.add(test::body_of(std::move(mesh), 1, {0, 0, 0}, motion, ProxyKind::bounded_hull, backend));
         before = body.momentum();
         mass = body.mass();
         record.number = 1;
@@ -45,7 +45,7 @@ TEST_P(CutBody, PiecesStandWhereTheyWereAndPartAlongTheNormal)
 {
     const WorldPlane plane{glm::normalize(glm::dvec3(0.2, 1, 0.1)), {0, 0.05, 0}};
     const Motion motion{{1, 4, 0}, {0.3, -0.2, 1.0}};
-    Cut cut(test::shape("asteroid"), plane, GetParam(), motion);
+    Cut cut(*test::shape("asteroid"), plane, GetParam(), motion);
     ASSERT_EQ(cut.record.status, Status::cut);
     ASSERT_EQ(cut.record.pieces.size(), 2u);
     EXPECT_GT(glm::dot(cut.record.normal, plane.normal), 1.0 - 1e-6);
@@ -66,7 +66,7 @@ TEST_P(CutBody, PiecesStandWhereTheyWereAndPartAlongTheNormal)
 
 TEST_P(CutBody, HeirsKnowTheirParentTheirSwipeAndTheirSiblings)
 {
-    Cut cut(test::shape("asteroid"), {{0, 1, 0}, {0, 0.05, 0}}, GetParam());
+    Cut cut(*test::shape("asteroid"), {{0, 1, 0}, {0, 0.05, 0}}, GetParam());
     const Body &a = *cut.world.bodies()[0], &b = *cut.world.bodies()[1];
     EXPECT_EQ(cut.last_id, 3u);
     for (const Body* piece : {&a, &b}) {
@@ -82,7 +82,7 @@ TEST_P(CutBody, HeirsKnowTheirParentTheirSwipeAndTheirSiblings)
 
 TEST_P(CutBody, APlaneThatMissesLeavesTheBodyAsItWas)
 {
-    Cut cut(test::shape("asteroid"), {{0, 1, 0}, {0, 9, 0}}, GetParam());
+    Cut cut(*test::shape("asteroid"), {{0, 1, 0}, {0, 9, 0}}, GetParam());
     EXPECT_EQ(cut.record.status, Status::missed);
     ASSERT_EQ(cut.world.bodies().size(), 1u);
     EXPECT_EQ(cut.world.bodies()[0]->missed_swipe(), 3u);
@@ -94,7 +94,7 @@ TEST_P(CutBody, APlaneThatMissesLeavesTheBodyAsItWas)
 TEST(CutBodyOfAComb, ThousandsOfPiecesDoNotFreezeTheWorld)
 {
     // 2500 teeth, and a plane through the middle of them.
-    const IndexedMesh comb = test::shape("comb", 60'000);
+    const IndexedMesh comb = *test::shape("comb", 60'000);
     const Box box = comb.bounds();
     const double tip = 0.5 * double(box.hi.y - box.lo.y);
     Cut cut(comb, {{0, 1, 0}, {0, 0.6 * tip, 0}}, backend_names().front());
@@ -121,7 +121,7 @@ IndexedMesh soup(std::uint32_t triangles)
         }
         soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    return assemble(std::move(soup)).mesh;
+    return *assemble(std::move(soup)).mesh;
 }
 
 std::size_t overlapping_pairs(const World& world)

@@ -33,14 +33,14 @@ TEST(ModelShelf, AFileThatIsNoMeshIsAnErrorAndLeavesTheShelfAsItWas)
 
 TEST(ModelShelf, KnowsWhichFilesHaveABoundary)
 {
-    IndexedMesh lidless = test::shape("box");
+    IndexedMesh lidless = *test::shape("box");
     lidless.triangles.pop_back();
     --lidless.groups.back().count;
     if (!lidless.sources.empty()) lidless.sources.pop_back();
     const std::filesystem::path folder = std::filesystem::temp_directory_path();
     const auto closed = folder / ("kerf_closed_" + std::to_string(::getpid()) + ".ply");
     const auto open = folder / ("kerf_open_" + std::to_string(::getpid()) + ".ply");
-    io::write_mesh(closed, test::shape("box"));
+    io::write_mesh(closed, *test::shape("box"));
     io::write_mesh(open, lidless);
     ModelShelf shelf;
     EXPECT_TRUE(shelf.model(shelf.add_file(closed)).is_closed);
@@ -64,10 +64,8 @@ TEST(ModelShelf, PreparesOnceAndHandsOutIndependentCopies)
 
 TEST(ModelShelf, SaysWhyAMeshCannotBePrepared)
 {
-    IndexedMesh broken = test::shape("box");
-    broken.triangles[0][0] = 4'000'000'000u;
     ModelShelf shelf;
-    shelf.add("broken", std::move(broken));
+    shelf.add("broken", ProvenMesh());
     EXPECT_EQ(shelf.make(0, backend_names().front()), nullptr);
     EXPECT_NE(shelf.prepare(0, backend_names().front()).find("broken can't be prepared: "), std::string::npos);
     EXPECT_NE(shelf.prepare(0, "axe"), "");
@@ -143,10 +141,8 @@ TEST(ModelShelf, CountsWhatHadToBeDoneWhenItWasTaken)
 
 TEST(ModelShelf, WhatCannotBePreparedNeedsNoStock)
 {
-    IndexedMesh broken = test::shape("box");
-    broken.triangles[0][0] = 4'000'000'000u;
     ModelShelf shelf;
-    shelf.add("broken", std::move(broken));
+    shelf.add("broken", ProvenMesh());
     shelf.stock(0, backend_names().front());
     EXPECT_TRUE(shelf.is_stocked(0, backend_names().front()));
     EXPECT_FALSE(shelf.stocked(0, backend_names().front()));
@@ -161,7 +157,7 @@ TEST(ModelShelf, AModelMayBeEmptiedWhileItIsBeingStocked)
     std::thread worker([&] { shelf->stock(0, backend); });
     shelf->empty_model(0);
     worker.join();
-    EXPECT_EQ(shelf->model(0).mesh.triangles.size(), 0u);
+    EXPECT_EQ(shelf->model(0).mesh->triangles.size(), 0u);
 }
 
 TEST(ModelShelf, PreparingABigMeshHoldsUpNobodyWhoWantsAnother)

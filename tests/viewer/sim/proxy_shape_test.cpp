@@ -51,7 +51,7 @@ double reach_of_mesh(const Built& built, const IndexedMesh& mesh, const glm::dve
 TEST(ProxyShape, HullsReachAsFarAsTheMeshFromItsCentreOfMass)
 {
     for (const char* name : {"asteroid", "l_step", "two_legs", "cone"}) {
-        const IndexedMesh mesh = test::shape(name);
+        const IndexedMesh mesh = *test::shape(name);
         for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::every_vertex}) {
             const double scale = 0.7;
             const Built built = build(mesh, kind, scale);
@@ -66,7 +66,7 @@ TEST(ProxyShape, HullsReachAsFarAsTheMeshFromItsCentreOfMass)
 
 TEST(ProxyShape, BoxAndBallHoldTheMeshAndTheBoundedHullLiesInside)
 {
-    const IndexedMesh mesh = test::shape("asteroid");
+    const IndexedMesh mesh = *test::shape("asteroid");
     for (const glm::dvec3 d : {glm::dvec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.6, 0.64, -0.48}}) {
         const Built box = build(mesh, ProxyKind::box), ball = build(mesh, ProxyKind::sphere);
         const Built bounded = build(mesh, ProxyKind::bounded_hull);
@@ -78,7 +78,7 @@ TEST(ProxyShape, BoxAndBallHoldTheMeshAndTheBoundedHullLiesInside)
 
 TEST(ProxyShape, RadiusHoldsTheShape)
 {
-    const IndexedMesh mesh = test::shape("l_step");
+    const IndexedMesh mesh = *test::shape("l_step");
     for (const ProxyKind kind : kProxyKinds) {
         const Built built = build(mesh, kind);
         for (const glm::dvec3 d : {glm::dvec3{1, 0, 0}, {0, -1, 0}, {-1, -1, 1}, {0.6, 0.64, -0.48}})

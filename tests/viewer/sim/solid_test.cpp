@@ -19,7 +19,7 @@ Solid solid_of_mesh(const IndexedMesh& mesh, double scale = 1.0)
 
 IndexedMesh brick(const glm::vec3& size)
 {
-    return assemble(shapes::box(size, {1, 1, 1})).mesh;
+    return *assemble(shapes::box(size, {1, 1, 1})).mesh;
 }
 
 double largest_difference(const glm::dmat3& a, const glm::dmat3& b)
@@ -42,7 +42,7 @@ TEST(Solid, ABrickHasTheTextbooksMassAndInertia)
 
 TEST(Solid, MassGrowsWithTheCubeOfTheScaleAndInertiaWithTheFifthPower)
 {
-    const IndexedMesh mesh = test::shape("asteroid");
+    const IndexedMesh mesh = *test::shape("asteroid");
     const Solid one = solid_of_mesh(mesh), two = solid_of_mesh(mesh, 2.0);
     EXPECT_NEAR(two.mass / one.mass, 8.0, 1e-12);
     EXPECT_NEAR(two.moments.x / one.moments.x, 32.0, 1e-9);
@@ -52,7 +52,7 @@ TEST(Solid, MassGrowsWithTheCubeOfTheScaleAndInertiaWithTheFifthPower)
 TEST(Solid, PrincipalAxesAreAFrameInWhichTheInertiaIsDiagonal)
 {
     for (const char* name : {"asteroid", "l_step", "torus", "comb", "two_legs"}) {
-        const IndexedMesh mesh = test::shape(name);
+        const IndexedMesh mesh = *test::shape(name);
         const Solid solid = solid_of_mesh(mesh);
         EXPECT_NEAR(glm::determinant(solid.axes), 1.0, 1e-9) << name;
         EXPECT_LE(largest_difference(solid.axes * glm::transpose(solid.axes), glm::dmat3(1.0)), 1e-9) << name;

@@ -7,7 +7,7 @@
 
 namespace kerf::test {
 
-IndexedMesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t seed)
+ProvenMesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t seed)
 {
     Assembled assembled = assemble(shapes::make(name, triangles, seed).value());
     if (!assembled.error.empty()) throw std::runtime_error(assembled.error);

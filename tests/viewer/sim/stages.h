@@ -10,7 +10,7 @@
 namespace kerf::test {
 
 /// A mesh out of a generated shape.
-IndexedMesh shape(const std::string& name, std::uint64_t triangles = 1000, std::uint64_t seed = 1);
+ProvenMesh shape(const std::string& name, std::uint64_t triangles = 1000, std::uint64_t seed = 1);
 
 /// A shelf with generated shapes of so many triangles.
 std::shared_ptr<sim::ModelShelf> shelf_of(const std::vector<std::string>& shapes, std::uint64_t triangles = 1000);

@@ -18,7 +18,7 @@ std::uint64_t hash_of(IndexedMesh mesh, const std::string& backend = "baseline/r
 
 TEST(SurfaceHash, IsTheSameForEveryBackEnd)
 {
-    const IndexedMesh mesh = test::shape("asteroid");
+    const IndexedMesh mesh = *test::shape("asteroid");
     const Plane plane = *Plane::through({0.1, 0.05, 0}, {1, 2, 3});
     std::uint64_t whole = 0, positive = 0;
     for (const std::string& name : backend_names()) {
@@ -39,12 +39,12 @@ TEST(SurfaceHash, IsTheSameForEveryBackEnd)
 TEST(SurfaceHash, DoesNotDependOnTheOrderOfTriangles)
 {
     const TriangleSoup soup = shapes::asteroid(500, 3);
-    EXPECT_EQ(hash_of(assemble(soup).mesh), hash_of(assemble(shapes::shuffled(soup, 9)).mesh));
+    EXPECT_EQ(hash_of(*assemble(soup).mesh), hash_of(*assemble(shapes::shuffled(soup, 9)).mesh));
 }
 
 TEST(SurfaceHash, SeesEveryBitOfEveryVertex)
 {
-    const IndexedMesh mesh = test::shape("icosphere", 80);
+    const IndexedMesh mesh = *test::shape("icosphere", 80);
     const std::uint64_t original = hash_of(mesh);
     IndexedMesh moved = mesh;
     moved.vertices[0].uv.x += 1.0f;

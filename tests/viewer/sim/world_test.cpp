@@ -13,7 +13,7 @@ namespace {
 
 IndexedMesh brick()
 {
-    return assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    return *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
 }
 
 std::unique_ptr<Body> sibling(ObjectId id, const glm::dvec3& centre, std::uint64_t cut, Tick until)
@@ -111,7 +111,7 @@ TEST(World, ACollisionKeepsMomentum)
 {
     World world(0.0);
     world.add(test::body_of(brick(), 1, {-2, 0, 0}, {{4, 0.3, 0}, {0, 1, 0}}));
-    world.add(test::body_of(test::shape("asteroid"), 2, {2, 0.4, 0}, {{-3, 0, 0.1}, {1, 0, 0}}));
+    world.add(test::body_of(*test::shape("asteroid"), 2, {2, 0.4, 0}, {{-3, 0, 0.1}, {1, 0, 0}}));
     const auto total = [&] {
         glm::dvec3 sum(0.0);
         for (const auto& body : world.bodies()) sum += body->momentum();
