@@ -134,6 +134,7 @@ private:
 
 std::unique_ptr<Backend> make_backend(VertexLookup lookup, bool rewrite_pivots)
 {
+    if (lookup > VertexLookup::remap) lookup = VertexLookup::hash;
     return std::make_unique<BaselineBackend>(Method{lookup, rewrite_pivots});
 }
 

@@ -61,7 +61,8 @@ std::array<glm::vec3, kSupportDirections> support_points(std::span<const Vertex>
 /// for a torus. O(1).
 CollisionProxy bounded_hull(const Box& box, const std::array<glm::vec3, kSupportDirections>& points);
 
-/// The proxy of a set of vertices. Empty for no vertices. O(n), full_hull O(n log n), every_vertex O(n^2).
+/// The proxy of a set of vertices. Empty for no vertices and for a kind that does not exist; hulls leave out vertices
+/// that are not finite. O(n), full_hull O(n log n), every_vertex O(n^2).
 CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices);
 
 }  // namespace kerf

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "common/box.h"
 
@@ -100,12 +102,34 @@ std::vector<glm::vec3> to_common_size(std::span<const glm::vec3> points, const B
     return scaled;
 }
 
+bool is_finite(const glm::vec3& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// Where some points are nowhere: the hull of the others.
+ConvexHull hull_of_finite(std::span<const glm::vec3> points)
+{
+    std::vector<glm::vec3> finite;
+    std::vector<std::uint32_t> index;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (!is_finite(points[i])) continue;
+        finite.push_back(points[i]);
+        index.push_back(i);
+    }
+    ConvexHull hull = convex_hull(finite);
+    for (std::uint32_t& corner : hull.corners) corner = index[corner];
+    return hull;
+}
+
 }  // namespace
 
 ConvexHull convex_hull(std::span<const glm::vec3> points)
 {
     ConvexHull hull;
     if (points.empty()) return hull;
+    if (points.size() > std::size_t{std::numeric_limits<int>::max()}) throw std::length_error("points of a hull");
+    if (!std::all_of(points.begin(), points.end(), is_finite)) return hull_of_finite(points);
     Box box;
     for (const glm::vec3& p : points) box.add(p);
 

@@ -20,8 +20,8 @@ struct ConvexHull
 /// stand out of the hull by about one part, and a set thinner than a few parts counts as flat.
 inline constexpr double kHullLattice = 10216.0;
 
-/// Convex hull of finite points. A flat set (no points, one, collinear, coplanar) gives its extreme points, in order
-/// around it, and no faces. Points scaled by a power of two give the same hull. O(n log n).
+/// Convex hull of those points that are finite. A flat set (no points, one, collinear, coplanar) gives its extreme
+/// points, in order around it, and no faces. Points scaled by a power of two give the same hull. O(n log n).
 ///
 /// Method: Preparata and Hong, "Convex hulls of finite sets of points in two and three dimensions", 1977, exact on the
 /// lattice, as in Bullet's btConvexHullComputer; flat sets by Andrew's monotone chain, 1979.

@@ -18,6 +18,7 @@ double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle>
 {
     double shortest = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c] : triangles) {
+        if (std::max({a, b, c}) >= vertices.size()) continue;
         const glm::dvec3 p(vertices[a].position), q(vertices[b].position), r(vertices[c].position);
         for (const glm::dvec3& edge : {q - p, r - q, p - r}) {
             const double square = glm::dot(edge, edge);

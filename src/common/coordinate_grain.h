@@ -14,7 +14,8 @@ inline constexpr double kCoarseUnits = 16.0;
 /// The distance between neighbouring floats at the largest coordinate, in mesh units: how coarse positions are.
 double coordinate_grain(const Box& box);
 
-/// Length of the shortest edge, mesh units; edges between equal positions don't count. Infinite without any. O(n).
+/// Length of the shortest edge, mesh units; edges between equal positions don't count, nor do triangles with an index
+/// out of range. Infinite without any. O(n).
 double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle> triangles);
 
 /// True when the shortest edge is below kCoarseUnits times the grain: mostly a small mesh far from the origin. It is

@@ -55,8 +55,9 @@ struct PhaseTimes
 {
     std::array<double, kPhaseCount> ms{};
 
-    double& operator[](Phase phase) { return ms[static_cast<std::size_t>(phase)]; }
-    double operator[](Phase phase) const { return ms[static_cast<std::size_t>(phase)]; }
+    /// @throws std::out_of_range  there is no such phase
+    double& operator[](Phase phase) { return ms.at(static_cast<std::size_t>(phase)); }
+    double operator[](Phase phase) const { return ms.at(static_cast<std::size_t>(phase)); }
     double total() const;
 };
 
@@ -124,7 +125,9 @@ struct CutOptions
 {
     bool build_caps = true;         ///< close the section
     bool split_components = false;  ///< each side comes as its connected pieces, otherwise as one fragment a side
-    std::uint32_t cap_material = kDefaultCapMaterial;  ///< index into the object's materials; default: one named "cap"
+    /// Index into the object's materials. One that does not exist means the default: a material named "cap", which is
+    /// added once.
+    std::uint32_t cap_material = kDefaultCapMaterial;
 };
 
 /// Appends the material that fills sections when the user names none, and returns its index. It is called "cap", or

@@ -1,5 +1,6 @@
 #include "common/indexed_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kerf {
@@ -109,6 +110,13 @@ std::string check_groups(const IndexedMesh& mesh)
 }
 
 }  // namespace
+
+bool are_in_range(std::span<const Triangle> triangles, std::size_t vertex_count)
+{
+    return std::all_of(triangles.begin(), triangles.end(), [=](const Triangle& t) {
+        return std::max({t[0], t[1], t[2]}) < vertex_count;
+    });
+}
 
 std::string check(const IndexedMesh& mesh)
 {

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,9 @@ struct IndexedMesh
         return box;
     }
 };
+
+/// Whether all corners are below `vertex_count`. O(n).
+bool are_in_range(std::span<const Triangle> triangles, std::size_t vertex_count);
 
 /// Empty when the mesh keeps what IndexedMesh promises about sizes, indices, ids, groups and numbers; otherwise one
 /// sentence that names the first thing that is wrong. Does not look at what meets at edges and points: prove() does.

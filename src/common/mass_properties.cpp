@@ -150,6 +150,7 @@ glm::dvec3 mass_reference(const Box& bounds)
 
 MassProperties mass_properties(const IndexedMesh& mesh)
 {
+    if (!are_in_range(mesh.triangles, mesh.vertices.size())) return {};
     const glm::dvec3 reference = mass_reference(mesh.bounds());
     return mass_moments(mesh.vertices, mesh.triangles, reference).properties(reference);
 }

@@ -57,8 +57,9 @@ struct MassMoments
     MassProperties properties(const glm::dvec3& reference) const;
 };
 
-/// The moments of triangles about `reference`. Two triangles at a time, so the last bits differ from those of one add()
-/// after the other; equal inputs give equal bits. Cheapest about the origin. O(triangles).
+/// The moments of triangles about `reference`, whose indices must be in range: for back ends. Two triangles at a time,
+/// so the last bits differ from those of one add() after the other; equal inputs give equal bits. Cheapest about the
+/// origin. O(triangles).
 MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
                          const glm::dvec3& reference);
 
@@ -71,7 +72,8 @@ bool has_no_volume(double volume6, const Box& box, double noise);
 glm::dvec3 mass_reference(const Box& bounds);
 
 /// Mass properties of a closed mesh, summed about mass_reference() of its bounds so that a mesh far from the origin
-/// loses no digits. Exact up to rounding; for an open mesh the result depends on the reference point. O(n).
+/// loses no digits. Exact up to rounding; for an open mesh the result depends on the reference point. Nothing has no
+/// mass, nor has a mesh with an index out of range. O(n).
 MassProperties mass_properties(const IndexedMesh& mesh);
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include "common/mesh_facts.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "common/disjoint_sets.h"
@@ -100,12 +101,17 @@ MeshFacts measure(std::span<const Vertex> vertices, std::span<const std::uint32_
 
 MeshFacts measure(const TriangleSoup& soup)
 {
+    if (!are_in_range(soup.triangles, soup.vertices.size())) return {};
     const Weld weld = weld_positions(soup.vertices);
     return measure(soup.vertices, weld.points, weld.point_count, soup.triangles);
 }
 
 MeshFacts measure(const IndexedMesh& mesh)
 {
+    const bool has_points = mesh.points.size() == mesh.vertices.size() && mesh.point_count <= mesh.points.size() &&
+                            std::all_of(mesh.points.begin(), mesh.points.end(),
+                                        [&](std::uint32_t point) { return point < mesh.point_count; });
+    if (!has_points || !are_in_range(mesh.triangles, mesh.vertices.size())) return {};
     return measure(mesh.vertices, mesh.points, mesh.point_count, mesh.triangles);
 }
 

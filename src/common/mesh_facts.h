@@ -40,10 +40,12 @@ struct MeshFacts
     bool has_coarse_coordinates() const { return kerf::has_coarse_coordinates(shortest_edge, bounds); }
 };
 
-/// Measures triangles as they come. Indices must be in range. O(n log n).
+/// Measures triangles as they come. With an index out of range there is nothing to measure: all facts are 0.
+/// O(n log n).
 MeshFacts measure(const TriangleSoup& soup);
 
-/// Measures a mesh or a fragment by its point ids, caps included; `welded_vertices` counts points. O(n log n).
+/// Measures a mesh or a fragment by its point ids, caps included; `welded_vertices` counts points. With an index or a
+/// point id out of range all facts are 0. O(n log n).
 MeshFacts measure(const IndexedMesh& mesh);
 
 }  // namespace kerf

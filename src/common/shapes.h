@@ -14,7 +14,9 @@
 // triangles, with unit normals and uv, and centred on the origin unless said otherwise. Give them to assemble().
 //
 // Equal arguments give equal bytes on one machine; round shapes take sin and cos from the C library, so their last bits
-// may differ between libraries. Counts below what a shape needs (no cell, two slices, ...) are raised to it.
+// may differ between libraries. Counts below what a shape needs (no cell, two slices, ...) are raised to it; a shape of
+// more than 2^32 corners is a std::length_error. Any size is taken: one that is 0 or not finite gives triangles that
+// assemble() has something to say about.
 // `asteroid`, `shuffled` and all random numbers use nothing but exactly rounded operations and are the same everywhere.
 
 namespace kerf::shapes {
@@ -92,7 +94,8 @@ TriangleSoup overlapping_spheres(float radius, float distance, std::uint32_t fre
 /// vertices are numbered by first use. O(n).
 TriangleSoup asteroid(std::uint64_t triangles, std::uint64_t seed);
 
-/// The same triangles in a random order with randomly numbered vertices: what a linear cutter's caches dislike. O(n).
+/// The same triangles in a random order with randomly numbered vertices: what a linear cutter's caches dislike. A soup
+/// with indices out of range, or lists that are not as long as they must be, comes back as it is. O(n).
 TriangleSoup shuffled(TriangleSoup soup, std::uint64_t seed);
 
 /// Names that make() knows, sorted, for help texts and for tests over all shapes.

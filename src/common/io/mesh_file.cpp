@@ -159,6 +159,8 @@ void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
     const std::string extension = extension_of(path);
     const std::size_t before = impl_->files.size();
     try {
+        // Writers follow every index.
+        if (const std::string fault = check(mesh); !fault.empty()) fail(path, "it cannot be written: " + fault);
         if (extension == "obj") {
             // The materials first: the OBJ file that names them appears last.
             if (needs_mtl(mesh)) {

@@ -66,6 +66,7 @@ LoadedMesh read_mesh(const std::filesystem::path& path);
 /// uv, and streams in PLY; points by equal positions). OBJ and GLB keep materials, OBJ in an .mtl file beside it if
 /// they say more than a name; OBJ has the groups `surface` and `cap`. The file appears complete or not at all: it is
 /// written beside its place and renamed. Where a symbolic link has the name, the file that it leads to is replaced.
+/// Any mesh that check() accepts is written, be it proven or not.
 /// @throws FileError
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 

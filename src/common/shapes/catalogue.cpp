@@ -104,6 +104,17 @@ const std::vector<Entry>& entries()
     return all;
 }
 
+// Whether indices are in range and lists are as long as they must be.
+bool is_whole(const TriangleSoup& soup)
+{
+    const std::size_t materials = soup.triangle_materials.size();
+    return are_in_range(soup.triangles, soup.vertices.size()) &&
+           (materials == 0 || materials == soup.triangles.size()) &&
+           std::all_of(soup.streams.begin(), soup.streams.end(), [&](const VertexStream& stream) {
+               return stream.values.size() == soup.vertices.size() * stream.width;
+           });
+}
+
 // A random order of 0 .. n-1 (Fisher and Yates).
 std::vector<std::uint32_t> random_order(std::size_t n, Random& random)
 {
@@ -117,6 +128,7 @@ std::vector<std::uint32_t> random_order(std::size_t n, Random& random)
 
 TriangleSoup shuffled(TriangleSoup soup, std::uint64_t seed)
 {
+    if (!is_whole(soup)) return soup;
     Random random(seed);
     const std::vector<std::uint32_t> old_vertex = random_order(soup.vertices.size(), random);
     const std::vector<std::uint32_t> old_triangle = random_order(soup.triangles.size(), random);

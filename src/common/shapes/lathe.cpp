@@ -12,6 +12,7 @@ ProfileRun straight_run(double r0, double z0, double r1, double z1, std::uint32_
 {
     ProfileRun run;
     parts = std::max(parts, 1u);
+    require_room(6.0 * double(parts));
     for (std::uint32_t i = 0; i <= parts; ++i) {
         const double t = double(i) / double(parts);
         // The last point as given, so that the next run meets it bit for bit.
@@ -24,6 +25,9 @@ ProfileRun straight_run(double r0, double z0, double r1, double z1, std::uint32_
 TriangleSoup turn(const std::vector<ProfileRun>& profile, std::uint32_t slices)
 {
     slices = std::max(slices, 3u);
+    double triangles = 0.0;
+    for (const ProfileRun& run : profile) triangles += 2.0 * double(slices) * double(run.size() - 1);
+    require_room(triangles);
     std::vector<double> cosine, sine;
     for (std::uint32_t j = 0; j < slices; ++j) {
         const double angle = 2.0 * std::numbers::pi * double(j) / double(slices);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "common/assemble.h"
@@ -13,6 +14,13 @@
 // it from the same expression on the same numbers, so that they are equal bit for bit.
 
 namespace kerf::shapes {
+
+/// Throws std::length_error for a shape of more triangles than a mesh can have, before memory is taken for it.
+inline void require_room(double triangles)
+{
+    constexpr double kMostCorners = 4294967296.0;
+    if (!(3.0 * triangles <= kMostCorners)) throw std::length_error("a shape of more than 2^32 corners");
+}
 
 /// A vertex from numbers in double. -0 becomes +0; the normal need not have unit length.
 inline Vertex make_vertex(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec2& uv)
@@ -106,6 +114,8 @@ template <class MakeVertex>
 void add_box_grid(TriangleSoup& soup, glm::uvec3 cells, MakeVertex make)
 {
     cells = glm::max(cells, glm::uvec3(1));
+    const glm::dvec3 n(cells);
+    require_room(4.0 * (n.x * n.y + n.y * n.z + n.z * n.x));
     const auto on_axis = [&](int axis, std::uint32_t i) { return 2.0 * double(i) / double(cells[axis]) - 1.0; };
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2;

@@ -25,6 +25,7 @@ TriangleSoup icosphere(float radius, std::uint32_t frequency)
     }
     TriangleSoup soup;
     frequency = std::max(frequency, 1u);
+    require_room(20.0 * double(frequency) * double(frequency));
     soup.vertices.reserve(std::size_t(10) * (frequency + 1) * (frequency + 1));
     soup.triangles.reserve(std::size_t(20) * frequency * frequency);
     // A rhombus a, b, c, d has the faces (a, b, c) and (a, c, d). Weights are whole numbers, so a point on an edge of
@@ -52,6 +53,7 @@ TriangleSoup uv_sphere(float radius, std::uint32_t slices, std::uint32_t rings)
 {
     ProfileRun run;
     rings = std::max(rings, 2u);
+    require_room(6.0 * double(rings));
     for (std::uint32_t i = 0; i <= rings; ++i) {
         const double angle = std::numbers::pi * double(i) / double(rings);
         const bool pole = i == 0 || i == rings;
@@ -78,6 +80,7 @@ TriangleSoup torus(float major_radius, float minor_radius, std::uint32_t major, 
 {
     ProfileRun run;
     minor = std::max(minor, 3u);
+    require_room(6.0 * double(minor));
     for (std::uint32_t i = 0; i <= minor; ++i) {
         const double angle = 2.0 * std::numbers::pi * double(i % minor) / double(minor);
         const double c = std::cos(angle), s = std::sin(angle);
@@ -99,6 +102,7 @@ TriangleSoup bowl(float radius, float thickness, std::uint32_t slices, std::uint
     // Two half circles from the axis to the rim, the inner one back to the axis.
     ProfileRun outside, inside;
     rings = std::max(rings, 1u);
+    require_room(12.0 * double(rings));
     const double outer = double(radius), inner = double(radius) - double(thickness);
     for (std::uint32_t i = 0; i <= rings; ++i) {
         const double angle = 0.5 * std::numbers::pi * double(i) / double(rings);

@@ -94,6 +94,7 @@ TriangleSoup box(const glm::vec3& size, const glm::uvec3& cells)
 
 TriangleSoup comb(std::uint32_t teeth)
 {
+    require_room(24.0 * double(teeth));
     const std::uint32_t columns = 2 * std::max(teeth, 1u) - 1;
     const Lattice lattice{even_planes(0.2 * columns, columns), std::vector{-0.5, -0.2, 0.5}, even_planes(0.2, 1)};
     return surface_of_blocks(lattice, [](const glm::uvec3& cell) { return cell.y == 0 || cell.x % 2 == 0; });
@@ -102,6 +103,7 @@ TriangleSoup comb(std::uint32_t teeth)
 TriangleSoup l_step(std::uint32_t cells)
 {
     cells = std::max(cells, 1u);
+    require_room(28.0 * double(cells) * double(cells));
     const Lattice lattice{even_planes(2.0, 2 * cells), even_planes(1.0, cells), even_planes(2.0, 2 * cells)};
     return surface_of_blocks(lattice, [=](const glm::uvec3& cell) { return cell.x < cells || cell.z < cells; });
 }
@@ -109,6 +111,7 @@ TriangleSoup l_step(std::uint32_t cells)
 TriangleSoup two_legs(std::uint32_t cells)
 {
     cells = std::max(cells, 1u);
+    require_room(44.0 * double(cells) * double(cells));
     const Lattice lattice{even_planes(3.0, 3 * cells), even_planes(1.0, cells), even_planes(2.0, 2 * cells)};
     return surface_of_blocks(lattice, [=](const glm::uvec3& cell) { return cell.z >= cells || cell.x / cells != 1; });
 }
@@ -116,6 +119,7 @@ TriangleSoup two_legs(std::uint32_t cells)
 TriangleSoup tray(std::uint32_t cells)
 {
     cells = std::max(cells, 1u);
+    require_room(92.0 * double(cells) * double(cells));
     const Lattice lattice{even_planes(3.0, 3 * cells), even_planes(3.0, 3 * cells), even_planes(2.0, 2 * cells)};
     return surface_of_blocks(
         lattice, [=](const glm::uvec3& cell) { return cell.z < cells || cell.x / cells != 1 || cell.y / cells != 1; });
@@ -141,7 +145,9 @@ TriangleSoup spiral_wall(float turns, std::uint32_t segments_per_turn)
 {
     constexpr double kFirstRadius = 0.2, kPitch = 0.2, kHalfThickness = 0.04, kHalfHeight = 0.25;
     segments_per_turn = std::max(segments_per_turn, 3u);
-    const auto segments = std::uint32_t(std::max(1.0, std::round(double(turns) * double(segments_per_turn))));
+    const double whole_segments = std::max(1.0, std::round(double(turns) * double(segments_per_turn)));
+    require_room(8.0 * whole_segments);
+    const auto segments = std::uint32_t(whole_segments);
     struct Station
     {
         glm::dvec3 inner, outer, outwards;
