@@ -13,6 +13,7 @@ std::span<const Fuzzer> fuzzers()
 #ifdef KERF_HAS_TOOLS
         {"kerf_options", fuzz_kerf_options, 512},
 #endif
+        {"prepare", fuzz_prepare, 1024},
         {"read_gltf", fuzz_read_gltf, 4096},
         {"read_mtl", fuzz_read_mtl, 1024},
         {"read_obj", fuzz_read_obj, 2048},

@@ -9,6 +9,7 @@ namespace kerf::fuzz {
 void fuzz_cap(Bytes bytes);
 void fuzz_cut(Bytes bytes);
 void fuzz_kerf_options(Bytes bytes);
+void fuzz_prepare(Bytes bytes);
 void fuzz_read_gltf(Bytes bytes);
 void fuzz_read_mtl(Bytes bytes);
 void fuzz_read_obj(Bytes bytes);

@@ -67,7 +67,7 @@ void fuzz_repair(Bytes input)
     }
     const IndexedMesh& mesh = assembled.mesh;
     const Repairs& repairs = assembled.repairs;
-    require(check(mesh).empty(), "an assembled mesh is one (" + check(mesh) + ")");
+    require(prove(mesh).error.empty(), "an assembled mesh is one (" + prove(mesh).error + ")");
     require(is_manifold(mesh), "an assembled mesh is manifold");
     require(mesh.triangles.size() + repairs.degenerate_triangles + repairs.duplicate_triangles == triangles,
             "triangles are kept or counted as dropped");
