@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "common/float_rules.h"
+#include "common/turn.h"
 
 namespace kerf {
 
@@ -21,17 +21,13 @@ struct PlanarPoint
 };
 
 /// The term of the edge from p to q in the winding number around o: whether it crosses the ray from o towards larger u,
-/// +1 upwards, -1 downwards, 0 not at all. A lower end counts as below the ray when it is on it (half-open rule), and
-/// the side is computed from the lower end to the upper one, so that both directions agree to the bit. Exact when the
-/// differences of the coordinates are exact in double.
+/// +1 upwards, -1 downwards, 0 not at all. An end counts as below the ray when it is on it (half-open rule). Exact.
 inline int edge_crossing(const PlanarPoint& o, const PlanarPoint& p, const PlanarPoint& q)
 {
     const bool upwards = p.v <= o.v;
     if (upwards == (q.v <= o.v)) return 0;
-    const PlanarPoint &lo = upwards ? p : q, &hi = upwards ? q : p;
-    const double du = double(hi.u) - double(lo.u), dv = double(hi.v) - double(lo.v);
-    const double side = du * (double(o.v) - double(lo.v)) - dv * (double(o.u) - double(lo.u));
-    return side > 0.0 ? (upwards ? 1 : -1) : 0;
+    const double side = turn({p.u, p.v}, {q.u, q.v}, {o.u, o.v});
+    return upwards ? (side > 0.0 ? 1 : 0) : (side < 0.0 ? -1 : 0);
 }
 
 /// The term of one triangle in a signed crossing count: +1 where the ray leaves through the triangle, from behind it to

@@ -1,3 +1,4 @@
+#include "common/turn.h"
 #include "halfedge/cap_triangulator.h"
 #include "halfedge/run_boxes.h"
 
@@ -10,22 +11,11 @@ namespace kerf::halfedge {
 
 namespace {
 
-struct Point
-{
-    double x, y;
-};
-
-/// Twice the signed area; the sign is right, see cap_halving.cpp.
-double turn(const Point& a, const Point& b, const Point& c)
-{
-    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-}
-
 /// The reflex corners of a ring.
 class ReflexTree
 {
 public:
-    void build(const std::vector<Point>& points, const std::vector<std::uint8_t>& reflex)
+    void build(const std::vector<glm::dvec2>& points, const std::vector<std::uint8_t>& reflex)
     {
         boxes_.build(points.size(), [&](std::size_t i, Box2& box) {
             if (reflex[i] != 0) box.add(points[i].x, points[i].y);
@@ -34,17 +24,17 @@ public:
 
     /// True when a reflex corner other than these three lies in or on the triangle. Counts the corners that it looks at
     /// down from `left`, and is true when none are left.
-    bool meets(const std::vector<Point>& points, const std::vector<std::uint8_t>& reflex, std::size_t ia,
+    bool meets(const std::vector<glm::dvec2>& points, const std::vector<std::uint8_t>& reflex, std::size_t ia,
                std::size_t ib, std::size_t ic, std::size_t& left) const
     {
-        const Point &a = points[ia], &b = points[ib], &c = points[ic];
+        const glm::dvec2 &a = points[ia], &b = points[ib], &c = points[ic];
         Box2 box;
-        for (const Point* p : {&a, &b, &c}) box.add(p->x, p->y);
+        for (const glm::dvec2* p : {&a, &b, &c}) box.add(p->x, p->y);
         return boxes_.any(box, [&](std::size_t i) {
             if (left == 0) return true;
             --left;
             if (reflex[i] == 0 || i == ia || i == ib || i == ic) return false;
-            const Point& p = points[i];
+            const glm::dvec2& p = points[i];
             return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
         });
     }
@@ -61,11 +51,10 @@ public:
         const std::size_t n = outline.points.size();
         if (outline.loop_starts.size() != 2 || n < 3) return false;
         cap.clear();
-        points_.resize(n);
+        points_.assign(outline.points.begin(), outline.points.end());
         ring_.resize(n);
         edge_.resize(n);
         for (Index i = 0; i < n; ++i) {
-            points_[i] = {outline.points[i].x, outline.points[i].y};
             ring_[i] = i;
             edge_[i] = kSeamLink + i;
         }
@@ -152,9 +141,9 @@ private:
         link(cap, edge, edge_[c]);
     }
 
-    std::vector<Point> points_;  // of the ring, in its order
-    std::vector<Index> ring_;    // their numbers in the outline
-    std::vector<Index> edge_;    // what the edge that leaves them is: a seam, or an edge of a triangle
+    std::vector<glm::dvec2> points_;  // of the ring, in its order
+    std::vector<Index> ring_;         // their numbers in the outline
+    std::vector<Index> edge_;         // what the edge that leaves them is: a seam, or an edge of a triangle
     std::vector<std::uint8_t> reflex_, clipped_;
     ReflexTree reflex_tree_;
     std::size_t looks_left_ = 0;

@@ -1,5 +1,7 @@
 #include "halfedge/cap_halving.h"
 
+#include "common/turn.h"
+
 namespace kerf::halfedge {
 
 namespace {
@@ -58,13 +60,6 @@ private:
     std::span<const Index> ring_;
     std::vector<CapTriangle>& triangles_;
 };
-
-/// Twice the signed area of a triangle. The products of differences of floats are exact in double and the subtraction
-/// rounds to the right sign, as long as the coordinates' exponents are not too far apart.
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
-{
-    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-}
 
 /// All turns are left turns and the loop winds around once: the edges' direction passes upward only once.
 bool strictly_convex(std::span<const glm::dvec2> p)

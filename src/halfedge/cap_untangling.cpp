@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/turn.h"
 #include "halfedge/cap_triangulator.h"
 #include "halfedge/run_boxes.h"
 
@@ -39,12 +40,6 @@ constexpr double kAnyShare = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
 /// Edges that crossings may make in all, over those: some tens of milliseconds.
 constexpr std::size_t kMostCrossed = 32768;
-
-/// Twice the signed area; the sign is right, see cap_halving.cpp.
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
-{
-    return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-}
 
 class UntanglingTriangulator final : public CapTriangulator
 {
@@ -80,7 +75,9 @@ private:
     struct Lead
     {
         Index edge;
-        double along;  ///< where the point is: orders the points of an edge
+        /// Where the point is, along the longer side of the edge's box and then the other: orders the points of an edge
+        /// without rounding.
+        std::array<double, 2> along;
         Index point;
 
         bool operator<(const Lead& other) const
@@ -229,18 +226,26 @@ private:
         return point < n ? outline_.positions[point] : crossings_[point - n].position;
     }
 
+    /// The axis along which an edge is longer.
+    static int longer_axis(const glm::dvec2& a, const glm::dvec2& b)
+    {
+        return std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? 0 : 1;
+    }
+
     /// Of a point on the line of an edge: whether it lies between its ends.
     bool is_between(Index p, Index edge) const
     {
         const glm::dvec2 &a = places_[edges_[edge].from], &b = places_[edges_[edge].to], &q = places_[p];
-        const int axis = std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? 0 : 1;
+        const int axis = longer_axis(a, b);
         return std::min(a[axis], b[axis]) < q[axis] && q[axis] < std::max(a[axis], b[axis]);
     }
 
     void lead(Index edge, Index point)
     {
-        const glm::dvec2 &a = places_[edges_[edge].from], &b = places_[edges_[edge].to];
-        leads_.push_back({edge, glm::dot(places_[point] - a, b - a), point});
+        const glm::dvec2 &a = places_[edges_[edge].from], &b = places_[edges_[edge].to], &p = places_[point];
+        const int axis = longer_axis(a, b);
+        const auto along = [&](int i) { return a[i] <= b[i] ? p[i] : -p[i]; };
+        leads_.push_back({edge, {along(axis), along(1 - axis)}, point});
     }
 
     void lead_over(CapMesh& cap)

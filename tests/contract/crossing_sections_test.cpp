@@ -117,6 +117,91 @@ TEST_P(CrossingSections, BackwardLobesAreSaid)
     }
 }
 
+/// A section of a scanned man had this corner, folded over by 1.6e-20.
+const Polygon kFoldedCorner{{0.125, 0},       {0.134858117, 1.62488128e-20},
+                            {0.134858117, 0}, {0.133078814, 0.00131935824},
+                            {0.1, 0.1},       {0.02, 0.1},
+                            {0.05, 0.05},     {0, 0}};
+
+TEST_P(CrossingSections, ATouchTooSmallForADifferenceIsSeen)
+{
+    const Plane plane = *Plane::through({0, 0, 0}, {0, 1, 0});
+    for (const double fold : {0.0, 1e-45, 1e-39, 1e-30, 1.62488128e-20, 1e-18, 1e-12})
+        for (int turned = 0; turned < 4; ++turned) {
+            SCOPED_TRACE("fold " + std::to_string(std::log10(fold)) + ", turned " + std::to_string(turned));
+            Polygon polygon = kFoldedCorner;
+            polygon[1].y = fold;
+            for (glm::dvec2& p : polygon) {
+                if ((turned & 1) != 0) p.y = -p.y;
+                if ((turned & 2) != 0) std::swap(p.x, p.y);
+            }
+            const CutResult result = cut_of(prism_over(polygon), plane);
+            ASSERT_EQ(result.status, Status::cut);
+            expect_closed(result.positive);
+            expect_closed(result.negative);
+            if (!triangulates()) continue;
+            EXPECT_NEAR(areas_of(result, plane).cap, result.section_area, 1e-6 * result.section_area);
+            EXPECT_FALSE(result.caps_exceed_section);
+        }
+}
+
+/// A rough star with many coordinates of other sizes: of zero and around it.
+Polygon of_far_exponents(Random& random)
+{
+    Polygon polygon;
+    const std::uint32_t points = 5 + random.below(12);
+    const auto tiny = [&] {
+        return random.below(4) == 0 ? 0.0 : (random.uniform() - 0.5) * std::ldexp(1.0, -int(random.below(140)));
+    };
+    for (std::uint32_t i = 0; i < points; ++i) {
+        const double angle = 2 * std::numbers::pi * i / points, r = 0.2 + random.uniform();
+        glm::dvec2 p(r * std::cos(angle), r * std::sin(angle));
+        for (int axis = 0; axis < 2; ++axis) {
+            if (random.below(3) == 0) p[axis] = tiny();
+            // Beside a point that is there.
+            if (i > 0 && random.below(4) == 0) p[axis] = polygon[random.below(i)][axis] + tiny();
+        }
+        polygon.push_back(p);
+    }
+    return polygon;
+}
+
+TEST_P(CrossingSections, OfFarExponentsAreCoveredAsOftenAsTheyWindFourCutsInARow)
+{
+    Random random(11);
+    std::size_t cuts = 0;
+    for (int run = 0; run < 300; ++run) {
+        SCOPED_TRACE(run);
+        const IndexedMesh prism = prism_over(of_far_exponents(random));
+        if (referee::open_edges(prism) > 0) continue;  // triangles that fall together
+        std::unique_ptr<Cuttable> object = backend_->prepare(prism).object;
+        for (int depth = 0; depth < 4; ++depth) {
+            // Axis planes through coordinates that are there keep those of the other axes as they are.
+            const IndexedMesh mesh = object->to_indexed_mesh();
+            const glm::vec3 through =
+                mesh.vertices[random.below(static_cast<std::uint32_t>(mesh.vertices.size()))].position;
+            glm::dvec3 normal(0.0);
+            normal[depth == 0 ? 1 : static_cast<int>(random.below(3))] = random.below(2) == 0 ? 1.0 : -1.0;
+            const Plane plane = *Plane::through(depth == 0 ? glm::vec3(0.0f) : through, normal);
+            CutResult result = cut(std::move(object), plane);
+            if (result.status == Status::missed) {
+                object = std::move(result.object);
+                continue;
+            }
+            ASSERT_EQ(result.status, Status::cut);
+            ++cuts;
+            expect_closed(result.positive);
+            expect_closed(result.negative);
+            if (triangulates() && depth == 0) {
+                const Areas areas = areas_of(result, plane);
+                EXPECT_NEAR(areas.cap, areas.wound, 1e-6 * areas.wound + areas.rounding);
+            }
+            object = std::move(result.negative.front());
+        }
+    }
+    EXPECT_GT(cuts, 600u);
+}
+
 TEST_P(CrossingSections, WithoutCapsNothingIsSaidOfThem)
 {
     CutOptions options;

@@ -391,6 +391,26 @@ TEST(UntanglingTriangulator, AddsOnePointWhereSeveralEdgesCrossInOne)
     EXPECT_EQ(std::count_if(cap.crossing_points.begin(), cap.crossing_points.end(), at_origin), 1);
 }
 
+TEST(UntanglingTriangulator, SeesAFoldOfACornerThatADifferenceInDoubleDoesNot)
+{
+    // As a section of a scanned man had it: alone, and with a hole.
+    const double fold = 1.62488128e-20f;
+    const std::vector<glm::dvec2> corner{
+        {0.125f, 0},  {0.1348581165f, fold}, {0.1348581165f, 0}, {0.1330788136f, 0.00131935824f},
+        {0.1f, 0.1f}, {0.02f, 0.1f},         {0.05f, 0.05f},     {0, 0}};
+    Outline outline;
+    outline.add(corner);
+    for (const bool with_hole : {false, true}) {
+        if (with_hole) outline.add(reversed({{0.07f, 0.03f}, {0.08f, 0.03f}, {0.08f, 0.04f}, {0.07f, 0.04f}}));
+        CapMesh cap;
+        ASSERT_FALSE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+        ASSERT_TRUE(make_untangling_triangulator()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-15);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-15);
+    }
+}
+
 TEST(TopologicalTriangulator, ClosesAnythingWithTheRightSignedArea)
 {
     test::Random random(1);
