@@ -182,6 +182,7 @@ Json report_json(const CutReport& report)
                 {"open_chains", statistics.open_chains},
                 {"triangles_touched", statistics.triangles_touched},
                 {"nodes_visited", statistics.nodes_visited},
+                {"cap_steps", statistics.cap_steps},
                 {"bytes_to_upload", statistics.bytes_to_upload}}},
               {"section_area", report.section_area}};
     if (report.status != Status::missed) {

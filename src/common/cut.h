@@ -73,8 +73,10 @@ struct CutStatistics
     std::uint64_t nodes_visited = 0;  ///< tree nodes looked at
     std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
     std::uint64_t vertex_comparisons = 0;  ///< baseline: vertices compared while looking for duplicates
-    std::uint64_t bytes_to_upload = 0;     ///< vertex and index bytes that the GPU does not have yet, both sides
-    std::uint64_t bytes_grown = 0;         ///< reallocated because reserved room was used up
+    std::uint64_t cap_steps = 0;  ///< half-edge: corners and edges looked at, and predicates of CGAL's, to close the
+                                  ///< section; 0 for convex ones
+    std::uint64_t bytes_to_upload = 0;  ///< vertex and index bytes that the GPU does not have yet, both sides
+    std::uint64_t bytes_grown = 0;      ///< reallocated because reserved room was used up
     PhaseTimes phases;
 };
 

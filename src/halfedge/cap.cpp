@@ -21,6 +21,7 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
     axis_v_ = (dropped + 2) % 3;
     if (plane.normal[dropped] < 0.0) std::swap(axis_u_, axis_v_);
     excess_ = 0.0;
+    mesh_.steps = 0;
 
     std::vector<std::size_t> closed;
     for (std::size_t i = 0; i < scratch.loops.size(); ++i)

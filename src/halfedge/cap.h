@@ -20,6 +20,9 @@ public:
     /// units squared. 0 but where the outline winds backwards or could not be untangled, and for rounding.
     double excess() const { return excess_; }
 
+    /// What triangulating took in the last plan(): see CutStatistics::cap_steps.
+    std::uint64_t steps() const { return mesh_.steps; }
+
 private:
     void close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch);
     /// Appends a loop to the outline. Points that only differ along the dropped axis fall on one another: a triangle of

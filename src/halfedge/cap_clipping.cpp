@@ -48,9 +48,23 @@ class ClippingTriangulator final : public CapTriangulator
 public:
     bool triangulate(const CapOutline& outline, CapMesh& cap) override
     {
-        const std::size_t n = outline.points.size();
-        if (outline.loop_starts.size() != 2 || n < 3) return false;
         cap.clear();
+        const std::size_t n = outline.points.size(), most = kMostLooks * (n + kFewPoints);
+        if (outline.loop_starts.size() != 2 || n < 3) return false;
+        looks_left_ = most;
+        const bool closed = clip_all(outline, cap);
+        cap.steps += most - looks_left_;
+        return closed;
+    }
+
+private:
+    /// Reflex corners that may be looked at for each point of the loop, before it is given up: teeth that lean over one
+    /// another lie in the bounds of many ears.
+    static constexpr std::size_t kMostLooks = 256, kFewPoints = 1024;
+
+    bool clip_all(const CapOutline& outline, CapMesh& cap)
+    {
+        const std::size_t n = outline.points.size();
         points_.assign(outline.points.begin(), outline.points.end());
         ring_.resize(n);
         edge_.resize(n);
@@ -58,7 +72,6 @@ public:
             ring_[i] = i;
             edge_[i] = kSeamLink + i;
         }
-        looks_left_ = kMostLooks * (n + kFewPoints);
         while (ring_.size() > 3) {
             const std::size_t before = ring_.size();
             clip(cap);
@@ -72,11 +85,6 @@ public:
         add(cap, 0, 1, 2);
         return true;
     }
-
-private:
-    /// Reflex corners that may be looked at for each point of the loop, before it is given up: teeth that lean over one
-    /// another lie in the bounds of many ears.
-    static constexpr std::size_t kMostLooks = 256, kFewPoints = 1024;
 
     /// One pass. Corners are judged as they are at its beginning: clipping an ear makes no corner reflex, and ears that
     /// are not neighbours don't overlap.

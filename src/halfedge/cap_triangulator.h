@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
@@ -40,6 +41,8 @@ struct CapMesh
     /// Points of which corners are named for another one at the same position, or that have corners which don't hang
     /// together: what a corner belongs to only its neighbours say.
     std::vector<Index> shared_points;
+    /// Corners and edges looked at, and predicates of CGAL's, so far: a refusal counts, and clear() does not reset it.
+    std::uint64_t steps = 0;
 
     void clear()
     {

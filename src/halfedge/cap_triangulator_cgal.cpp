@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "common/turn.h"
 #include "halfedge/cap_triangulator.h"
 
 // The only file that includes CGAL, whose triangulations are under the GPL.
@@ -21,11 +23,64 @@ namespace kerf::halfedge {
 
 namespace {
 
+/// Steps that inserting a point may take, and what they may exceed that by on end, in all and for each point of the
+/// outline, before another order is tried.
+constexpr std::uint64_t kStepsForPoint = 64, kMostDebt = 4096, kMostDebtForPoint = 4;
+
 /// Triangles for each point of an outline, and besides. Loops that do not cross need two, or as many as loops lie on
 /// one another; a coil around one point needs points times turns, which is no price for a cap.
 constexpr std::size_t kMostLayers = 4, kMostCovered = 32768;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ExactPredicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// A predicate that counts how often it is asked. Inlined, counting costs nothing that can be measured; left to the
+/// compiler it costs a twentieth of a triangulation.
+template <class Predicate>
+class Counted : public Predicate
+{
+public:
+    explicit Counted(std::uint64_t* count) : count_(count) {}
+
+    template <class... Arguments>
+    [[gnu::always_inline]] auto operator()(const Arguments&... arguments) const
+    {
+        ++*count_;
+        return Predicate::operator()(arguments...);
+    }
+
+private:
+    std::uint64_t* count_;
+};
+
+/// What triangulations walk, flip and locate by: their steps are its predicates. Not counted are the first 2500
+/// triangles of a walk, which CGAL takes without exact predicates.
+struct Kernel : ExactPredicates
+{
+    using Orientation_2 = Counted<ExactPredicates::Orientation_2>;
+    using Side_of_oriented_circle_2 = Counted<ExactPredicates::Side_of_oriented_circle_2>;
+
+    explicit Kernel(std::uint64_t* count) : steps(count) {}
+
+    Orientation_2 orientation_2_object() const { return Orientation_2(steps); }
+    Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return Side_of_oriented_circle_2(steps); }
+
+    std::uint64_t* steps;
+};
+
+}  // namespace
+
+}  // namespace kerf::halfedge
+
+/// As for the kernel that it is made of: walks begin without exact predicates.
+template <>
+struct CGAL::Triangulation_structural_filtering_traits<kerf::halfedge::Kernel>
+    : CGAL::Triangulation_structural_filtering_traits<kerf::halfedge::ExactPredicates>
+{
+};
+
+namespace kerf::halfedge {
+
+namespace {
 
 struct FaceInfo
 {
@@ -46,19 +101,49 @@ using Triangulation =
 using FaceHandle = Triangulation::Face_handle;
 using VertexHandle = Triangulation::Vertex_handle;
 
+/// Knuth's linear congruential generator: the same numbers on every run and everywhere. Its high bits are the random
+/// ones.
+class RandomNumbers
+{
+public:
+    explicit RandomNumbers(std::uint64_t seed) : state_(seed) {}
+
+    std::size_t below(std::size_t bound)
+    {
+        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+        return ((state_ >> 32) * bound) >> 32;
+    }
+
+private:
+    std::uint64_t state_;
+};
+
 class ConstrainedTriangulator final : public CapTriangulator
 {
 public:
     bool triangulate(const CapOutline& outline, CapMesh& cap) override
     {
+        order_along_curve(outline.points);
+        std::optional<bool> closed = triangulate_in_order(outline, cap, true);
+        if (closed) return *closed;
+        order_in_rounds(outline.points);
+        return span_the_plane(outline.points) && *triangulate_in_order(outline, cap, false);
+    }
+
+private:
+    /// Nothing when `may_give_up` and points take too many steps in this order.
+    std::optional<bool> triangulate_in_order(const CapOutline& outline, CapMesh& cap, bool may_give_up)
+    {
         cap.clear();
         // A triangulation of its own for each cap: one that ran out of memory half-way is fit for nothing but its
         // destructor, and clear() gives all memory back as well.
         const CapArena arena;
-        Triangulation triangulation;
+        Triangulation triangulation(Kernel(&cap.steps));
         triangulation_ = &triangulation;
         try {
-            if (!insert_points(outline, cap) || triangulation.dimension() < 2 || !insert_seams(outline)) return false;
+            const std::optional<bool> inserted = insert_points(outline, cap, may_give_up);
+            if (!inserted) return std::nullopt;
+            if (!*inserted || triangulation.dimension() < 2 || !insert_seams(outline)) return false;
         } catch (const std::bad_alloc&) {
             throw;
         } catch (const std::exception&) {
@@ -70,21 +155,27 @@ public:
         return true;
     }
 
-private:
     /// False when points fall together that are two points in space.
-    bool insert_points(const CapOutline& outline, CapMesh& cap)
+    std::optional<bool> insert_points(const CapOutline& outline, CapMesh& cap, bool may_give_up)
     {
-        sort_along_hilbert_curve(outline.points);
         vertices_.resize(outline.points.size());
         loops_at_.assign(outline.points.size(), 0);
         FaceHandle hint;
         VertexHandle v;
-        for (const auto& [key, i] : order_) {
+        const std::uint64_t most_debt = kMostDebt + kMostDebtForPoint * order_.size();
+        std::uint64_t debt = 0;
+        for (const Index i : order_) {
             const glm::dvec2& p = outline.points[i];
             // Points at one place follow one another. CGAL would find that it has them, and look around each again.
             if (v == VertexHandle() || outline.points[v->info()] != p) {
+                const std::uint64_t before = cap.steps;
+                // As long as all points are in line, CGAL looks at all edges for each new one.
+                if (triangulation_->dimension() < 2) cap.steps += triangulation_->number_of_vertices();
                 v = triangulation_->insert(Kernel::Point_2(p.x, p.y), hint);
                 v->info() = i;
+                debt += cap.steps - before;
+                debt -= std::min(debt, kStepsForPoint);
+                if (may_give_up && debt > most_debt) return std::nullopt;
             } else {
                 if (outline.positions[v->info()] != outline.positions[i]) return false;
                 cap.shared_points.push_back(v->info());
@@ -97,26 +188,98 @@ private:
         return true;
     }
 
-    /// Insertion in loop order makes long cascades of flips; neighbours on a space-filling curve are found at once.
-    void sort_along_hilbert_curve(std::span<const glm::dvec2> points)
+    struct Place
     {
-        glm::dvec2 lo = points[0], hi = points[0];
-        for (const glm::dvec2& p : points) {
-            lo = glm::min(lo, p);
-            hi = glm::max(hi, p);
+        std::uint32_t key;  ///< cell on the curve, then round
+        Index point;
+    };
+
+    /// Insertion in loop order makes long cascades of flips; neighbours on a space-filling curve are found at once. The
+    /// fastest order for nearly all outlines.
+    void order_along_curve(std::span<const glm::dvec2> points)
+    {
+        curve_.clear();
+        for (Index i = 0; i < points.size(); ++i) curve_.push_back({0, i});
+        sort_along_curve(points, curve_);
+        order_.clear();
+        for (const Place& place : curve_) order_.push_back(place.point);
+    }
+
+    /// An order that depends on where points lie has its outlines on which each point takes over the neighbours of the
+    /// one before: thousands of cut points around a tip that the plane passes by, as good as in one place, and
+    /// thousands elsewhere. In random order expected flips are O(n log n) for any points at all. Random rounds, each
+    /// along the curve and eight times as large as the one before, have this and the curve's short ways: Amenta, Choi
+    /// and Rote, "Incremental constructions con BRIO", 2003. After order_along_curve().
+    void order_in_rounds(std::span<const glm::dvec2> points)
+    {
+        refine_cells(points, curve_);
+        constexpr std::size_t kGrowth = 8, kFirstRound = 64;
+        std::uint32_t last_round = 0;
+        for (std::size_t size = points.size(); size > kFirstRound; size /= kGrowth) ++last_round;
+        RandomNumbers random(points.size());
+        std::array<std::uint32_t, 32> round_start{};
+        for (std::size_t i = 0; i < curve_.size(); ++i) {
+            std::uint32_t round = last_round;
+            if (i > 0 && points[curve_[i].point] == points[curve_[i - 1].point])
+                round = curve_[i - 1].key;
+            else
+                while (round > 0 && random.below(kGrowth) == 0) --round;
+            curve_[i].key = round;
+            ++round_start[round + 1];
+        }
+        for (std::size_t round = 1; round < round_start.size(); ++round) round_start[round] += round_start[round - 1];
+        for (const auto& [round, i] : curve_) order_[round_start[round]++] = i;
+    }
+
+    /// Moves a place that is not in line with the first two to the front. False when there is none.
+    bool span_the_plane(std::span<const glm::dvec2> points)
+    {
+        const glm::dvec2& first = points[order_[0]];
+        const auto elsewhere = [&](Index i) { return points[i] != first; };
+        const auto second = std::find_if(order_.begin(), order_.end(), elsewhere);
+        if (second == order_.end()) return false;
+        const auto beside = [&](Index i) { return turn(first, points[*second], points[i]) != 0.0; };
+        const auto third = std::find_if(second, order_.end(), beside);
+        if (third == order_.end()) return false;
+        const glm::dvec2& place = points[*third];
+        const auto end = std::find_if(third, order_.end(), [&](Index i) { return points[i] != place; });
+        std::rotate(order_.begin(), third, end);
+        return true;
+    }
+
+    /// Along Hilbert's curve through cells of one size. False when there is only one place.
+    static bool sort_along_curve(std::span<const glm::dvec2> points, std::span<Place> run)
+    {
+        glm::dvec2 lo = points[run.front().point], hi = lo;
+        for (const Place& place : run) {
+            lo = glm::min(lo, points[place.point]);
+            hi = glm::max(hi, points[place.point]);
         }
         const double longest = std::max(hi.x - lo.x, hi.y - lo.y);
         constexpr std::uint32_t kBits = 16;
         const double scale = longest > 0.0 ? ((1u << kBits) - 1) / longest : 0.0;
-        order_.clear();
-        for (Index i = 0; i < points.size(); ++i) {
-            const glm::dvec2 cell = (points[i] - lo) * scale;
-            order_.emplace_back(hilbert_index(std::uint32_t(cell.x), std::uint32_t(cell.y), kBits), i);
+        for (Place& place : run) {
+            const glm::dvec2 cell = (points[place.point] - lo) * scale;
+            place.key = hilbert_index(std::uint32_t(cell.x), std::uint32_t(cell.y), kBits);
         }
-        std::sort(order_.begin(), order_.end(), [&](const auto& a, const auto& b) {
-            const glm::dvec2 &p = points[a.second], &q = points[b.second];
-            return std::tie(a.first, p.x, p.y, a.second) < std::tie(b.first, q.x, q.y, b.second);
+        std::sort(run.begin(), run.end(), [&](const Place& a, const Place& b) {
+            const glm::dvec2 &p = points[a.point], &q = points[b.point];
+            return std::tie(a.key, p.x, p.y, a.point) < std::tie(b.key, q.x, q.y, b.point);
         });
+        return longest > 0.0;
+    }
+
+    /// Orders cells that hold many points along curves of their own: floats may lie a hundred powers of two nearer to
+    /// one another than to the rest. The ends of a box lie in different cells of it, so that each curve has fewer
+    /// points than the one before, and cells 2^-16 as large.
+    static void refine_cells(std::span<const glm::dvec2> points, std::span<Place> run)
+    {
+        constexpr std::size_t kFewPoints = 8;
+        for (std::size_t first = 0, last; first < run.size(); first = last) {
+            for (last = first + 1; last < run.size() && run[last].key == run[first].key;) ++last;
+            const std::span<Place> cell = run.subspan(first, last - first);
+            if (cell.size() > kFewPoints && sort_along_curve(points, cell)) refine_cells(points, cell);
+        }
     }
 
     static std::uint32_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t bits)
@@ -176,15 +339,11 @@ private:
         return loops_at_[vertices_[i]->info()] <= loops_at_[vertices_[j]->info()] ? std::array{i, j} : std::array{j, i};
     }
 
-    /// Fisher and Yates, with numbers that are the same on every run and everywhere.
+    /// Fisher and Yates.
     static void shuffle(std::vector<std::array<Index, 2>>& seams)
     {
-        std::uint64_t state = seams.size();
-        for (std::size_t i = seams.size(); i > 1; --i) {
-            // Knuth's linear congruential generator; its high bits are the random ones.
-            state = state * 6364136223846793005ull + 1442695040888963407ull;
-            std::swap(seams[i - 1], seams[((state >> 32) * i) >> 32]);
-        }
+        RandomNumbers random(seams.size());
+        for (std::size_t i = seams.size(); i > 1; --i) std::swap(seams[i - 1], seams[random.below(i)]);
     }
 
     template <class Visit>
@@ -285,8 +444,9 @@ private:
         }
     }
 
-    Triangulation* triangulation_ = nullptr;              // of the cap under way
-    std::vector<std::pair<std::uint32_t, Index>> order_;  // place on the curve, point
+    Triangulation* triangulation_ = nullptr;  // of the cap under way
+    std::vector<Place> curve_;
+    std::vector<Index> order_;  // in which points are inserted
     std::vector<VertexHandle> vertices_;
     std::vector<Index> loops_at_;                // by a vertex's point: points of the outline that lie there
     std::vector<std::array<Index, 2>> crossed_;  // seams that are no edges yet

@@ -47,6 +47,15 @@ public:
     bool triangulate(const CapOutline& outline, CapMesh& cap) override
     {
         cap.clear();
+        inner_.steps = 0;
+        const bool closed = untangle(outline, cap);
+        cap.steps += inner_.steps;
+        return closed;
+    }
+
+private:
+    bool untangle(const CapOutline& outline, CapMesh& cap)
+    {
         start(outline);
         for (int round = 0; round < kMostRounds; ++round) {
             // Many edges side by side are no reason to give up as long as none has been seen to meet another.
@@ -63,7 +72,6 @@ public:
         return false;
     }
 
-private:
     /// A directed edge of the outline; it ends where the next one of its loop starts.
     struct Edge
     {
@@ -150,6 +158,7 @@ private:
             Box2 box;
             add_edge(e, box);
             const bool too_many = boxes_.any(box, [&](std::size_t f) {
+                ++inner_.steps;
                 if (--looks_left == 0) return true;
                 if (f <= e) return false;
                 Box2 other;
@@ -440,7 +449,7 @@ private:
     std::vector<std::array<Index, 2>> folds_;  ///< what the edges are
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
-    CapMesh inner_;
+    CapMesh inner_;  ///< of what is covered within; counts all steps
 };
 
 }  // namespace

@@ -88,6 +88,7 @@ CutResult Cutter::cut(const Plane& plane, const CutOptions& options)
     clock.done(Phase::components);
     if (options.build_caps) {
         s.cap_planner->plan(plane, s);
+        statistics.cap_steps = s.cap_planner->steps();
         if (const double excess = s.cap_planner->excess(); excess > 0.0)
             result.caps_exceed_section =
                 caps_exceed_section(excess, result.section_area, section_length(s), u.noise / kNoiseInUnits);

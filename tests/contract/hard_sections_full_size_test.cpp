@@ -91,7 +91,8 @@ TEST_P(FullSizeSection, IsCutClosedAndCovered)
 INSTANTIATE_TEST_SUITE_P(
     All, FullSizeSection,
     testing::Values(FullSize{"comb", 100'000, 1, 100'000}, FullSize{"leaning_comb", 100'000, 1, 100'000},
-                    FullSize{"spiral", 100'000, 1, 100'000}, FullSize{"teeth", 10'000, 10'000, 0},
+                    FullSize{"spiral", 100'000, 1, 100'000}, FullSize{"tip", 80'000, 1, 40'000},
+                    FullSize{"touches", 100'000, 1, 99'000}, FullSize{"teeth", 10'000, 10'000, 0},
                     FullSize{"hidden_pores", 10'000, 10'000, 0}, FullSize{"loose_parts", 10'000, 10'000, 0},
                     FullSize{"nested_shells", 10'000, 10'000, 0}, FullSize{"pores", 10'000, 10'000, 0},
                     FullSize{"bricks", 10'000, 10'000, 0}, FullSize{"checkerboard", 10'000, 10'000, 0},

@@ -266,6 +266,79 @@ TEST(ConstrainedTriangulator, RefusesLoopsThatCrossOrRunThroughAPoint)
     EXPECT_NEAR(unsigned_area(good, cap), good.area(), 1e-12);
 }
 
+std::vector<glm::dvec2> polygon(std::size_t points, glm::dvec2 (*at)(double))
+{
+    std::vector<glm::dvec2> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        const glm::dvec2 p(glm::vec2(at(double(i) / double(points))));
+        if (loop.empty() || loop.back() != p) loop.push_back(p);
+    }
+    return loop;
+}
+
+double power_of_two(double share)
+{
+    return std::exp2(-80 * share);
+}
+
+TEST(ConstrainedTriangulator, TakesAFewStepsForEachPointWhereverPointsCluster)
+{
+    constexpr std::size_t kPoints = 16'000;
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const std::vector<std::pair<std::string, std::vector<glm::dvec2>>> loops{
+        // Half of the points as good as in one place, on a line, the others on an arc around them.
+        {"beside a tip", polygon(kPoints,
+                                 [](double t) {
+                                     if (t < 0.5) return glm::dvec2(1, (0.5 - t) * 0x1p-53);
+                                     const double angle = 0.45 * kTurn * (2 * t - 1.5);
+                                     return glm::dvec2(1 - std::cos(angle), std::sin(angle));
+                                 })},
+        {"around a centre", polygon(kPoints,
+                                    [](double t) {
+                                        const double angle = kTurn * (t < 0.5 ? 0.8 * t - 0.2 : 0.6 - 0.8 * t);
+                                        const double r = t < 0.5 ? 1 : 1e-17;
+                                        return glm::dvec2(r * std::cos(angle), r * std::sin(angle));
+                                    })},
+        {"in line", polygon(kPoints, [](double t) { return t == 0 ? glm::dvec2(0.5, 0.7) : glm::dvec2(1 - t, 0); })},
+        {"teeth that shrink", polygon(kPoints,
+                                      [](double t) {
+                                          const auto i = static_cast<std::size_t>(std::round(t * kPoints));
+                                          if (i < 2) return glm::dvec2(double(i), -1);
+                                          return glm::dvec2(power_of_two(double(i / 2 - 1) * 2 / kPoints),
+                                                            (i - 1) / 2 % 2);
+                                      })},
+        {"steps to a corner", polygon(kPoints,
+                                      [](double t) {
+                                          const auto i = static_cast<std::size_t>(std::round(t * kPoints));
+                                          if (i == 0) return glm::dvec2(1, 0);
+                                          return glm::dvec2(power_of_two(double(i / 2) * 2 / kPoints),
+                                                            power_of_two(double((i - 1) / 2) * 2 / kPoints));
+                                      })},
+        {"spiral to a point", polygon(kPoints,
+                                      [](double t) {
+                                          const double s = t < 0.5 ? 2 * t : 2 - 2 * t;
+                                          const double r = (t < 0.5 ? 1 : 0.6) * power_of_two(s);
+                                          return glm::dvec2(r * std::cos(60 * kTurn * s), r * std::sin(60 * kTurn * s));
+                                      })},
+        {"small clusters", polygon(kPoints,
+                                   [](double t) {
+                                       const double cluster = std::floor(30 * t);
+                                       const double angle = kTurn * (cluster + 1e-6 * (30 * t - cluster)) / 30;
+                                       return glm::dvec2(std::cos(angle), std::sin(angle));
+                                   })},
+    };
+    for (const auto& [name, loop] : loops) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap)) << name;
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), std::abs(outline.area()), 1e-9) << name;
+        EXPECT_LE(cap.steps, 200 * loop.size()) << name;
+        EXPECT_GT(loop.size(), 3'000) << name;
+    }
+}
+
 TEST(UntanglingTriangulator, LetsLoopsRunThroughPointsOfOthers)
 {
     Outline outline;

@@ -1,6 +1,7 @@
 #include "common/shapes/hard_sections.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -145,6 +146,70 @@ HardSection spiral(std::uint32_t n)
     return {spiral_wall(float(kTurns), std::max(3u, n / (4 * kTurns))), across(2, 0.01)};
 }
 
+HardSection tip(std::uint32_t n)
+{
+    TriangleSoup soup;
+    soup.has_normals = false;
+    const std::uint32_t rim = std::max(n, 3u);
+    const auto add = [&](const glm::vec3& p) { soup.vertices.push_back({p, {0, 0, 1}, {0, 0}}); };
+    add({0, 0, 1});
+    add({0, 0, -1});
+    for (std::uint32_t i = 0; i < rim; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / rim;
+        add({float(std::cos(angle)), float(std::sin(angle)), 0});
+    }
+    for (std::uint32_t i = 0; i < rim; ++i) {
+        const std::uint32_t a = 2 + i, b = 2 + (i + 1) % rim;
+        soup.triangles.push_back({0, a, b});
+        soup.triangles.push_back({1, b, a});
+    }
+    const double past_the_tip = 1.0 - 0x1p-52;
+    return {std::move(soup), *Plane::through({0, 0, past_the_tip}, {-0.94371573, -0.19737820, -0.26540999})};
+}
+
+/// A comb along x, a beam above its teeth; the lower right corner of each tooth is folded over by less than the
+/// difference of two of its coordinates can tell in double.
+HardSection touches(std::uint32_t n)
+{
+    constexpr float kTouch = 0x1p-66f;
+    constexpr std::array<glm::vec2, 7> kTooth{
+        {{0, 1}, {0, 0}, {0.5f, kTouch}, {0.5f, 0}, {0.375f, 0.125f}, {0.625f, 1}, {0, 2}}};
+    constexpr std::uint32_t kTop = 6, kPoints = 7, kSectionPoints = 14;
+    const std::uint32_t teeth = std::max(1u, n / kSectionPoints);
+    // Counter-clockwise: along the teeth, and back along the beam's top.
+    std::vector<std::uint32_t> outline;
+    for (std::uint32_t tooth = 0; tooth < teeth; ++tooth)
+        for (std::uint32_t i = 0; i < kTop; ++i) outline.push_back(kPoints * tooth + i);
+    for (std::uint32_t tooth = teeth; tooth-- > 0;) outline.push_back(kPoints * tooth + kTop);
+    std::vector<Triangle> inside;
+    for (std::uint32_t tooth = 0; tooth < teeth; ++tooth) {
+        const std::uint32_t first = kPoints * tooth, next = first + kPoints;
+        for (std::uint32_t i = 1; i + 1 < kTop; ++i) inside.push_back({first, first + i, first + i + 1});
+        inside.push_back({first, first + 5, first + kTop});
+        if (tooth + 1 == teeth) continue;
+        inside.push_back({first + 5, next, next + kTop});
+        inside.push_back({first + 5, next + kTop, first + kTop});
+    }
+
+    TriangleSoup soup;
+    soup.has_normals = false;
+    for (const float z : {-0.5f, 0.5f})
+        for (std::uint32_t tooth = 0; tooth < teeth; ++tooth)
+            for (const glm::vec2& p : kTooth)
+                soup.vertices.push_back({{p.x + float(tooth), p.y, z}, {0, 0, 1}, {0, 0}});
+    const std::uint32_t above = kPoints * teeth;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::uint32_t a = outline[i], b = outline[(i + 1) % outline.size()];
+        soup.triangles.push_back({a, b, b + above});
+        soup.triangles.push_back({a, b + above, a + above});
+    }
+    for (const Triangle& t : inside) {
+        soup.triangles.push_back({t[0] + above, t[1] + above, t[2] + above});
+        soup.triangles.push_back({t[0], t[2], t[1]});
+    }
+    return {std::move(soup), across(2, 0.0)};
+}
+
 void append_tetrahedron(TriangleSoup& soup, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
                         const glm::vec3& d)
 {
@@ -232,6 +297,8 @@ const std::map<std::string, HardSection (*)(std::uint32_t), std::less<>>& makers
          [](std::uint32_t n) {
              return HardSection{comb(n), across(1, 0.1)};
          }},
+        {"tip", tip},
+        {"touches", touches},
         {"wedges", wedges},
     };
     return all;
