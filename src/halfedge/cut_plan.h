@@ -26,7 +26,8 @@ struct Crossing
     TriangleSplit split;
     bool walked = false;
     std::array<Index, 2> target{};  ///< by side, where its pieces go
-    /// By side: nothing is left of the triangle, nor of what its section edge would bound beyond it. Open meshes only.
+    /// By side: no triangle is left at the section edge, neither a piece of this one nor what lies beyond. Open meshes
+    /// only.
     std::array<bool, 2> bounds_nothing{};
 
     // The section runs through the triangle from its entry edge (positive to negative corner) to its exit edge

@@ -1,7 +1,9 @@
 #include "halfedge/outline.h"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace kerf::halfedge {
 
@@ -134,6 +136,83 @@ void divide(const Universe& u, const Plane& plane, std::span<const std::uint64_t
     }
 }
 
+/// An edge of a triangle that one side keeps, between two points of the outline or beside it.
+struct KeptEdge
+{
+    Side side;
+    Index from, to;  ///< classes of points, the smaller one first
+    Index target;
+    auto operator<=>(const KeptEdge&) const = default;
+
+    std::tuple<Side, Index, Index> place() const { return {side, from, to}; }
+};
+
+KeptEdge kept_edge(Side side, Index a, Index b, Index target, PointClasses& classes)
+{
+    a = classes.find(a);
+    b = classes.find(b);
+    return {side, std::min(a, b), std::max(a, b), target};
+}
+
+KeptEdge kept_edge(const Universe& u, Side side, Index halfedge, Index target, PointClasses& classes)
+{
+    const Index from = classes.of_vertex(u.mesh, u.mesh.from(halfedge));
+    return kept_edge(side, from, classes.of_vertex(u.mesh, u.mesh.to(halfedge)), target, classes);
+}
+
+/// Those of the pieces of crossing triangles, and those in the plane.
+std::vector<KeptEdge> kept_edges(const Universe& u, const CutScratch& s, PointClasses& classes)
+{
+    std::vector<KeptEdge> edges;
+    for (const Crossing& c : s.crossings)
+        for (std::size_t i = 0; i < c.split.piece_count; ++i) {
+            const TriangleSplit::Piece& piece = c.split.pieces[i];
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const Index from = element_of_code(u, c, piece.corners[corner], classes);
+                const Index to = element_of_code(u, c, piece.corners[(corner + 1) % 3], classes);
+                edges.push_back(
+                    kept_edge(piece.side, from, to, c.target[static_cast<std::size_t>(piece.side)], classes));
+            }
+        }
+    for (const InPlaneEdge& e : s.in_plane) {
+        edges.push_back(kept_edge(u, Side::negative, e.negative_halfedge, e.target[0], classes));
+        edges.push_back(kept_edge(u, Side::positive, e.positive_halfedge, e.target[1], classes));
+    }
+    for (const FlushEdge& e : s.flush) edges.push_back(kept_edge(u, e.side, e.halfedge, e.target, classes));
+    return edges;
+}
+
+/// Those of whole triangles beside crossing ones.
+void add_edges_beside_crossings(const Universe& u, const CutScratch& s, PointClasses& classes,
+                                std::vector<KeptEdge>& edges)
+{
+    std::unordered_set<Index> crosses;
+    for (const Crossing& c : s.crossings) crosses.insert(c.face);
+    for (const Crossing& c : s.crossings)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double from = c.distance[i], to = c.distance[(i + 1) % 3];
+            const Index opposite = u.mesh.opposite(c.halfedge[i]);
+            // Between corners of one side: the triangle across is whole, or it crosses. What lies in the plane is
+            // there.
+            const bool is_above = std::max(from, to) > 0.0, is_below = std::min(from, to) < 0.0;
+            if (is_above == is_below || u.mesh.is_boundary(opposite) || crosses.contains(u.mesh.face(opposite)))
+                continue;
+            const Side side = is_above ? Side::positive : Side::negative;
+            edges.push_back(kept_edge(u, side, opposite, c.target[static_cast<std::size_t>(side)], classes));
+        }
+}
+
+/// False where all that the split leaves on a side does without the section's edge.
+bool has_piece_at_section(const TriangleSplit& split, Side side)
+{
+    return std::any_of(split.pieces.begin(), split.pieces.begin() + split.piece_count, [&](const auto& piece) {
+        const auto has = [&](std::uint8_t code) {
+            return std::find(piece.corners.begin(), piece.corners.end(), code) != piece.corners.end();
+        };
+        return piece.side == side && has(split.section_from) && has(split.section_to);
+    });
+}
+
 }  // namespace
 
 std::vector<OutlineEdge> outline_edges(const Universe& u, const CutScratch& s)
@@ -174,45 +253,39 @@ std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, co
 {
     PointClasses classes(s);
     unite_coinciding(u, s, classes);
-    struct Place
-    {
-        Side side;
-        Index from, to, target;
-        auto operator<=>(const Place&) const = default;
-    };
-    std::vector<Place> places;
-    const auto add = [&](Side side, Index a, Index b, Index target) {
-        a = classes.find(a);
-        b = classes.find(b);
-        places.push_back({side, std::min(a, b), std::max(a, b), target});
-    };
-    for (const Crossing& c : s.crossings)
-        for (std::size_t i = 0; i < c.split.piece_count; ++i) {
-            const TriangleSplit::Piece& piece = c.split.pieces[i];
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const Index from = element_of_code(u, c, piece.corners[corner], classes);
-                add(piece.side, from, element_of_code(u, c, piece.corners[(corner + 1) % 3], classes),
-                    c.target[static_cast<std::size_t>(piece.side)]);
-            }
-        }
-    const auto add_halfedge = [&](Side side, Index h, Index target) {
-        const Index from = classes.of_vertex(u.mesh, u.mesh.from(h));
-        add(side, from, classes.of_vertex(u.mesh, u.mesh.to(h)), target);
-    };
-    for (const InPlaneEdge& e : s.in_plane) {
-        add_halfedge(Side::negative, e.negative_halfedge, e.target[0]);
-        add_halfedge(Side::positive, e.positive_halfedge, e.target[1]);
-    }
-    for (const FlushEdge& e : s.flush) add_halfedge(e.side, e.halfedge, e.target);
-
-    std::sort(places.begin(), places.end());
+    std::vector<KeptEdge> edges = kept_edges(u, s, classes);
+    std::sort(edges.begin(), edges.end());
     std::vector<std::array<Index, 2>> pairs;
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        const Place &a = places[i - 1], &b = places[i];
-        if (a.side == b.side && a.from == b.from && a.to == b.to && a.target != b.target)
-            pairs.push_back({a.target, b.target});
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        const KeptEdge &a = edges[i - 1], &b = edges[i];
+        if (a.place() == b.place() && a.target != b.target) pairs.push_back({a.target, b.target});
     }
     return pairs;
+}
+
+void find_seams_that_bound_nothing(const Universe& u, CutScratch& s)
+{
+    std::vector<std::pair<Index, Side>> vanished;
+    for (Index i = 0; i < s.crossings.size(); ++i)
+        for (const Side side : {Side::negative, Side::positive})
+            if (s.crossings[i].split.has_section_edge() && !has_piece_at_section(s.crossings[i].split, side))
+                vanished.push_back({i, side});
+    if (vanished.empty()) return;
+
+    PointClasses classes(s);
+    unite_coinciding(u, s, classes);
+    std::vector<KeptEdge> edges = kept_edges(u, s, classes);
+    add_edges_beside_crossings(u, s, classes, edges);
+    std::sort(edges.begin(), edges.end());
+    for (const auto& [i, side] : vanished) {
+        Crossing& c = s.crossings[i];
+        const Index from = classes.find(element_of_code(u, c, c.split.section_from, classes));
+        const Index to = classes.find(element_of_code(u, c, c.split.section_to, classes));
+        const KeptEdge edge{side, std::min(from, to), std::max(from, to), 0};
+        const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
+        if (found == edges.end() || found->place() != edge.place())
+            c.bounds_nothing[static_cast<std::size_t>(side)] = true;
+    }
 }
 
 }  // namespace kerf::halfedge

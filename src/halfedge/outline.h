@@ -24,4 +24,8 @@ std::vector<OutlineEdge> outline_edges(const Universe& universe, const CutScratc
 /// edge where points coincide, and no half-edge leads from one to all others. O(k log k).
 std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& universe, const CutScratch& scratch);
 
+/// Marks the seams of an irregular outline at which a side keeps no triangle: all of theirs there has shrunk away, and
+/// it lay at the boundary of an open mesh. O(k), and O(k log k) where a crossing triangle has lost a piece at its seam.
+void find_seams_that_bound_nothing(const Universe& universe, CutScratch& scratch);
+
 }  // namespace kerf::halfedge

@@ -434,6 +434,7 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
     DisjointSets same(static_cast<std::uint32_t>(s.targets.size()));
     if (s.irregular && s.targets.size() > 2 * s.cut_shells.size())
         for (const auto& [a, b] : targets_that_share_edges(universe, s)) same.unite(a, b);
+    if (s.irregular && universe.has_boundary) find_seams_that_bound_nothing(universe, s);
     for (PartsOfSide& side : sides) side.list(same);
     const PiecesOutline outline = outline_of(universe, s, sides);
     for (PartsOfSide& side : sides) side.measure();

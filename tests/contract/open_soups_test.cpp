@@ -193,6 +193,9 @@ TEST_P(OpenSoups, HaveOneSectionAndThePiecesOfTheSurfaceAlone)
     std::iota(seeds.begin(), seeds.end(), GetParam() * KERF_OPEN_SOUPS + 1);
     // An edge in the plane had the source of one of its triangles, and of the other one from behind.
     seeds.push_back(18596);
+    // A triangle without area lost what it had on one side, and its neighbours there were taken for bounded by its
+    // seam.
+    seeds.push_back(56650);
     for (const std::uint64_t seed : seeds) {
         test::NamedSoup soup = test::open_soup(seed, 20 + 50 * static_cast<std::uint32_t>(seed % 3));
         const std::string what = soup.name + ", seed " + std::to_string(seed);
