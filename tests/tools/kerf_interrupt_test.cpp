@@ -21,23 +21,28 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
     const std::vector<std::string> all = names_in_folder();
     ASSERT_GT(all.size(), 300u);
 
+    const std::vector<std::pair<std::string, int>> signals{{"INT", SIGINT},   {"TERM", SIGTERM},  {"HUP", SIGHUP},
+                                                           {"QUIT", SIGQUIT}, {"PIPE", SIGPIPE},  {"ALRM", SIGALRM},
+                                                           {"XCPU", SIGXCPU}, {"ABRT", SIGABRT},  {"USR1", SIGUSR1},
+                                                           {"PROF", SIGPROF}, {"RTMIN", SIGRTMIN}};
     int interrupted = 0;
     std::mt19937 random(20261122);
-    for (int round = 0; round < 50; ++round) {
+    for (int round = 0; round < 55; ++round) {
         for (const std::string& name : all)
             if (name != "comb.ply") std::filesystem::remove(folder_ / name);
         const double seconds = 0.001 * std::uniform_real_distribution(0.0, 1.1 * ms)(random);
-        const char* const name = round % 3 == 0 ? "INT" : (round % 3 == 1 ? "TERM" : "HUP");
+        const auto& [name, number] = signals[std::size_t(round) % signals.size()];
         const Outcome outcome =
-            kerf(cut, "timeout --preserve-status -s " + std::string(name) + " " + std::to_string(seconds));
+            kerf(cut, "ulimit -c 0; timeout --preserve-status -s " + name + " " + std::to_string(seconds));
         const std::vector<std::string> names = names_in_folder();
         if (outcome.status == 0) {
             EXPECT_EQ(names, all);
             continue;
         }
         ++interrupted;
-        EXPECT_EQ(outcome.status, 128 + (round % 3 == 0 ? SIGINT : (round % 3 == 1 ? SIGTERM : SIGHUP)));
-        EXPECT_TRUE(names == before || names == all) << names.size() << " files after " << seconds << " s";
+        EXPECT_EQ(outcome.status, 128 + number) << name;
+        EXPECT_TRUE(names == before || names == all)
+            << names.size() << " files after " << name << " at " << seconds << " s";
     }
     EXPECT_GT(interrupted, 10);
 }
@@ -48,6 +53,14 @@ TEST_F(KerfInterrupt, ASignalThatIsIgnoredByNohupStaysIgnored)
         kerf("shape asteroid -n 100000 -o rock.stl & sleep 0.02; kill -HUP $!; wait $!", "trap '' HUP;");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(names_in_folder(), std::vector<std::string>{"rock.stl"});
+}
+
+TEST_F(KerfInterrupt, AFileBeyondTheLimitOfItsSizeIsASentenceAndLeavesNothing)
+{
+    for (const char* format : {"obj", "ply", "stl", "glb"})
+        expect_unusable(kerf("shape asteroid -n 10000 -o rock." + std::string(format), "ulimit -f 20;"),
+                        "cannot be written");
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{});
 }
 
 }  // namespace

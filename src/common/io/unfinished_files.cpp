@@ -51,13 +51,23 @@ void publish(UnfinishedPlace* place) noexcept
     }
 }
 
-constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
+/// All that end a program unless it says otherwise and are no fault of the program itself, whose memory a handler could
+/// not trust. Those for real time follow.
+constexpr int kEndingSignals[] = {SIGINT,  SIGTERM, SIGHUP, SIGQUIT,   SIGPIPE, SIGALRM, SIGXCPU,  SIGABRT,
+                                  SIGUSR1, SIGUSR2, SIGIO,  SIGVTALRM, SIGPROF, SIGPWR,  SIGSTKFLT};
+
+template <typename Function>
+void for_ending_signals(const Function& function) noexcept
+{
+    for (const int signal_number : kEndingSignals) function(signal_number);
+    for (int signal_number = SIGRTMIN; signal_number <= SIGRTMAX; ++signal_number) function(signal_number);
+}
 
 sigset_t ending_signals() noexcept
 {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal_number : kEndingSignals) sigaddset(&set, signal_number);
+    for_ending_signals([&](int signal_number) { sigaddset(&set, signal_number); });
     return set;
 }
 
@@ -103,11 +113,14 @@ void remove_unfinished_files_on_signals() noexcept
     action.sa_handler = remove_and_end;
     // None of them interrupts the removal that another began.
     action.sa_mask = ending_signals();
-    for (const int signal_number : kEndingSignals) {
+    for_ending_signals([&](int signal_number) {
         struct sigaction before = {};
-        const bool is_ignored = ::sigaction(signal_number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
-        if (signal_number != SIGHUP || !is_ignored) ::sigaction(signal_number, &action, nullptr);
-    }
+        const bool is_default = ::sigaction(signal_number, nullptr, &before) == 0 && before.sa_handler == SIG_DFL;
+        // Shells ignore SIGINT for what they start in the background: whoever sends it all the same means it.
+        const bool is_always_taken = signal_number == SIGINT || signal_number == SIGTERM;
+        if (is_default || is_always_taken) ::sigaction(signal_number, &action, nullptr);
+    });
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 SignalsWait::SignalsWait() noexcept

@@ -24,8 +24,10 @@ using UnfinishedFile = std::unique_ptr<UnfinishedPlace, ForgetUnfinished>;
 /// unfinished at one time).
 void remove_unfinished_files() noexcept;
 
-/// For programs: SIGINT, SIGTERM and SIGHUP remove unfinished files first, and then end the program as if they had not
-/// been caught. A SIGHUP that is ignored (nohup) stays ignored.
+/// For programs: signals that end them, such as SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM and SIGXCPU, remove
+/// unfinished files first, and then end the program as if they had not been caught. One that is ignored (nohup) or
+/// caught already stays so, but for SIGINT and SIGTERM. SIGXFSZ is ignored: writing beyond the limit of a file's size
+/// fails as on a full disk.
 void remove_unfinished_files_on_signals() noexcept;
 
 /// While this lives, the signals of remove_unfinished_files_on_signals() wait if they come to this thread: what takes
