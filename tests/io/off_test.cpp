@@ -148,6 +148,13 @@ TEST_F(OffTest, CompletesVerticesThatLackWhatTheKeywordPromisesAndNotesIt)
               "2 faces of fewer than three corners passed over");
 }
 
+TEST_F(OffTest, NotesLinesBehindTheLastFace)
+{
+    const Read found = read("a.off", "OFF\n4 1 0\n" + std::string(kSquare) + "3 0 1 2 1\n# more\n3 0 2 3\n");
+    EXPECT_EQ(found.soup.triangles.size(), 1u);
+    EXPECT_EQ(found.notes, "1 lines behind the last one that is expected passed over");
+}
+
 TEST_F(OffTest, SaysWhatIsWrong)
 {
     const std::string head = "OFF\n4 1 0\n" + std::string(kSquare);

@@ -289,6 +289,35 @@ TEST_F(PlyTest, TakesElementsThatShareLinesOrTakeSeveral)
     }
 }
 
+TEST_F(PlyTest, NamesTheLineThatIsTooShort)
+{
+    const std::string head = kAsciiHead + kVertex + kFace;  // 11 lines
+    const std::string coordinate = "a coordinate is missing", index = "a vertex index is missing";
+    EXPECT_TRUE(contains(error_of("a.ply", head + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "line 12: " + coordinate));
+    EXPECT_TRUE(contains(error_of("a.ply", head + "0 0 0\n1 0 0\n\n0\n3 0 1 2\n"), "line 15: " + coordinate));
+    EXPECT_TRUE(contains(error_of("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), "line 15: " + index));
+    const std::string two = std::string(head).replace(head.find("face 1"), 6, "face 2");
+    for (const char* face : {"3 0 1", "4 0 1 2"})
+        EXPECT_TRUE(contains(error_of("a.ply", two + "0 0 0\n1 0 0\n0 1 0\n" + face + "\n3 0 1 2\n"),
+                             "line 15: " + index + "; "))
+            << face;
+    // With more lines than that, it might have gone on in the next one; but that one has too many numbers then.
+    const std::string shorter = "it has fewer numbers than the header promises; complete it";
+    EXPECT_TRUE(contains(error_of("a.ply", head + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"), "line 12: " + shorter));
+    EXPECT_TRUE(contains(error_of("a.ply", two + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n3 0 1 2\n3 0 2 1\n"),
+                         "line 16: vertex 3 is out of range: there are 3, counted from 0; mend the face or take it out "
+                         "(read as going on from line 15: that one may be too short)"));
+    // Fewer lines are what a file has that is cut off.
+    EXPECT_TRUE(contains(error_of("a.ply", two + "0 0 0\n1 0 0\n0 1 0\n3 0"), "there are fewer lines than vertices"));
+}
+
+TEST_F(PlyTest, NotesLinesBehindTheLastFace)
+{
+    const Read found = read("a.ply", kAsciiHead + kVertex + kFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n\n3 0 2 1\nx\n");
+    expect_triangle(found.soup, "more");
+    EXPECT_EQ(found.notes, "2 lines behind the last one that is expected passed over");
+}
+
 TEST_F(PlyTest, ReadsBinaryNumbersBehindEveryLineEnd)
 {
     // The first byte is a line feed: behind a header of lines that end with CR it belongs to the numbers.

@@ -168,6 +168,22 @@ TEST(TextScanner, FindsRecordsOnLinesOfTheirOwnOrOnFewer)
     EXPECT_EQ(first_words("", 1), "0");
 }
 
+TEST(TextScanner, CountsLinesOnceHoweverManyKindsOfRecordsThereAre)
+{
+    constexpr std::uint64_t kKinds = 1000;
+    std::string text;
+    for (std::uint64_t i = 0; i < kKinds; ++i) text += "1 2\n";
+    TextScanner scanner(kPath, text, {});
+    for (std::uint64_t left = kKinds; left > 0; --left) {
+        scanner.new_records();
+        scanner.next_record(left);
+        EXPECT_EQ(scanner.word_of_record_lines(), "1");
+    }
+    scanner.end_records();
+    EXPECT_EQ(scanner.lines_passed_over(), kKinds);
+    EXPECT_LE(scanner.lines_counted(), kKinds);
+}
+
 TEST(TextScanner, NamesFileAndLineInErrors)
 {
     TextScanner scanner(kPath, "a\n\nb x\n", {});

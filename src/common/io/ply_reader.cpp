@@ -37,14 +37,17 @@ public:
     // Whatever the type: the float nearest to the decimal number, not to the double nearest to it.
     float coordinate(PlyType, SoupBuilder& builder)
     {
-        return builder.read_coordinate(words_, words_.word_of_any_line());
+        return builder.read_coordinate(words_, words_.word_of_record_lines());
     }
-    float attribute(PlyType) { return words_.to_float(words_.word_of_any_line(), "a number"); }
-    std::int64_t integer(PlyType, std::string_view what) { return words_.to_integer(words_.word_of_any_line(), what); }
+    float attribute(PlyType) { return words_.to_float(words_.word_of_record_lines(), "a number"); }
+    std::int64_t integer(PlyType, std::string_view what)
+    {
+        return words_.to_integer(words_.word_of_record_lines(), what);
+    }
     void skip(PlyType, std::uint64_t count)
     {
         for (std::uint64_t i = 0; i < count; ++i)
-            if (words_.word_of_any_line().empty()) fail("a number is missing; export it again");
+            if (words_.word_of_record_lines().empty()) fail("a number is missing; export it again");
     }
     void finish(ReadingNotes& notes)
     {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "common/io/read_formats.h"
 
@@ -170,7 +171,10 @@ std::string_view TextScanner::word()
         if (!is_plain && ends_word(first, at)) break;
     }
     at_ = at;
-    word_taken_ = word_taken_ || at > first;
+    if (at > first && !word_taken_) {
+        word_taken_ = true;
+        ++lines_begun_;
+    }
     return text_.substr(first, at - first);
 }
 
@@ -195,37 +199,74 @@ std::string_view TextScanner::word_of_any_line()
 void TextScanner::next_record(std::uint64_t left)
 {
     skip_blanks();
-    if (at_line_end() || !word_taken_) return;
-    if (!records_have_lines_) records_have_lines_ = has_lines(left);
-    if (!*records_have_lines_) {
-        records_shared_lines_ = true;
-        return;
+    if (!at_line_end() && word_taken_) {
+        if (!records_have_lines_) records_have_lines_ = lines_left() >= left;
+        if (*records_have_lines_) {
+            if (wrapped_from_) {
+                line_ = *std::exchange(wrapped_from_, std::nullopt);
+                fail("it has fewer numbers than the header promises; complete it or export the file again");
+            }
+            end_line();
+            ++lines_passed_over_;
+        } else {
+            records_shared_lines_ = true;
+        }
     }
-    end_line();
-    ++lines_passed_over_;
+    skip_to_word();
+    records_left_ = left;
+    wrapped_from_.reset();
+}
+
+std::string_view TextScanner::word_of_record_lines()
+{
+    const std::string_view found = word();
+    if (!found.empty() || records_have_lines_.value_or(false)) return found;
+    if (!records_have_lines_ && !wrapped_from_) {
+        // The line on which the record began ends within it.
+        const std::uint64_t lines = lines_left() + 1;
+        if (lines > records_left_)
+            wrapped_from_ = line_;
+        else
+            records_have_lines_ = lines == records_left_;
+        if (records_have_lines_.value_or(false)) return {};
+        records_shared_lines_ = records_shared_lines_ || !wrapped_from_;
+    }
+    return word_of_any_line();
+}
+
+/// Moves to the next word of any line.
+void TextScanner::skip_to_word()
+{
+    for (skip_blanks(); at_line_end() && at_ < text_.size(); skip_blanks()) skip_line_end();
 }
 
 void TextScanner::new_records()
 {
     skip_blanks();
-    if (at_line_end() || records_have_lines_.value_or(true)) records_have_lines_.reset();
+    if (at_line_end() || !word_taken_ || records_have_lines_.value_or(true)) records_have_lines_.reset();
 }
 
 void TextScanner::end_records()
 {
     next_record(0);
-    if (!records_shared_lines_) return;
-    if (const std::string_view found = word_of_any_line(); !found.empty())
-        fail(in_quotes(found) + " stands behind the last number that is expected; export it again");
+    if (records_shared_lines_) {
+        if (const std::string_view found = word_of_any_line(); !found.empty())
+            fail(in_quotes(found) + " stands behind the last number that is expected; export it again");
+    } else if (notes_ != nullptr) {
+        notes_->add("lines behind the last one that is expected passed over", lines_left());
+    }
 }
 
-/// Whether so many lines with words follow behind this one.
-bool TextScanner::has_lines(std::uint64_t count) const
+/// Lines of which no word was taken yet. O(n) the first time, O(1) then.
+std::uint64_t TextScanner::lines_left()
 {
-    TextScanner lines = *this;
-    lines.in_line_ = true;
-    while (count > 0 && lines.next_line()) --count;
-    return count == 0;
+    if (!lines_) {
+        TextScanner ahead = *this;
+        ahead.in_line_ = word_taken_;
+        while (ahead.next_line()) ++lines_counted_;
+        lines_ = lines_begun_ + lines_counted_;
+    }
+    return *lines_ - lines_begun_;
 }
 
 std::string_view TextScanner::rest()
@@ -281,8 +322,11 @@ std::int64_t TextScanner::to_integer(std::string_view text, std::string_view wha
 
 void TextScanner::fail(const std::string& reason) const
 {
-    const std::string doubt =
-        records_shared_lines_ ? " (there are fewer lines than vertices and faces: it may be cut off)" : "";
+    std::string doubt;
+    if (wrapped_from_)
+        doubt = " (read as going on from line " + std::to_string(*wrapped_from_) + ": that one may be too short)";
+    else if (records_shared_lines_)
+        doubt = " (there are fewer lines than vertices and faces: it may be cut off)";
     io::fail(path_, "line " + std::to_string(line_) + ": " + reason + doubt);
 }
 

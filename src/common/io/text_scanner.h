@@ -57,21 +57,35 @@ public:
 
     /// Moves to the next of `left` records. Each begins on a line of its own and may have more words on it than are
     /// needed, which are passed over. But where there are fewer lines than records, records share lines, and have no
-    /// word too many. That is looked up once, when a record is the first with words behind it, in O(n).
+    /// word too many. That is looked up when a record is the first with words behind it; the lines are counted once,
+    /// in O(n).
+    /// @throws FileError  the last record went on in a later line, and has words behind it all the same: its first line
+    ///                    is too short
     void next_record(std::uint64_t left);
 
     /// Records of another kind follow: whether they share lines is looked up again, but where the line goes on with
     /// them.
     void new_records();
 
+    /// Notes lines behind the last record.
     /// @throws FileError  there are words behind the last of records that share lines: they were told apart wrongly
     void end_records();
 
     /// The next word of this record: of this line, or of any if records share lines.
     std::string_view record_word() { return records_have_lines_.value_or(true) ? word() : word_of_any_line(); }
 
+    /// The same where records may also take several lines, which they do if there are more lines than records. Empty at
+    /// the end of the file, and of a line that is one record.
+    std::string_view word_of_record_lines();
+
+    /// Whether it is known that each record of this kind has a line of its own.
+    bool records_have_lines() const { return records_have_lines_.value_or(false); }
+
     /// Lines whose last words next_record() passed over.
     std::uint64_t lines_passed_over() const { return lines_passed_over_; }
+
+    /// Lines that were counted to tell whether records share them: not more than there are. Tests hold the cost to it.
+    std::uint64_t lines_counted() const { return lines_counted_; }
 
     /// A word as a finite number; an empty word is the end of the line or file. `what` names it in the error: "a
     /// coordinate".
@@ -100,7 +114,8 @@ public:
     [[noreturn]] void fail(const std::string& reason) const;
 
 private:
-    bool has_lines(std::uint64_t count) const;
+    std::uint64_t lines_left();
+    void skip_to_word();
     bool at_line_end() const { return at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '\r'; }
     bool is_comment(std::size_t at) const;
     bool is_continuation(std::size_t at) const;
@@ -114,10 +129,15 @@ private:
     ReadingNotes* notes_;
     std::size_t at_ = 0;
     std::size_t line_ = 1;
-    bool in_line_ = false;     ///< next_line() was called: the current line must be left first
-    bool word_taken_ = false;  ///< of the current line
+    bool in_line_ = false;                ///< next_line() was called: the current line must be left first
+    bool word_taken_ = false;             ///< of the current line
+    std::uint64_t lines_begun_ = 0;       ///< lines of which a word was taken
+    std::optional<std::uint64_t> lines_;  ///< with words, in the whole text
+    std::uint64_t lines_counted_ = 0;
     std::optional<bool> records_have_lines_;
-    bool records_shared_lines_ = false;  ///< somewhere
+    std::uint64_t records_left_ = 0;           ///< with the one that we are in
+    std::optional<std::size_t> wrapped_from_;  ///< line on which this record began if it went on in a later one
+    bool records_shared_lines_ = false;        ///< somewhere
     std::uint64_t lines_passed_over_ = 0;
 };
 
