@@ -54,8 +54,8 @@ glm::vec3 clear_of_rim(const Section& section, const SectionPath& path, const gl
         for (int i = -reach; i <= reach; ++i)
             for (int j = -reach; j <= reach; ++j) {
                 if (std::max(std::abs(i), std::abs(j)) != reach) continue;
-                place[u] = static_cast<float>(double(centre[u]) + i * step) + 0.0f;
-                place[v] = static_cast<float>(double(centre[v]) + j * step) + 0.0f;
+                place[u] = nearest_finite_float(double(centre[u]) + i * step) + 0.0f;
+                place[v] = nearest_finite_float(double(centre[v]) + j * step) + 0.0f;
                 if (!has_point_at(section, path, place)) return place;
             }
 }
@@ -70,9 +70,7 @@ std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& cross
     IndexedMesh& mesh = builder.mesh;
     const PlaneFrame frame = PlaneFrame::of(plane.normal);
     const glm::vec3 normal(builder.side() == Side::negative ? plane.normal : -plane.normal);
-    const auto cap_vertex = [&](const glm::vec3& p) {
-        return Vertex{p, normal, glm::vec2(glm::dot(frame.u, glm::dvec3(p)), glm::dot(frame.v, glm::dvec3(p)))};
-    };
+    const auto cap_vertex = [&](const glm::vec3& p) { return Vertex{p, normal, frame.uv(p)}; };
 
     std::vector<std::uint32_t> order(paths.size());
     std::iota(order.begin(), order.end(), 0u);

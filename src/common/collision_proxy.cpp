@@ -9,6 +9,7 @@
 
 #include "common/convex_hull.h"
 #include "common/cut_geometry.h"
+#include "common/float_range.h"
 
 namespace kerf {
 namespace {
@@ -235,12 +236,11 @@ CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices)
                 const glm::dvec3 d = glm::dvec3(v.position) - glm::dvec3(proxy.centre);
                 squared = std::max(squared, glm::dot(d, d));
             }
-            // Rounded up, so that no vertex is outside.
+            // Rounded up, so that no vertex is outside, as far as floats reach.
+            constexpr float kLargest = std::numeric_limits<float>::max();
             const double radius = std::sqrt(squared);
-            proxy.radius = float(radius);
-            if (double(proxy.radius) <= radius && radius > 0.0) {
-                proxy.radius = std::nextafter(proxy.radius, std::numeric_limits<float>::infinity());
-            }
+            proxy.radius = nearest_finite_float(radius);
+            if (double(proxy.radius) <= radius && radius > 0.0) proxy.radius = std::nextafter(proxy.radius, kLargest);
             break;
         }
         case ProxyKind::bounded_hull: {

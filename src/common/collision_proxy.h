@@ -29,7 +29,7 @@ struct CollisionProxy
     ProxyKind kind = ProxyKind::box;
     Box box;                 ///< bounds of the vertices; every kind
     glm::vec3 centre{0.0f};  ///< sphere: its centre
-    float radius = 0.0f;     ///< sphere: its radius
+    float radius = 0.0f;     ///< sphere: its radius; at most the largest float, which vertices near it may be beyond
     std::vector<glm::vec3>
         points;  ///< hulls: corner points, all of them vertices of the mesh; every_vertex: all vertices
     std::vector<Triangle> faces;  ///< full_hull and bounded_hull: the hull's triangles, counter-clockwise seen from
@@ -45,7 +45,8 @@ inline constexpr std::size_t kSupportDirections = 32;
 const std::array<glm::vec3, kSupportDirections>& support_directions();
 
 /// dot(direction, p) in float, in the one order of operations that every search for extreme vertices uses, so that a
-/// maximum found in a tree and one found in a loop are the same number.
+/// maximum found in a tree and one found in a loop are the same number. Infinite values (of coordinates beyond 2e38)
+/// are equals, too.
 inline float support_value(const glm::vec3& direction, const glm::vec3& p)
 {
     return (direction.x * p.x + direction.y * p.y) + direction.z * p.z;

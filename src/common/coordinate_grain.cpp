@@ -5,13 +5,14 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "common/float_range.h"
+
 namespace kerf {
 
 double coordinate_grain(const Box& box)
 {
     if (box.empty()) return 0.0;
-    const float largest = box.largest_coordinate();
-    return double(std::nextafter(largest, std::numeric_limits<float>::infinity())) - double(largest);
+    return unit_in_last_place(box.largest_coordinate());
 }
 
 double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle> triangles)

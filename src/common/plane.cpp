@@ -38,8 +38,7 @@ PlaneFrame PlaneFrame::of(const glm::dvec3& normal)
 
 double plane_noise(float largest_coordinate)
 {
-    const float above = std::nextafter(largest_coordinate, std::numeric_limits<float>::infinity());
-    return kNoiseInUnits * (double(above) - double(largest_coordinate));
+    return kNoiseInUnits * unit_in_last_place(largest_coordinate);
 }
 
 }  // namespace kerf

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
 #include "common/box.h"
+#include "common/float_range.h"
 #include "common/float_rules.h"
 
 namespace kerf {
@@ -52,6 +54,13 @@ struct PlaneFrame
     glm::dvec3 u, v;
 
     static PlaneFrame of(const glm::dvec3& normal);
+
+    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. A corner of a box of the
+    /// largest floats is farther along a diagonal than floats reach: it gets the largest.
+    glm::vec2 uv(const glm::vec3& p) const
+    {
+        return {nearest_finite_float(glm::dot(u, glm::dvec3(p))), nearest_finite_float(glm::dot(v, glm::dvec3(p)))};
+    }
 };
 
 /// plane_noise() in units in the last place.

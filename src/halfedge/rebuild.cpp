@@ -143,8 +143,7 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const CutScr
     const Index points = static_cast<Index>(s.loop_points.size());
     for (Index i = 0; i < points; ++i) {
         const glm::vec3& p = s.loop_points[i];
-        const glm::vec2 uv(static_cast<float>(glm::dot(frame.u, glm::dvec3(p))),
-                           static_cast<float>(glm::dot(frame.v, glm::dvec3(p))));
+        const glm::vec2 uv = frame.uv(p);
         u.vertices.data()[cap_vertices_ + i] = {p, normal, uv};
         u.vertices.data()[cap_vertices_ + points + i] = {p, -normal, uv};
     }

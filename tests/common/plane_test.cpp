@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace kerf {
@@ -49,6 +50,27 @@ TEST(PlaneFrame, IsRightHandedAndUnit)
 TEST(PlaneNoise, IsFourUnitsInTheLastPlace)
 {
     EXPECT_EQ(plane_noise(1.0f), 4.0 * std::numeric_limits<float>::epsilon());
+}
+
+TEST(PlaneNoise, IsThatOfTheNeighbourBelowAtTheLargestFloat)
+{
+    EXPECT_EQ(plane_noise(std::numeric_limits<float>::max()), 4.0 * 0x1p104);
+    EXPECT_EQ(plane_noise(0x1p127f), 4.0 * 0x1p104) << "the smallest float of that step";
+}
+
+TEST(PlaneFrame, GivesUvThatFloatsCanHold)
+{
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    const PlaneFrame frame = PlaneFrame::of(glm::normalize(glm::dvec3(1, 2, 3)));
+    for (const float x : {-kLargest, kLargest})
+        for (const float y : {-kLargest, kLargest})
+            for (const float z : {-kLargest, kLargest}) {
+                const glm::vec2 uv = frame.uv({x, y, z});
+                EXPECT_LE(std::abs(uv.x), kLargest);
+                EXPECT_LE(std::abs(uv.y), kLargest);
+            }
+    const glm::vec3 p(0.1f, -7.0f, 3e5f);
+    EXPECT_EQ(frame.uv(p), glm::vec2(glm::dot(frame.u, glm::dvec3(p)), glm::dot(frame.v, glm::dvec3(p))));
 }
 
 }  // namespace

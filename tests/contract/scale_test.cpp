@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "common/coordinate_grain.h"
 #include "common/cut.h"
@@ -124,6 +126,7 @@ void expect_sound_cuts(const Backend& backend, const IndexedMesh& mesh, std::uin
         for (const auto* side : {&result.positive, &result.negative})
             for (const auto& fragment : *side) {
                 const IndexedMesh piece = fragment->to_indexed_mesh();
+                ASSERT_EQ(check(piece), "");
                 ASSERT_EQ(referee::open_edges(piece), 0u);
                 ASSERT_EQ(referee::triangles_with_equal_corners(piece), 0u);
                 sum += referee::volume(piece);
@@ -165,6 +168,31 @@ TEST_P(Scale, FarFromTheOriginGivesClosedPiecesAndAWarningWhereFloatsAreTooCoars
     }
 }
 
+TEST_P(Scale, UpToTheLargestFloatGivesClosedPiecesAndProxies)
+{
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    for (const char* name : {"box", "icosphere", "torus", "comb", "sphere_in_sphere"}) {
+        SCOPED_TRACE(name);
+        TriangleSoup soup = *shapes::make(name, 400, 1);
+        Box box;
+        for (const Vertex& v : soup.vertices) box.add(v.position);
+        // In two steps, so that no product is beyond the largest.
+        for (Vertex& v : soup.vertices) v.position = v.position / box.largest_coordinate() * kLargest;
+        Assembled mesh = assemble(std::move(soup));
+        ASSERT_EQ(mesh.error, "");
+        ASSERT_EQ(mesh.mesh->bounds().largest_coordinate(), kLargest);
+        const PrepareResult prepared = backend_->prepare(mesh.mesh);
+        EXPECT_FALSE(prepared.coarse_coordinates);
+        for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull,
+                                     ProxyKind::every_vertex}) {
+            const CollisionProxy proxy = prepared.object->collision_proxy(kind);
+            EXPECT_TRUE(std::isfinite(proxy.radius) && std::isfinite(glm::dot(glm::dvec3(proxy.centre), {1, 1, 1})));
+            for (const glm::vec3& p : proxy.points) EXPECT_LE(std::abs(p.x), kLargest);
+        }
+        expect_sound_cuts(*backend_, mesh.mesh, 3);
+    }
+}
+
 TEST(CoordinateGrain, IsTheDistanceOfNeighbouringFloats)
 {
     Box box;
@@ -173,6 +201,8 @@ TEST(CoordinateGrain, IsTheDistanceOfNeighbouringFloats)
     EXPECT_EQ(coordinate_grain(box), 0x1p-22);
     box.add({0.0f, 0.0f, 30000.0f});
     EXPECT_EQ(coordinate_grain(box), 0x1p-9);
+    box.add({std::numeric_limits<float>::max(), 0.0f, 0.0f});
+    EXPECT_EQ(coordinate_grain(box), 0x1p104) << "the largest has no neighbour above";
 }
 
 TEST(CoordinateGrain, MakesEdgesUnderSixteenOfItCoarse)

@@ -334,6 +334,14 @@ void no_triangles(IndexedMesh& mesh, Random& random)
     for (TriangleGroup& group : mesh.groups) group = {0, 0, group.material, group.solid, group.kind};
 }
 
+void no_vertices(IndexedMesh& mesh, Random&)
+{
+    mesh.vertices.clear();
+    mesh.points.clear();
+    mesh.point_count = 0;
+    for (VertexStream& stream : mesh.streams) stream.values.clear();
+}
+
 void wild_sources(IndexedMesh& mesh, Random& random)
 {
     for (std::uint32_t& source : mesh.sources) source = beyond(0, random);
@@ -354,6 +362,26 @@ void caps_from_before(IndexedMesh& mesh, Random& random)
 void huge_coordinates(IndexedMesh& mesh, Random& random)
 {
     scale(mesh, std::ldexp(1.0f, 100 + static_cast<int>(random.below(26))));
+}
+
+/// The largest coordinate becomes the largest float there is.
+void coordinates_up_to_the_largest(IndexedMesh& mesh, Random&)
+{
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    const double factor = kLargest / mesh.bounds().largest_coordinate();
+    for (Vertex& v : mesh.vertices)
+        for (int axis = 0; axis < 3; ++axis)
+            v.position[axis] = float(std::clamp(v.position[axis] * factor, -kLargest, kLargest)) + 0.0f;
+}
+
+void points_at_the_end_of_the_range(IndexedMesh& mesh, Random& random)
+{
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    Buffer<glm::vec3> positions = positions_of_points(mesh);
+    for (glm::vec3& p : positions)
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] = std::array{-kLargest, kLargest, -0.5f * kLargest, 0.0f, p[axis]}[random.below(5)];
+    set_all_positions(mesh, positions);
 }
 
 void tiny_coordinates(IndexedMesh& mesh, Random& random)
@@ -515,6 +543,8 @@ constexpr auto kChanges = std::to_array<MeshChange>({
     {"wild solids", Verdict::cut, wild_solids},
     {"caps from before", Verdict::cut, caps_from_before},
     {"huge coordinates", Verdict::cut, huge_coordinates},
+    {"coordinates up to the largest float", Verdict::cut, coordinates_up_to_the_largest},
+    {"points at the end of the range", Verdict::either, points_at_the_end_of_the_range},
     {"tiny coordinates", Verdict::either, tiny_coordinates},
     {"far from the origin", Verdict::either, far_from_the_origin},
     {"points at one place", Verdict::either, points_at_one_place},
@@ -563,6 +593,7 @@ constexpr auto kChanges = std::to_array<MeshChange>({
     {"solids that share an edge", Verdict::either, solids_that_share_an_edge},
     {"moved away", Verdict::refused, moved_away},
     {"no triangles", Verdict::refused, no_triangles},
+    {"no vertices", Verdict::refused, no_vertices},
 });
 
 }  // namespace
