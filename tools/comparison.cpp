@@ -51,6 +51,17 @@ std::uint64_t degenerate_triangles(const IndexedMesh& mesh)
         }));
 }
 
+/// Vertices that no file can hold and no cut takes: with a coordinate, a normal or a uv that is not finite.
+std::uint64_t vertices_without_number(const IndexedMesh& mesh)
+{
+    return static_cast<std::uint64_t>(std::count_if(mesh.vertices.begin(), mesh.vertices.end(), [](const Vertex& v) {
+        for (const float number :
+             {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv.x, v.uv.y})
+            if (!std::isfinite(number)) return true;
+        return false;
+    }));
+}
+
 /// Area, in the plane, of the caps with this material, each triangle counted positive.
 double cap_area_of(const IndexedMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
 {
@@ -174,6 +185,7 @@ private:
             facts.triangles[side] = mesh.triangles.size();
             facts.open_edges += open_edges(mesh);
             facts.degenerate_triangles += degenerate_triangles(mesh);
+            facts.lost_numbers += vertices_without_number(mesh);
             facts.cap_area[side] = cap_area_of(mesh, options.cap_material, row.plane.plane.normal);
             facts.overhang = std::max(facts.overhang, overhang_of(mesh, row.plane.plane, side == 0 ? 1.0 : -1.0));
         }
@@ -388,6 +400,9 @@ private:
         const auto fail = [&](const std::string& clause) { row.failures.push_back(name + " " + clause); };
         if (facts.degenerate_triangles > 0)
             fail("has " + counted(facts.degenerate_triangles, "triangle") + " with equal corners");
+        if (facts.lost_numbers > 0)
+            fail("has " + (facts.lost_numbers == 1 ? "1 vertex" : grouped(facts.lost_numbers) + " vertices") +
+                 " with a number that is not finite");
         if (!(facts.overhang <= kNoiseInUnits * unit_)) fail("is on the wrong side by " + rounded(facts.overhang));
         if (!summary_.closed) return;
         if (facts.open_edges > 0) fail("has " + counted(facts.open_edges, "open edge"));

@@ -40,6 +40,7 @@ struct BackEndRow
     std::uint64_t crossing = 0;
     std::uint64_t open_edges = 0;              ///< both fragments; of the caps' making when the object was closed
     std::uint64_t degenerate_triangles = 0;    ///< two corners at one position; both fragments
+    std::uint64_t lost_numbers = 0;            ///< vertices with a number that is not finite; both fragments
     double volume_error = 0.0;                 ///< relative to ComparedMesh::judged_volume: sum of the fragments, and
                                                ///< what mass_properties() says of each
     bool says_caps_exceed = false;             ///< CutResult::caps_exceed_section

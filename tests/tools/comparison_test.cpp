@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "baseline/baseline.h"
@@ -203,6 +204,27 @@ TEST(Comparison, FindsACapThatOverlapsItself)
     EXPECT_EQ(outcome.rows_that_say("half-edge cap area off by"), outcome.cuts());
     EXPECT_EQ(outcome.rows_that_say("open edge"), 0u);
     EXPECT_EQ(outcome.rows_that_say("surface differs"), 0u);
+}
+
+TEST(Comparison, FindsAUvThatIsNoNumber)
+{
+    const Outcome outcome = compare_with(
+        [](IndexedMesh& m) {
+            m.vertices[m.triangles[cap_of(m).first][0]].uv.y = std::numeric_limits<float>::infinity();
+        },
+        ball());
+    EXPECT_EQ(outcome.rows_that_say("halfedge has 2 vertices with a number that is not finite"), outcome.cuts());
+    EXPECT_EQ(outcome.rows_that_say("surface differs"), 0u);
+}
+
+TEST(Comparison, FindsNothingInABoxOfTheLargestFloats)
+{
+    TriangleSoup box = shapes::box({2, 2, 2}, {1, 1, 1});
+    for (Vertex& v : box.vertices) v.position *= std::numeric_limits<float>::max();
+    const Outcome outcome = compare_with([](IndexedMesh&) {}, box);
+    EXPECT_GT(outcome.cuts(), 0u);
+    for (const ComparisonRow& row : outcome.rows)
+        EXPECT_TRUE(row.failures.empty()) << row.piece << ": " << row.failures.front();
 }
 
 TEST(Comparison, FindsEqualCornersWrongSidesAndWrongVolumes)
