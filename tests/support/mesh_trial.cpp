@@ -25,9 +25,7 @@ void require(bool condition, const std::string& promise)
 /// What prove() has to find out, by other means.
 bool keeps_all_promises(const IndexedMesh& mesh)
 {
-    if (!check(mesh).empty() || !surface_referee::judge(mesh).fault.empty() ||
-        referee::triangles_with_equal_corners(mesh) != 0)
-        return false;
+    if (!referee::is_well_formed(mesh) || !surface_referee::judge(mesh).fault.empty()) return false;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> solid_at;
     for (const TriangleGroup& group : mesh.groups)
         for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
@@ -79,7 +77,8 @@ Plane some_plane(const IndexedMesh& mesh, Random& random)
 /// All that can be asked of an object agrees with its copy.
 void query(const Cuttable& object, const IndexedMesh& mesh, Random& random, const std::string& who)
 {
-    require(check(mesh).empty(), who + ": a fragment is a mesh (" + check(mesh) + ")");
+    require(referee::is_well_formed(mesh), who + ": a fragment is a mesh");
+    require(check(mesh).empty(), who + ": check() takes a fragment (" + check(mesh) + ")");
     require(object.triangle_count() == mesh.triangles.size(), who + ": triangles are counted");
     const Box bounds = object.bounds(), box = mesh.bounds();
     require(bounds.lo == box.lo && bounds.hi == box.hi, who + ": bounds are those of the vertices");
@@ -97,11 +96,18 @@ void query(const Cuttable& object, const IndexedMesh& mesh, Random& random, cons
     const MassProperties mass = object.mass_properties();
     require(std::isfinite(mass.volume) && std::isfinite(mass.centre.x + mass.centre.y + mass.centre.z),
             who + ": mass properties are numbers");
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) require(std::isfinite(mass.inertia[i][j]), who + ": inertia is made of numbers");
     // A kind that does not exist among them.
     const CollisionProxy proxy = object.collision_proxy(static_cast<ProxyKind>(random.below(6)));
     for (const Triangle& face : proxy.faces)
         for (const std::uint32_t point : face)
             require(point < proxy.points.size(), who + ": faces of a proxy are over its points");
+    require(std::isfinite(proxy.radius) && std::isfinite(proxy.centre.x + 0.0 + proxy.centre.y + proxy.centre.z),
+            who + ": a sphere is made of numbers");
+    for (const glm::vec3& point : proxy.points)
+        require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
+                who + ": points of a proxy are numbers");
     for (const SectionLoop& loop : object.section_loops()) require(!loop.points.empty(), who + ": a loop has points");
 }
 

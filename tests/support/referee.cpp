@@ -1,6 +1,7 @@
 #include "support/referee.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -57,6 +58,49 @@ double area_of(const IndexedMesh& mesh, const Triangle& t)
 std::size_t open_edges(const IndexedMesh& mesh)
 {
     return open_edges_by(mesh, [&](std::uint32_t v) { return std::uint64_t(mesh.points[v]); });
+}
+
+bool is_well_formed(const IndexedMesh& mesh)
+{
+    constexpr std::uint64_t kIds = std::uint64_t{1} << 32;
+    const std::uint64_t vertices = mesh.vertices.size(), triangles = mesh.triangles.size();
+    if (triangles == 0 || 3 * triangles > kIds || vertices + 1 >= kIds) return false;
+    if (mesh.points.size() != vertices || mesh.sources.size() != triangles) return false;
+
+    constexpr std::uint32_t kExponent = 0x7f800000u, kNegativeZero = 0x80000000u;
+    const auto is_number = [](float value) { return (std::bit_cast<std::uint32_t>(value) & kExponent) != kExponent; };
+    const auto is_coordinate = [&](float value) {
+        return is_number(value) && std::bit_cast<std::uint32_t>(value) != kNegativeZero;
+    };
+    for (const auto& [p, n, uv] : mesh.vertices) {
+        if (!is_coordinate(p.x) || !is_coordinate(p.y) || !is_coordinate(p.z)) return false;
+        if (!is_number(n.x) || !is_number(n.y) || !is_number(n.z) || !is_number(uv.x) || !is_number(uv.y)) return false;
+    }
+
+    std::map<std::uint32_t, std::array<std::uint32_t, 3>> place_of_point;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const auto place = bits_of(mesh.vertices[v].position);
+        if (place_of_point.try_emplace(mesh.points[v], place).first->second != place) return false;
+    }
+    if (place_of_point.size() != mesh.point_count) return false;
+    if (!place_of_point.empty() && place_of_point.rbegin()->first + std::uint64_t{1} != mesh.point_count) return false;
+
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t v : triangle)
+            if (!(v < vertices)) return false;
+    if (triangles_with_equal_corners(mesh) != 0) return false;
+
+    std::uint64_t end = 0;
+    for (const TriangleGroup& group : mesh.groups) {
+        if (group.first != end || group.material >= mesh.materials.size()) return false;
+        if (group.kind != TriangleKind::surface && group.kind != TriangleKind::cap) return false;
+        end += group.count;
+    }
+    if (end != triangles) return false;
+
+    return std::all_of(mesh.streams.begin(), mesh.streams.end(), [&](const VertexStream& stream) {
+        return stream.width > 0 && stream.values.size() == std::uint64_t{stream.width} * vertices;
+    });
 }
 
 std::size_t open_edges_by_position(const IndexedMesh& mesh)

@@ -15,6 +15,9 @@
 
 namespace kerf::referee {
 
+/// What IndexedMesh promises about sizes, indices, ids, groups and numbers, promise by promise as its comment has them.
+bool is_well_formed(const IndexedMesh& mesh);
+
 /// Directed edges, by point id, that do not occur as often as their reverse. 0 for a closed mesh.
 std::size_t open_edges(const IndexedMesh& mesh);
 
