@@ -13,6 +13,7 @@
 #include "common/io/mesh_file.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
+#include "tools/notes_json.h"
 #include "tools/registry.h"
 #include "tools/text.h"
 
@@ -62,6 +63,7 @@ struct CutReport
     bool closes_with_fan = false;
     Status status = Status::missed;
     Repairs repairs;
+    io::ReadingNotes notes;
     bool has_coarse_coordinates = false;
     CutStatistics statistics;
     double section_area = 0.0;
@@ -118,6 +120,7 @@ CutReport perform(const CutCommandOptions& options)
     for (const RegisteredBackend& entry : registered_backends())
         if (entry.name == options.backend) report.closes_with_fan = entry.closes_with_fan;
     report.repairs = loaded.repairs;
+    report.notes = std::move(loaded.notes);
 
     const Stopwatch preparing;
     PrepareResult prepared = backend->prepare(std::move(loaded.mesh));
@@ -175,6 +178,7 @@ Json report_json(const CutReport& report)
               {"plane", {{"normal", vector_json(report.plane.normal)}, {"offset", report.plane.offset}}},
               {"repairs", report.repairs.describe()},
               {"warnings", std::move(warnings)},
+              {"notes", notes_json(report.notes)},
               {"counts",
                {{"triangles", statistics.triangles},
                 {"crossing", statistics.crossing_triangles},
@@ -208,6 +212,7 @@ std::string report_text(const CutReport& report)
 {
     const CutStatistics& statistics = report.statistics;
     std::string text;
+    for (const io::ReadingNote& note : report.notes.list()) text += "note: " + io::describe(note) + "\n";
     if (!report.repairs.none()) text += "repaired: " + report.repairs.describe() + "\n";
     if (report.has_coarse_coordinates) text += std::string("warning: ") + kCoarseCoordinatesText + "\n";
     if (report.status == Status::missed)

@@ -4,6 +4,7 @@
 
 #include "common/io/mesh_file.h"
 #include "tools/commands.h"
+#include "tools/notes_json.h"
 #include "tools/text.h"
 
 namespace kerf::tools {
@@ -22,9 +23,7 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
     const Repairs& repairs = loaded.repairs;
     Json warnings = Json::array();
     if (facts.has_coarse_coordinates()) warnings.push_back("coarse_coordinates");
-    Json materials = Json::array(), streams = Json::array(), notes = Json::array();
-    for (const io::ReadingNote& note : loaded.notes.list())
-        notes.push_back(Json{{"what", note.what}, {"count", note.count}});
+    Json materials = Json::array(), streams = Json::array();
     for (const Material& material : loaded.mesh->materials) materials.push_back(material.name);
     for (const VertexStream& stream : loaded.mesh->streams)
         streams.push_back(Json{{"name", stream.name}, {"width", stream.width}});
@@ -47,7 +46,7 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
             {"open_edges", facts.open_edges},
             {"shortest_edge", facts.shortest_edge},
             {"warnings", std::move(warnings)},
-            {"notes", std::move(notes)},
+            {"notes", notes_json(loaded.notes)},
             {"area", facts.area},
             {"volume", facts.volume},
             {"bounds",

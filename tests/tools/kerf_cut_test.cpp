@@ -97,6 +97,27 @@ TEST_F(KerfCut, ACoordinateThatIsCopiedFromTheFileMeansThatVertex)
         }
 }
 
+TEST_F(KerfCut, SaysWhatTheReaderWasLenientAboutAsInfoDoes)
+{
+    const std::string solid =
+        "facet\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"
+        "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
+        "facet\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\n"
+        "facet\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n";
+    write("a.stl", "solid a\n" + solid);
+    const Json notes = kerf_json("info a.stl")["notes"];
+    ASSERT_EQ(notes.size(), 1u);
+    for (const char* plane : {"x=0.25", "x=7"}) {
+        EXPECT_EQ(kerf_json("cut a.stl --out b --plane " + std::string(plane))["notes"], notes);
+        const Outcome outcome = kerf("cut a.stl --out b --plane " + std::string(plane));
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_EQ(outcome.out.find("note: 1 " + notes[0]["what"].get<std::string>() + "\n"), 0u) << outcome.out;
+    }
+    write("b.stl", "solid b\n" + solid + "endsolid\n");
+    EXPECT_EQ(kerf_json("cut b.stl --out b --plane x=0.25")["notes"], Json::array());
+    EXPECT_EQ(kerf("cut b.stl --out b --plane x=0.25").out.find("note"), std::string::npos);
+}
+
 TEST_F(KerfCut, TakesAPlaneAcrossAnAxis)
 {
     write("step.obj", kStep);

@@ -4,6 +4,11 @@
 
 namespace kerf::io {
 
+std::string describe(const ReadingNote& note)
+{
+    return std::to_string(note.count) + " " + note.what;
+}
+
 void ReadingNotes::add(std::string_view what, std::uint64_t count)
 {
     if (count == 0) return;
@@ -24,8 +29,7 @@ void ReadingNotes::add(std::string_view what, std::uint64_t count)
 std::string ReadingNotes::describe() const
 {
     std::string text;
-    for (const ReadingNote& note : notes_)
-        text += (text.empty() ? "" : ", ") + std::to_string(note.count) + " " + note.what;
+    for (const ReadingNote& note : notes_) text += (text.empty() ? "" : ", ") + io::describe(note);
     return text;
 }
 
