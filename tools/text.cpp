@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <string_view>
@@ -41,12 +42,15 @@ Json vector_json(const glm::dvec3& v)
 
 namespace {
 
-/// Reads a finite number at the beginning of a text. Null if there is none; otherwise where it ends.
+/// Reads a number at the beginning of a text that ends with a zero byte. Null if there is none; otherwise where it
+/// ends. What is smaller than any double is 0, what is larger is infinite; words such as "inf" are no numbers.
 const char* parse_number(const char* at, const char* end, double& value)
 {
-    if (at != end && *at == '+') ++at;
+    if (at != end && *at == '+' && end - at > 1 && at[1] != '-') ++at;
     const auto [behind, error] = std::from_chars(at, end, value);
-    return error == std::errc() && std::isfinite(value) ? behind : nullptr;
+    if (error == std::errc::invalid_argument || (error == std::errc() && !std::isfinite(value))) return nullptr;
+    if (error == std::errc::result_out_of_range) value = std::strtod(at, nullptr);
+    return behind;
 }
 
 /// The same, rounded once from the decimal digits to what a mesh's coordinate of these digits is. Numbers that no mesh
@@ -64,6 +68,12 @@ const char* parse_coordinate(const char* at, const char* end, double& value)
 
 using ParseNumber = const char* (*)(const char*, const char*, double&);
 
+void refuse_too_large(const std::string& option, const std::string& text, double value)
+{
+    if (!std::isfinite(value))
+        throw CLI::ValidationError(option, "'" + text + "' has a number that is too large; the largest is 1.7e308");
+}
+
 glm::dvec3 parse_three(const std::string& option, const std::string& text, ParseNumber parse)
 {
     glm::dvec3 v;
@@ -76,6 +86,7 @@ glm::dvec3 parse_three(const std::string& option, const std::string& text, Parse
     if (at != end)
         throw CLI::ValidationError(option,
                                    "'" + text + "' is not three numbers with commas between them, like 0,1.5,-2");
+    for (int axis = 0; axis < 3; ++axis) refuse_too_large(option, text, v[axis]);
     return v;
 }
 
@@ -100,6 +111,7 @@ Plane parse_axis_plane(const std::string& option, const std::string& text)
     Plane plane;
     if (end - at > 2 && *at >= 'x' && *at <= 'z' && at[1] == '=' &&
         parse_coordinate(at + 2, end, plane.offset) == end) {
+        refuse_too_large(option, text, plane.offset);
         plane.normal = glm::dvec3(0.0);
         plane.normal[*at - 'x'] = is_turned ? -1.0 : 1.0;
         if (is_turned) plane.offset = -plane.offset;

@@ -130,11 +130,31 @@ TEST_F(KerfCut, TakesAPlaneAcrossAnAxis)
     // No mesh has such coordinates: what is no float stays what it is.
     EXPECT_EQ(kerf_json("cut step.obj --plane z=1e300 --out a")["status"], "missed");
     EXPECT_EQ(kerf_json("cut step.obj --plane z=1e-300 --out a")["plane"]["offset"], 0.0);
-    for (const char* plane : {"w=1", "x", "x=", "=1", "x=nan", "x=1e999", "x=1,2", "xy=1", "--x=1",
+    for (const char* plane : {"w=1", "x", "x=", "=1", "x=nan", "x=inf", "x=+-1", "x=1e999", "x=1,2", "xy=1", "--x=1",
                               "x=1 --normal 1,0,0", "x=1 --point 0,0,0"}) {
         const Outcome outcome = kerf("cut step.obj --out a --plane=" + std::string(plane));
         EXPECT_EQ(outcome.status, 2) << plane;
         EXPECT_NE(outcome.err.find("--plane"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST_F(KerfCut, ANumberBeyondTheDoublesIs0OrTooLargeAsInFiles)
+{
+    write("step.obj", kStep);
+    for (const char* plane : {"--plane y=1e-400", "--plane y=-1e-999", "--plane=-y=0.1e-9999",
+                              "--normal 0,1,0 --point 0,1e-400,0", "--normal 1e-400,1,-1e-400 --point 0,-1e-400,1"}) {
+        const Json cut = kerf_json("cut step.obj --out a " + std::string(plane));
+        EXPECT_EQ(cut["plane"]["offset"], 0.0) << plane;
+        EXPECT_EQ(std::abs(cut["plane"]["normal"][1].get<double>()), 1.0) << plane;
+    }
+    const std::string zeros(400, '0');
+    EXPECT_EQ(kerf_json("cut step.obj --out a --plane y=0." + zeros + "1e2")["plane"]["offset"], 0.0);
+    EXPECT_EQ(kerf_json("cut step.obj --out a --plane y=25" + zeros + "e-402")["plane"]["offset"], 0.25);
+    for (const std::string plane : {"--plane y=1e400", "--plane=-y=-1e400", "--normal 0,1,0 --point 0,0,1e400",
+                                    "--normal 1e400,1,0", "--normal 1,1e-400,-1e999"}) {
+        const Outcome outcome = kerf("cut step.obj --out a " + plane);
+        EXPECT_EQ(outcome.status, 2) << plane;
+        EXPECT_NE(outcome.err.find("too large"), std::string::npos) << outcome.err;
     }
 }
 
