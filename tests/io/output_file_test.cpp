@@ -146,6 +146,11 @@ TEST_F(OutputFileTest, RefusesLinksThatLeadInACircleOrIntoNoFolder)
     fs::create_symlink("a", file("b"));
     fs::create_symlink("gone/c", file("c"));
     for (const char* name : {"a", "b", "c"}) EXPECT_THROW(OutputFile{file(name)}, FileError);
+    try {
+        OutputFile{file("c")};
+    } catch (const FileError& error) {
+        EXPECT_TRUE(contains(error.what(), "the link of this name leads into a folder that does not exist")) << error.what();
+    }
     EXPECT_EQ(names_in_folder(), (std::vector<std::string>{"a", "b", "c"}));
 }
 

@@ -56,6 +56,10 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path))
         if (!file_) unfinished_.reset();
     } while (reason == EEXIST);
     if (!file_) {
+        if (reason == ENOENT && place_ != path_)
+            fail(path_,
+                 "it cannot be written: the link of this name leads into a folder that does not exist; make that "
+                 "first, or remove the link");
         if (reason == ENOENT) fail(path_, "it cannot be written: its folder does not exist; make that first");
         fail_to_write(reason);
     }
