@@ -76,6 +76,19 @@ TEST_F(Readme, TheListingSaysThatAFileIsMissing)
     EXPECT_NE(text_of("err").find("none.obj: there is no such file"), std::string::npos) << text_of("err");
 }
 
+TEST_F(Readme, TheListingDoesNotWriteOverWhatItReads)
+{
+    fs::copy_file(KERF_DATA_DIR "/models/rook.obj", folder_ / "positive.obj");
+    const std::string before = text_of("positive.obj");
+    fs::create_symlink("positive.obj", folder_ / "link.obj");
+    for (const char* name : {"positive.obj", "link.obj"}) {
+        EXPECT_EQ(run_slicer(name), 1);
+        EXPECT_NE(text_of("err").find("positive.obj: it would replace what is read"), std::string::npos)
+            << text_of("err");
+        EXPECT_EQ(text_of("positive.obj"), before);
+    }
+}
+
 TEST_F(Readme, TheListingSaysThatItCannotWrite)
 {
     fs::create_directory(folder_ / "positive.obj");
