@@ -14,6 +14,15 @@ bool disjoint(const Box& a, const Box& b)
            b.hi.z < a.lo.z;
 }
 
+/// A cut point has fallen on the corner that is not on its edge: what the triangle has on the far side shrinks to two
+/// edges, one with the section's edge on its back and one between two neighbours, which have a point in common.
+bool is_pinched(const Crossing& c, Side side)
+{
+    if (side == c.split.lone_side) return false;
+    const std::uint8_t n = c.split.next_code, p = c.split.previous_code;
+    return n == c.previous() ? p != c.previous() : p == c.next() && n != c.next();
+}
+
 }  // namespace
 
 void Components::separate(Universe& universe, CutScratch& scratch)
@@ -21,6 +30,9 @@ void Components::separate(Universe& universe, CutScratch& scratch)
     u_ = &universe;
     s_ = &scratch;
     crossing_mark_.assign(scratch.crossings.size(), {kNone, kNone});
+    any_pinched_ =
+        scratch.collapsed && std::any_of(scratch.crossings.begin(), scratch.crossings.end(),
+                                         [](const Crossing& c) { return is_pinched(c, opposite(c.split.lone_side)); });
     in_plane_edges_.clear();
     for (const InPlaneEdge& e : scratch.in_plane) in_plane_edges_.insert(e.negative_halfedge / 2);
     for (auto& glued : glued_) glued.clear();
@@ -55,6 +67,14 @@ void Components::search_shell(Index shell)
         start_both(s_->crossings[i].face, s_->crossings[i].face);
     for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i)
         start_both(s_->in_plane[i].negative_face, s_->in_plane[i].positive_face);
+    if (any_pinched_)
+        for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i) {
+            // What lies beyond a pinched triangle need not be at the section elsewhere.
+            const Crossing& c = s_->crossings[i];
+            const Side far = opposite(c.split.lone_side);
+            const Index beyond = u_->mesh.face(c.halfedge[static_cast<std::size_t>(c.next())] ^ 1u);
+            if (is_pinched(c, far) && beyond != kNone) start(beyond, far);
+        }
     if (!cut.connected) seed_whole_shell(shell);
 
     for (const Side side : {Side::negative, Side::positive}) search_side(side, cut.connected);
@@ -160,13 +180,30 @@ void Components::advance(Index search)
     }
 }
 
+/// The half-edge by which one that enters a face leaves it again, if the face is pinched and shrinks to both of them;
+/// otherwise kNone.
+Index Components::beyond_pinched(Index halfedge, Side side) const
+{
+    const Index number = crossing_of(u_->mesh.face(halfedge));
+    if (number == kNone || !is_pinched(s_->crossings[number], side)) return kNone;
+    const Crossing& c = s_->crossings[number];
+    const Index between = c.halfedge[static_cast<std::size_t>(c.next())];
+    const Index crossed =
+        c.halfedge[static_cast<std::size_t>(c.split.next_code == c.previous() ? c.lone() : c.previous())];
+    if (halfedge == between) return crossed;
+    return halfedge == crossed ? between : kNone;
+}
+
 template <class Visit>
 void Components::for_each_neighbour(Index face, Side side, Visit visit) const
 {
     const auto across = [&](Index h) {
-        const Index neighbour = u_->mesh.face(h ^ 1u);
-        if (neighbour == kNone || (!in_plane_edges_.empty() && in_plane_edges_.count(h / 2) > 0)) return;
-        visit(neighbour);
+        Index entered = kNone;
+        for (; h != kNone; h = any_pinched_ ? beyond_pinched(entered, side) : kNone) {
+            entered = h ^ 1u;
+            if (u_->mesh.is_boundary(entered) || (!in_plane_edges_.empty() && in_plane_edges_.count(h / 2) > 0)) return;
+        }
+        visit(u_->mesh.face(entered));
     };
     const Index number = crossing_of(face);
     if (number == kNone) {
@@ -179,9 +216,14 @@ void Components::for_each_neighbour(Index face, Side side, Visit visit) const
         const auto keeps = [&](Index cut, bool end_is_lone) { return cut != kNone || end_is_lone != near; };
         const auto lone = static_cast<std::size_t>(c.lone()), next = static_cast<std::size_t>(c.next()),
                    previous = static_cast<std::size_t>(c.previous());
-        if (keeps(c.n_cut(), c.split.next_code == c.lone())) across(c.halfedge[lone]);
-        if (keeps(c.p_cut(), c.split.previous_code == c.lone())) across(c.halfedge[previous]);
-        if (!near) across(c.halfedge[next]);
+        if (any_pinched_ && is_pinched(c, side)) {
+            // The edge that the section's edge lies on. The other one leads from neighbour to neighbour.
+            across(c.halfedge[c.split.next_code == c.previous() ? previous : lone]);
+        } else {
+            if (keeps(c.n_cut(), c.split.next_code == c.lone())) across(c.halfedge[lone]);
+            if (keeps(c.p_cut(), c.split.previous_code == c.lone())) across(c.halfedge[previous]);
+            if (!near) across(c.halfedge[next]);
+        }
     }
     const auto& glued = glued_[static_cast<std::size_t>(side)];
     if (glued.empty()) return;

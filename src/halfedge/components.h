@@ -44,6 +44,7 @@ private:
     Index crossing_of(Index face) const;
     /// Whether the side gets a triangle of the face: pieces of a crossing triangle may vanish.
     bool keeps_something(Index face, Side side) const;
+    Index beyond_pinched(Index halfedge, Side side) const;
     template <class Visit>
     void for_each_neighbour(Index face, Side side, Visit visit) const;
     void seed_whole_shell(Index shell);
@@ -55,6 +56,7 @@ private:
     std::vector<Search> searches_;
     std::vector<std::array<Index, 2>> crossing_mark_;  // search that has reached a crossing triangle, by side
     std::uint64_t mark_base_ = 0;                      // stamps of kept faces: this + search
+    bool any_pinched_ = false;                         // some crossing triangle shrinks to two edges on its far side
     std::unordered_set<Index> in_plane_edges_;
     std::unordered_multimap<Index, Index> glued_[2];  // faces joined by seams that cancel, by side
     std::vector<TreeOp> ops_;

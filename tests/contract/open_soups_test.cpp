@@ -250,6 +250,42 @@ TEST_P(OpenSoups, OfThousandsOfBoundaryEdgesAreNoOther)
     EXPECT_EQ(counts.differences, 0u);
 }
 
+/// Triangles of positions; no two vertices are shared.
+IndexedMesh mesh_of(const std::vector<std::array<glm::vec3, 3>>& triangles)
+{
+    TriangleSoup soup;
+    for (const std::array<glm::vec3, 3>& corners : triangles) {
+        const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+        for (const glm::vec3& p : corners) soup.vertices.push_back({p, {0, 0, 1}, {0, 0}});
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    return test::assembled(std::move(soup));
+}
+
+// A cut point of a triangle without area falls on the corner across: on that side it shrinks to two edges, and what
+// lies at the one has a point in common with what lies at the other.
+TEST(OpenSoup, PartsOnBothSidesOfATriangleThatShrinksToTwoEdgesAreApart)
+{
+    Counts counts;
+    const Outcome three = expect_alike(mesh_of({{{{0, 0, 0}, {0, -1, -1e-20f}, {0, 2, 2e-20f}}},
+                                                {{{0, 0, 0}, {0, 2, 2e-20f}, {-2, -3, 1e-20f}}},
+                                                {{{0, 0, 0}, {-2, 3, -2e-20f}, {0, -1, -1e-20f}}}}),
+                                       *Plane::through({0, 0, 2e-20}, {0, 1, 2}), "three triangles", counts);
+    EXPECT_EQ(three.pieces[1].size(), 2u);
+
+    const float a = 1e-20f, b = 2e-20f;
+    const Plane plane{{0.58422104471350766, 0.45733020867187046, 0.67047360212763119}, 5.8422102617355809e-21};
+    const Outcome six = expect_alike(mesh_of({{{{0, 0, 0}, {-a, -3, 2}, {b, 2, 0}}},
+                                              {{{0, 0, 0}, {b, 0, 0}, {-3e-20f, -3, 0}}},
+                                              {{{0, 0, 0}, {-a, -3, 2}, {b, 0, 0}}},
+                                              {{{0, 0, 0}, {b, 2, 0}, {-b, -2, 0}}},
+                                              {{{0, 0, 0}, {a, -3, -1}, {-a, -3, 2}}},
+                                              {{{0, 0, 0}, {-b, -2, 0}, {b, 0, 0}}}}),
+                                     plane, "six triangles", counts);
+    EXPECT_EQ(six.pieces[1].size(), 3u);
+    EXPECT_EQ(counts.differences, 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, OpenSoups, testing::Range<std::uint64_t>(0, KERF_OPEN_SOUP_RUNS));
 
 }  // namespace
