@@ -83,9 +83,9 @@ int run_headless_game(const Options& options)
 
     sim::Script script;
     if (!options.script.empty()) script = sim::read_script(options.script);
-    refuse_to_replace_input(options, nullptr);
     const ShowSetup setup = setup_of(options, script);
     GameShow show(setup, painter, speaker);
+    refuse_to_replace(options, show.models());
     show.push(script.events);
     game::Autopilot autopilot(setup.seed);
     const std::int64_t frames = frames_of(options, script);

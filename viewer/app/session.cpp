@@ -1,11 +1,14 @@
 #include "viewer/app/session.h"
 
+#include <array>
 #include <stdexcept>
 
 #include "common/coordinate_grain.h"
 #include "common/io/mesh_file.h"
+#include "common/io/output_file.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_mode.h"
+#include "viewer/render/picture.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"
 
@@ -83,18 +86,29 @@ Session open_session(const Options& options)
     } else if (game::find_mode(settings.scene)) {
         game::add_fruit_models(*session.models, options.data_folder / "fruit");
     }
-    refuse_to_replace_input(options, session.models.get());
+    refuse_to_replace(options, *session.models);
     return session;
 }
 
-void refuse_to_replace_input(const Options& options, const sim::ModelShelf* models)
+void refuse_to_replace(const Options& options, const sim::ModelShelf& models)
 {
-    std::vector<std::filesystem::path> inputs(options.files.begin(), options.files.end());
+    std::vector<std::filesystem::path> inputs(options.files.begin(), options.files.end()), outputs;
     if (!options.script.empty()) inputs.emplace_back(options.script);
-    for (std::size_t i = 0; models != nullptr && i < models->size(); ++i)
-        inputs.insert(inputs.end(), models->model(i).files.begin(), models->model(i).files.end());
-    for (const std::filesystem::path& output : {options.screenshot, options.save_script})
-        if (!output.empty()) io::refuse_to_replace(output, inputs);
+    for (std::size_t i = 0; i < models.size(); ++i)
+        inputs.insert(inputs.end(), models.model(i).files.begin(), models.model(i).files.end());
+    for (const std::filesystem::path& output : {options.screenshot, options.save_script}) {
+        if (output.empty()) continue;
+        io::refuse_to_replace(output, inputs);
+        io::refuse_same_place(output, outputs);
+        outputs.push_back(output);
+    }
+    if (options.record.empty()) return;
+    for (const std::filesystem::path& frame : render::Recording::frames_in(options.record))
+        io::refuse_to_replace(frame, inputs);
+    for (const std::filesystem::path& output : outputs)
+        for (const std::filesystem::path& name : {output, io::place_of(output)})
+            if (render::Recording::is_frame(name))
+                io::refuse_same_place(output, std::array{options.record / name.filename()});
 }
 
 }  // namespace kerf::app

@@ -42,8 +42,8 @@ sim::Settings settings_of(const Options& options, const sim::Script& script, con
 /// @throws std::invalid_argument  the script names a collision proxy that there is not
 Session open_session(const Options& options);
 
-/// @param models  what was read; null: nothing but the script
-/// @throws io::FileError  the picture or the script that the run is to write would replace what it reads
-void refuse_to_replace_input(const Options& options, const sim::ModelShelf* models);
+/// @param models  what was read
+/// @throws io::FileError  a picture or the script that the run is to write would replace what it reads, or another one
+void refuse_to_replace(const Options& options, const sim::ModelShelf& models);
 
 }  // namespace kerf::app

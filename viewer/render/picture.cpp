@@ -1,9 +1,11 @@
 #include "viewer/render/picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -79,6 +81,24 @@ Recording::Recording(std::filesystem::path folder) : folder_(std::move(folder))
     for (int i = 0; !error && std::filesystem::remove(folder_ / frame_name(i), error); ++i) {
     }
     if (error) throw io::FileError(folder_.string() + ": it is no folder to write pictures to: " + error.message());
+}
+
+bool Recording::is_frame(const std::filesystem::path& name)
+{
+    constexpr std::string_view kHead = "frame_", kTail = ".png";
+    const std::string text = name.filename().string();
+    if (text.size() <= kHead.size() + kTail.size() || !text.starts_with(kHead) || !text.ends_with(kTail)) return false;
+    return std::all_of(text.begin() + kHead.size(), text.end() - kTail.size(),
+                       [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::vector<std::filesystem::path> Recording::frames_in(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> frames;
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (is_frame(at->path())) frames.push_back(at->path());
+    return frames;
 }
 
 void Recording::add(const Picture& picture)

@@ -44,6 +44,11 @@ public:
 
     int size() const { return count_; }
 
+    /// Whether the last part of a name is that of a frame, whatever its number.
+    static bool is_frame(const std::filesystem::path& name);
+    /// What has the name of a frame in a folder, which a recording would replace or remove. None if there is no folder.
+    static std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder);
+
 private:
     std::filesystem::path folder_;
     int count_ = 0;

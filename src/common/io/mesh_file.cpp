@@ -122,6 +122,21 @@ void refuse_to_replace(const fs::path& output, std::span<const fs::path> inputs)
             fail(output, "it would replace what is read, " + input.string() + "; choose another name");
 }
 
+namespace {
+
+[[noreturn]] void fail_for_same_place(const fs::path& output)
+{
+    fail(output, "another file of the same call is written to this place; choose another name");
+}
+
+}  // namespace
+
+void refuse_same_place(const fs::path& output, std::span<const fs::path> others)
+{
+    for (const fs::path& other : others)
+        if (place_of(other) == place_of(output)) fail_for_same_place(output);
+}
+
 struct MeshFileSet::Impl
 {
     std::vector<fs::path> inputs;
@@ -132,10 +147,7 @@ struct MeshFileSet::Impl
     {
         refuse_to_replace(path, inputs);
         OutputFile& file = files.emplace_back(path);
-        std::error_code error;
-        const fs::path folder = fs::canonical(file.place().parent_path() / ".", error);
-        if (!places.emplace(folder / file.place().filename(), files.size() - 1).second)
-            fail(path, "another file of the same call is written to this place; choose another name");
+        if (!places.emplace(place_of(path), files.size() - 1).second) fail_for_same_place(path);
         return file;
     }
 

@@ -73,6 +73,9 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 /// @throws FileError  `output` is one of `inputs`, by whatever name: another spelling, a symbolic or a hard link
 void refuse_to_replace(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
 
+/// @throws FileError  `output` is written to the place of one of `others`
+void refuse_same_place(const std::filesystem::path& output, std::span<const std::filesystem::path> others);
+
 /// Several mesh files that appear together or not at all, also when the program is interrupted
 /// (common/io/unfinished_files.h).
 class MeshFileSet

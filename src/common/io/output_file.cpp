@@ -39,6 +39,16 @@ fs::path behind_links(const fs::path& path)
     return place;
 }
 
+fs::path place_of(const fs::path& path)
+{
+    const fs::path name = behind_links(path);
+    std::error_code error;
+    fs::path folder = fs::absolute(name.parent_path() / ".", error);
+    if (!error) folder = fs::weakly_canonical(folder, error);
+    if (error) fail(path, "its folder cannot be looked at (" + error.message() + "); choose another place");
+    return folder / name.filename();
+}
+
 OutputFile::OutputFile(fs::path path) : path_(std::move(path))
 {
     std::error_code error;

@@ -14,6 +14,11 @@ namespace kerf::io {
 /// @throws FileError  they lead in a circle
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
+/// The same for every name of one place, be it relative, another spelling or a link: its folder without links, and the
+/// name there. Neither need exist.
+/// @throws FileError  links lead in a circle
+std::filesystem::path place_of(const std::filesystem::path& path);
+
 /// A file that appears complete or not at all: it is written under a temporary name beside its place, and renamed. A
 /// symbolic link of its name stays; what it leads to is replaced, or made.
 class OutputFile

@@ -540,6 +540,61 @@ TEST_F(KerfViewerTest, NeverReplacesWhatItReads)
     for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(text_of(names[i]), before[i]) << names[i];
 }
 
+TEST_F(KerfViewerTest, ARecordingNeverReplacesWhatItReads)
+{
+    namespace fs = std::filesystem;
+    fs::create_directory(folder_ / "rec");
+    const std::string solid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    write("rec/m.obj", "mtllib m.mtl\nusemtl m\n" + solid);
+    write("rec/m.mtl", "newmtl m\nmap_Kd frame_00000.png\n");
+    write("rec/frame_00000.png", "a skin");
+    write("a.obj", solid);
+    fs::create_directory(folder_ / "linked");
+    fs::create_symlink("../s.kerf", folder_ / "linked/frame_00001.png");
+    write("s.kerf", "kerf-script 1\n10 press 1 2\n");
+    const std::string run = "--headless --frames 2 --size 16x9 --script s.kerf ";
+    expect_unusable(kerf(run + "--record rec rec/m.obj"), "it would replace what is read");
+    expect_unusable(kerf(run + "--record linked a.obj"), "it would replace what is read");
+    expect_unusable(kerf(run + "--scene menu --record linked"), "it would replace what is read");
+    EXPECT_EQ(text_of("rec/frame_00000.png"), "a skin");
+    EXPECT_EQ(text_of("s.kerf"), "kerf-script 1\n10 press 1 2\n");
+    // Frames of an earlier recording are nobody's input.
+    report(run + "--record rec a.obj");
+    EXPECT_EQ(read_png("rec/frame_00001.png").width, 16);
+}
+
+TEST_F(KerfViewerTest, NeverWritesTwoFilesToOnePlace)
+{
+    namespace fs = std::filesystem;
+    fs::create_directory(folder_ / "rec");
+    fs::create_symlink("same", folder_ / "link");
+    fs::create_symlink("rec/frame_00007.png", folder_ / "seven");
+    const std::vector<std::string> names = names_in_folder();
+    const std::string run = "--headless --frames 2 --size 16x9 '" KERF_DATA_DIR "/models/cube.obj' ";
+    for (const char* outputs :
+         {"--screenshot same --save-script same", "--screenshot ./same --save-script link",
+          "--screenshot rec/frame_00001.png --record rec", "--screenshot new/frame_00001.png --record ./new",
+          "--save-script seven --record rec/../rec"})
+        expect_unusable(kerf(run + outputs), "another file of the same call");
+    EXPECT_EQ(names_in_folder(), names);
+    report(run + "--screenshot frame_00000.png --save-script same --record rec");
+    EXPECT_EQ(read_png("frame_00000.png").width, 16);
+}
+
+TEST_F(KerfViewerTest, TheGameNeverReplacesItsFruit)
+{
+    namespace fs = std::filesystem;
+    fs::create_directory(folder_ / "data");
+    fs::copy(KERF_DATA_DIR "/fruit", folder_ / "data/fruit", fs::copy_options::recursive);
+    const std::string melon = text_of("data/fruit/watermelon.glb");
+    for (const char* scene : {"menu", "zen"})
+        expect_unusable(
+            kerf("--headless --frames 1 --size 16x9 --data data --screenshot data/fruit/watermelon.glb --scene " +
+                 std::string(scene)),
+            "it would replace what is read");
+    EXPECT_EQ(text_of("data/fruit/watermelon.glb"), melon);
+}
+
 TEST_F(KerfViewerTest, SaysHowManyPiecesHadRoom)
 {
     // Tetrahedra through one another: each is a piece.
