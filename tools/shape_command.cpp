@@ -52,10 +52,10 @@ void add_shape_command(CLI::App& program)
         ->required()
         ->check(CLI::IsMember(shapes::names()).description(""));
     command->add_option("-n,--triangles", options->triangles, "About how many triangles it should have")
-        ->check(whole_number(1, kMostTriangles))
+        ->transform(whole_number(1, kMostTriangles))
         ->capture_default_str();
     command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")
-        ->check(whole_number())
+        ->transform(whole_number())
         ->capture_default_str();
     command->add_option("-o,--out", options->out, "File to write: obj, ply, stl or glb")->required()->type_name("FILE");
     command->footer("Shapes: " + list_of_names() +

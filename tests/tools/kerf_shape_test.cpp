@@ -50,9 +50,27 @@ TEST_F(KerfShape, GivesTheSameBytesForTheSameSeedOnly)
     }
 }
 
+TEST_F(KerfShape, ReadsWholeNumbersAsDecimal)
+{
+    for (const char* seed : {"10", "010", "+10"})
+        EXPECT_EQ(kerf("shape asteroid --triangles 500 --seed " + std::string(seed) + " -o " + seed + ".ply").status,
+                  0);
+    EXPECT_EQ(text_of("010.ply"), text_of("10.ply"));
+    EXPECT_EQ(text_of("+10.ply"), text_of("10.ply"));
+    for (const char* seed : {"0x10", "1e3", "+-1", "++1", "18446744073709551616"}) {
+        const Outcome outcome = kerf("shape asteroid -o a.ply --seed " + std::string(seed));
+        EXPECT_EQ(outcome.status, 2) << seed;
+        EXPECT_NE(outcome.err.find("is no whole number from 0 to"), std::string::npos) << outcome.err;
+    }
+}
+
 TEST_F(KerfShape, RefusesPlacesThatItCannotWriteTo)
 {
     expect_unusable(kerf("shape box -o gone/a.obj"), "gone/a.obj: it cannot be written");
+    std::filesystem::create_symlink("nowhere/a.obj", folder_ / "link.obj");
+    expect_unusable(kerf("shape box -o link.obj"),
+                    "link.obj: it cannot be written: the link of this name leads into a");
+    std::filesystem::remove(folder_ / "link.obj");
     expect_unusable(kerf("shape box -o a.off"), "a.off: the extension");
     EXPECT_TRUE(names_in_folder().empty());
 }
