@@ -6,6 +6,7 @@
 #include "common/duplicates.h"
 #include "common/fans.h"
 #include "common/linked_surface.h"
+#include "common/reason.h"
 #include "common/shells.h"
 #include "common/solids.h"
 #include "common/umbrellas.h"
@@ -34,18 +35,17 @@ std::string find_error(const TriangleSoup& soup)
         for (const std::uint32_t v : soup.triangles[t])
             if (v >= soup.vertices.size())
                 return "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
-                       ", but there are only " + std::to_string(soup.vertices.size()) + ", counted from 0";
+                       but_there_are_only(soup.vertices.size());
     if (!soup.triangle_materials.empty() && soup.triangle_materials.size() != soup.triangles.size())
         return "there is not one material for each triangle; name one for each, or none at all";
     const std::size_t material_count = std::max<std::size_t>(1, soup.materials.size());
     for (std::size_t t = 0; t < soup.triangle_materials.size(); ++t)
         if (soup.triangle_materials[t] >= material_count)
             return "triangle " + std::to_string(t) + " refers to material " +
-                   std::to_string(soup.triangle_materials[t]) + ", but there are only " +
-                   std::to_string(material_count) + ", counted from 0";
+                   std::to_string(soup.triangle_materials[t]) + but_there_are_only(material_count);
     for (const VertexStream& stream : soup.streams)
         if (stream.width == 0 || stream.values.size() != soup.vertices.size() * stream.width)
-            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) +
+            return "stream " + in_quotes(stream.name) + " does not have " + std::to_string(stream.width) +
                    " values per vertex; complete it or leave it out";
     return {};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/reason.h"
+
 namespace kerf {
 
 namespace {
@@ -38,8 +40,8 @@ std::string check_points(const IndexedMesh& mesh)
     for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t point = mesh.points[i];
         if (point >= mesh.point_count)
-            return "vertex " + std::to_string(i) + " has point id " + std::to_string(point) + ", but there are only " +
-                   std::to_string(mesh.point_count) + " points, counted from 0";
+            return "vertex " + std::to_string(i) + " has point id " + std::to_string(point) +
+                   but_there_are_only(mesh.point_count);
         std::uint32_t& first = vertex_of_point[point];
         if (first == kNoSource)
             first = i;
@@ -66,7 +68,7 @@ std::string check_vertices(const IndexedMesh& mesh)
     if (std::string error = check_points(mesh); !error.empty()) return error;
     for (const VertexStream& stream : mesh.streams)
         if (stream.width == 0 || stream.values.size() / stream.width != n || stream.values.size() % stream.width != 0)
-            return "stream '" + stream.name + "' does not have " + std::to_string(stream.width) +
+            return "stream " + in_quotes(stream.name) + " does not have " + std::to_string(stream.width) +
                    " values for each vertex, one at least; complete it or leave it out";
     return {};
 }
@@ -80,10 +82,10 @@ std::string check_triangles(const IndexedMesh& mesh)
         return "there is not one source for each triangle; give each one, or kNoSource";
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto& [a, b, c] = mesh.triangles[i];
-        const std::size_t n = mesh.vertices.size();
-        if (a >= n || b >= n || c >= n)
-            return "triangle " + std::to_string(i) + " refers to a vertex beyond the last, which is " +
-                   std::to_string(n - 1);
+        for (const std::uint32_t v : {a, b, c})
+            if (v >= mesh.vertices.size())
+                return "triangle " + std::to_string(i) + " refers to vertex " + std::to_string(v) +
+                       but_there_are_only(mesh.vertices.size());
         const glm::vec3 &p = mesh.vertices[a].position, &q = mesh.vertices[b].position, &r = mesh.vertices[c].position;
         if (p == q || q == r || r == p)
             return "triangle " + std::to_string(i) + " has two corners at one position; take it out";
@@ -98,8 +100,8 @@ std::string check_groups(const IndexedMesh& mesh)
         if (group.first != covered)
             return "the triangle groups do not follow one another; begin each where the one before ends";
         if (group.material >= mesh.materials.size())
-            return "a triangle group refers to material " + std::to_string(group.material) + ", but there are only " +
-                   std::to_string(mesh.materials.size()) + ", counted from 0";
+            return "a triangle group refers to material " + std::to_string(group.material) +
+                   but_there_are_only(mesh.materials.size());
         if (group.kind != TriangleKind::surface && group.kind != TriangleKind::cap)
             return "a triangle group is neither surface nor cap; make it one of them";
         covered += group.count;

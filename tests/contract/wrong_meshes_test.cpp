@@ -89,6 +89,31 @@ TEST(Prove, NamesTheFirstFault)
               "vertex " + std::to_string(cube.vertices.size()) + " belongs to no triangle; take it out");
 }
 
+TEST(Prove, SaysWhereThereIsNothingToReferTo)
+{
+    IndexedMesh mesh = *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    mesh.materials.clear();
+    EXPECT_EQ(prove(mesh).error, "a triangle group refers to material 0, but there is none");
+    mesh.vertices.clear();
+    mesh.points.clear();
+    mesh.point_count = 0;
+    EXPECT_EQ(prove(mesh).error,
+              "triangle 0 refers to vertex " + std::to_string(mesh.triangles[0][0]) + ", but there is none");
+}
+
+TEST(Prove, QuotesNamesShortAndClean)
+{
+    IndexedMesh mesh = *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    mesh.streams.push_back({"a\n\x1b[2J" + std::string(1 << 20, 'x'), 1, {}});
+    EXPECT_EQ(prove(mesh).error, "stream 'a??[2J" + std::string(34, 'x') +
+                                     "...' does not have 1 values for each vertex, one at least; complete it or leave "
+                                     "it out");
+    TriangleSoup soup = shapes::box({1, 1, 1}, {1, 1, 1});
+    soup.streams = mesh.streams;
+    EXPECT_EQ(assemble(soup).error, "stream 'a??[2J" + std::string(34, 'x') +
+                                        "...' does not have 1 values per vertex; complete it or leave it out");
+}
+
 TEST(Prove, RefusesTwoConesThatShareTheirTip)
 {
     IndexedMesh cones;

@@ -1,5 +1,6 @@
 #include "support/mesh_trial.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -156,6 +157,9 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
         }
         require(prepared.status == Status::invalid_mesh && prepared.object == nullptr, who + ": no object is made");
         require(!prepared.reason.empty() && prepared.reason.size() < 300, who + ": a reason is a sentence");
+        require(std::none_of(prepared.reason.begin(), prepared.reason.end(),
+                             [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }),
+                who + ": a reason has no control characters");
         require(trial.refusal.empty() || trial.refusal == prepared.reason, who + ": the reason is that of the others");
         trial.refusal = prepared.reason;
     }

@@ -239,9 +239,17 @@ void two_corners_at_one_position(IndexedMesh& mesh, Random& random)
     triangle[random.below(2)] = triangle[2];
 }
 
+/// As a file may name a stream: long, of any bytes.
+std::string wild_name(Random& random)
+{
+    std::string name(1 + random.below(2000), 'x');
+    for (std::uint32_t i = random.below(20); i > 0; --i) any_of(name, random) = static_cast<char>(random.below(256));
+    return name;
+}
+
 void stream_too_short(IndexedMesh& mesh, Random& random)
 {
-    mesh.streams.push_back({"short", 1 + random.below(4), {}});
+    mesh.streams.push_back({wild_name(random), 1 + random.below(4), {}});
     VertexStream& stream = mesh.streams.back();
     stream.values.resize(
         mesh.vertices.size() * stream.width - 1 - random.below(static_cast<std::uint32_t>(mesh.vertices.size())), 0.0f);

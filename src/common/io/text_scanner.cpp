@@ -330,12 +330,4 @@ void TextScanner::fail(const std::string& reason) const
     io::fail(path_, "line " + std::to_string(line_) + ": " + reason + doubt);
 }
 
-std::string in_quotes(std::string_view text)
-{
-    constexpr std::size_t kLongest = 40;
-    std::string result = "'";
-    for (const char c : text.substr(0, kLongest)) result += (c >= ' ' && c != '\x7f') || c < 0 ? c : '?';
-    return result + (text.size() > kLongest ? "...'" : "'");
-}
-
 }  // namespace kerf::io

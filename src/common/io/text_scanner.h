@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "common/io/reading_notes.h"
+#include "common/reason.h"
 
 namespace kerf::io {
 
@@ -141,7 +142,6 @@ private:
     std::uint64_t lines_passed_over_ = 0;
 };
 
-/// A piece of a file for an error message: in quotes, shortened, without control characters.
-std::string in_quotes(std::string_view text);
+using kerf::in_quotes;
 
 }  // namespace kerf::io
