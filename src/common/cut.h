@@ -143,8 +143,9 @@ struct CutResult;
 ///
 /// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(),
 /// but for those that were detached or compacted since. All others are strangers. To *read* an object is to call a
-/// const member; to *change* it is cut(), compact(), detach(), mark_uploaded() or its end. While one thread is at an
-/// object, another thread may do this to the same object, a relative or a stranger:
+/// const member, or to hand it to one (the `other` of shares_buffers_with()); to *change* it is cut(), compact(),
+/// detach(), mark_uploaded() or its end. While one thread is at an object, another thread may do this to the same
+/// object, a relative or a stranger:
 ///
 /// | one thread                | another thread              | same object | relative     | stranger |
 /// |---------------------------|-----------------------------|-------------|--------------|----------|
