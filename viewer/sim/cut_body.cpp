@@ -1,16 +1,13 @@
 #include "viewer/sim/cut_body.h"
 
-#include <BulletDynamics/Dynamics/btRigidBody.h>
-
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 #include <numeric>
 
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
 #include "viewer/sim/cap_area.h"
+#include "viewer/sim/crowd.h"
 #include "viewer/sim/parting.h"
 #include "viewer/sim/surface_hash.h"
 
@@ -76,36 +73,15 @@ Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
     return heir;
 }
 
-/// Along the world's axes, metres.
-struct WorldBox
+struct Choice
 {
-    glm::dvec3 lo, hi;
-
-    bool overlaps(const WorldBox& other) const
-    {
-        return glm::all(glm::lessThanEqual(lo, other.hi)) && glm::all(glm::lessThanEqual(other.lo, hi));
-    }
+    std::vector<bool> stays;  ///< for each piece
+    std::size_t crowded = 0;  ///< that do not stay because of the crowd where they are
 };
-
-WorldBox world_box(const Box& box, const MeshPose& pose)
-{
-    const glm::dvec3 centre = pose.to_world(box.centre());
-    const glm::dvec3 half = 0.5 * pose.scale * (glm::dvec3(box.hi) - glm::dvec3(box.lo));
-    const glm::dmat3& r = pose.rotation;
-    const glm::dvec3 reach = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
-    return {centre - reach, centre + reach};
-}
-
-WorldBox world_box(const Body& body)
-{
-    btVector3 lo, hi;
-    body.rigid_body().getAabb(lo, hi);
-    return {{lo.x(), lo.y(), lo.z()}, {hi.x(), hi.y(), hi.z()}};
-}
 
 /// Which pieces become bodies: the heaviest, the earlier of equal ones, as many as the world has room for, and none but
 /// the heaviest where kMostNeighbours are.
-std::vector<bool> choose_heaviest(const std::vector<Piece>& pieces, const MeshPose& pose, const World& world)
+Choice choose_heaviest(const std::vector<Piece>& pieces, const MeshPose& pose, const World& world)
 {
     const std::size_t others = world.bodies().size();
     const std::size_t room = std::max<std::size_t>(kMostBodies - std::min(kMostBodies, others), 2);
@@ -113,23 +89,24 @@ std::vector<bool> choose_heaviest(const std::vector<Piece>& pieces, const MeshPo
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return pieces[a].solid.mass > pieces[b].solid.mass; });
-    std::vector<bool> chosen(pieces.size(), false);
+    Choice choice;
+    choice.stays.resize(pieces.size(), false);
     if (others + std::min(room, pieces.size()) <= kMostNeighbours + 1) {
-        for (std::size_t i = 0; i < std::min(room, order.size()); ++i) chosen[order[i]] = true;
-        return chosen;
+        for (std::size_t i = 0; i < std::min(room, order.size()); ++i) choice.stays[order[i]] = true;
+        return choice;
     }
-    std::vector<WorldBox> boxes;
-    for (const std::unique_ptr<Body>& body : world.bodies()) boxes.push_back(world_box(*body));
+    Crowd crowd(world);
     for (const std::size_t i : order) {
-        if (boxes.size() >= others + room) break;
+        if (crowd.size() >= others + room) break;
         const WorldBox box = world_box(pieces[i].box, pose);
-        const auto neighbours =
-            std::count_if(boxes.begin(), boxes.end(), [&](const WorldBox& other) { return box.overlaps(other); });
-        if (boxes.size() > others && std::size_t(neighbours) >= kMostNeighbours) continue;
-        chosen[i] = true;
-        boxes.push_back(box);
+        if (crowd.size() > others && crowd.is_thick_at(box)) {
+            ++choice.crowded;
+            continue;
+        }
+        choice.stays[i] = true;
+        crowd.add(box);
     }
-    return chosen;
+    return choice;
 }
 
 void hash_surfaces(const World& world, CutRecord& record)
@@ -201,10 +178,11 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     part_ways(body.centre(), body.motion(), placed.normal, placed.point, parts);
 
     const std::unique_ptr<Body> parent = world.remove(id);
-    const std::vector<bool> stays = choose_heaviest(pieces, pose, world);
+    const Choice choice = choose_heaviest(pieces, pose, world);
+    record.crowded = choice.crowded;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Piece& piece = pieces[i];
-        if (!stays[i]) {
+        if (!choice.stays[i]) {
             ++record.dropped;
             continue;
         }

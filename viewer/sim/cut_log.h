@@ -30,7 +30,8 @@ struct CutRecord
     Status status = Status::missed;
     CutStatistics statistics;  ///< `crossing_surface` is the k that back ends agree on
     std::vector<PieceRecord> pieces;
-    std::size_t dropped = 0;         ///< smallest pieces without room (kMostBodies, kMostNeighbours)
+    std::size_t dropped = 0;         ///< pieces without room (kMostBodies, kMostNeighbours)
+    std::size_t crowded = 0;         ///< of those, the ones where kMostNeighbours are; the others are the smallest
     std::uint64_t surface_hash = 0;  ///< over all pieces, by side; 0 when not asked for
     /// Bodies had touched in this run before the cut: from then on back ends part in the last digit, and then in all.
     bool contact_before = false;

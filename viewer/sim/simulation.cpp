@@ -5,6 +5,7 @@
 
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/blade_probe.h"
+#include "viewer/sim/crowd.h"
 #include "viewer/sim/cut_body.h"
 #include "viewer/sim/proxy_names.h"
 
@@ -18,6 +19,13 @@ std::unique_ptr<Scene> scene_to_play(const ModelShelf* models, const std::string
     std::unique_ptr<Scene> scene = given ? std::move(given) : make_scene(name);
     if (!scene) throw std::invalid_argument("there is no scene '" + name + "'");
     return scene;
+}
+
+std::string what_is_left_out(const CutRecord& cut)
+{
+    const std::string crowded = "those where " + std::to_string(kMostNeighbours) + " others are already";
+    if (cut.crowded == 0) return "the smallest";
+    return cut.crowded == cut.dropped ? crowded : "the smallest and " + crowded;
 }
 
 }  // namespace
@@ -196,7 +204,7 @@ void Simulation::cut(Body& body, const WorldPlane& plane, std::uint32_t swipe)
     if (!is_cut && missed_before) return;
     if (record.dropped > 0)
         report("a cut made " + std::to_string(record.pieces.size() + record.dropped) + " pieces: there is room for " +
-               std::to_string(record.pieces.size()) + ", the smallest are left out");
+               std::to_string(record.pieces.size()) + "; left out are " + what_is_left_out(record));
     cuts_.push_back(std::move(record));
     scene_->on_cut(*this, cuts_.back());
 }
@@ -224,7 +232,17 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
                                      const glm::dmat3& rotation, const Motion& motion)
 {
     if (bodies().size() >= kMostBodies) {
-        report("there are " + std::to_string(kMostBodies) + " pieces in the air: no room for another throw");
+        report("there are " + std::to_string(bodies().size()) + " pieces in the air: no room for another throw");
+        return nullptr;
+    }
+    const Box& box = models_->model(model).box;
+    MeshPose pose;
+    pose.scale = scale;
+    pose.rotation = rotation;
+    pose.translation = centre - scale * (rotation * box.centre());
+    if (bodies().size() >= kMostNeighbours && Crowd(world_).is_thick_at(world_box(box, pose))) {
+        report("there are " + std::to_string(kMostNeighbours) +
+               " pieces or more where a throw begins: no room for another one before they are gone");
         return nullptr;
     }
     Throwable taken = models_->take(model, backend_, proxy_);
@@ -232,7 +250,6 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
         report(models_->prepare(model, backend_));
         return nullptr;
     }
-    const Box& box = models_->model(model).box;
     Identity identity;
     identity.id = ++last_id_;
     identity.birth = now();
@@ -244,10 +261,6 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
     identity.origin.centre = box.centre();
     identity.origin.radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
 
-    MeshPose pose;
-    pose.scale = scale;
-    pose.rotation = rotation;
-    pose.translation = centre - scale * (rotation * box.centre());
     const Solid solid = solid_of(taken.mass, taken.bounds, scale);
     return &world_.add(
         std::make_unique<Body>(std::move(identity), std::move(taken.object), solid, pose, motion, *taken.proxy));

@@ -609,6 +609,7 @@ TEST_F(KerfViewerTest, SaysHowManyPiecesHadRoom)
     const Outcome outcome = kerf("--headless --autopilot --seed 3 --frames 90 --draw 0 --size 16x9 soup.obj");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.err.find(" pieces: there is room for "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("left out are those where 64 others are already"), std::string::npos) << outcome.err;
     const Json json = Json::parse(outcome.out, nullptr, false);
     ASSERT_FALSE(json.is_discarded());
     EXPECT_FALSE(json["messages"].empty());

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btAabbUtil2.h>
+
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body.h"
 #include "viewer/sim/stages.h"
+#include "viewer/sim/world.h"
 
 namespace kerf::test {
 
@@ -20,6 +24,20 @@ inline std::unique_ptr<sim::Body> body_of(IndexedMesh mesh, sim::ObjectId id, co
     pose.translation = centre - mesh.bounds().centre();
     const sim::Solid solid = sim::solid_of(object->mass_properties(), object->bounds(), 1.0);
     return std::make_unique<sim::Body>(std::move(identity), std::move(object), solid, pose, motion, proxy);
+}
+
+/// Pairs of bodies whose boxes overlap, which Bullet looks at in every tick. O(n^2).
+inline std::size_t overlapping_pairs(const sim::World& world)
+{
+    std::size_t pairs = 0;
+    for (const auto& a : world.bodies())
+        for (const auto& b : world.bodies()) {
+            btVector3 a_lo, a_hi, b_lo, b_hi;
+            a->rigid_body().getAabb(a_lo, a_hi);
+            b->rigid_body().getAabb(b_lo, b_hi);
+            if (a->id() < b->id() && TestAabbAgainstAabb2(a_lo, a_hi, b_lo, b_hi)) ++pairs;
+        }
+    return pairs;
 }
 
 }  // namespace kerf::test

@@ -11,6 +11,7 @@
 #include "common/cpu_stopwatch.h"
 #include "common/shapes/random.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/bodies.h"
 #include "viewer/sim/pointer_sampler.h"
 #include "viewer/sim/proxy_names.h"
 #include "viewer/sim/stages.h"
@@ -506,6 +507,22 @@ TEST(ReportScene, RepeatThrowsTheSameObjectAlongTheSameFlight)
         EXPECT_EQ(copy.pose().translation, pose.translation);
         EXPECT_EQ(copy.pose().rotation, pose.rotation);
     }
+}
+
+TEST(ReportScene, ThrowsInOnePlaceAreNotMoreThanPhysicsCanTake)
+{
+    Simulation run(report_shelf(), with_backend(backend_names().front()));
+    for (int i = 0; i < 600; ++i) run.command("throw cube");
+    run.advance(1);
+    EXPECT_GE(run.bodies().size(), kMostNeighbours);
+    EXPECT_LE(test::overlapping_pairs(run.world()), kMostNeighbours * run.bodies().size());
+    EXPECT_NE(run.take_message().find("where a throw begins"), std::string::npos);
+    // They make room for others by flying on.
+    run.advance(60);
+    run.command("throw cube");
+    run.advance(1);
+    EXPECT_EQ(run.bodies().back()->identity().birth, run.now());
+    EXPECT_EQ(run.take_message(), "");
 }
 
 TEST(ReportScene, BackEndAndProxyChangeWithTheNextThrow)
