@@ -71,6 +71,7 @@ struct Kept
 {
     Buffer<Triangle> corners;              ///< point ids
     Buffer<std::uint32_t> soup_triangles;  ///< for each the number in the soup
+    Buffer<std::uint8_t> turned_over;      ///< 1 for each that was turned over; empty: none was
 };
 
 Kept drop_faults(const TriangleSoup& soup, const Weld& weld, Repairs& repairs)
@@ -79,15 +80,20 @@ Kept drop_faults(const TriangleSoup& soup, const Weld& weld, Repairs& repairs)
     kept.corners.resize(soup.triangles.size());
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) kept.corners[t][i] = weld.points[soup.triangles[t][i]];
-    const std::vector<TriangleFault> faults = find_faults(weld.point_count, kept.corners);
+    const Faults faults = find_faults(weld.point_count, kept.corners);
+    if (!faults.turned_over.empty()) kept.turned_over.assign(soup.triangles.size(), 0);
     kept.soup_triangles.resize(soup.triangles.size());
     std::size_t count = 0;
     for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
-        repairs.degenerate_triangles += faults[t] == TriangleFault::degenerate;
-        repairs.duplicate_triangles += faults[t] == TriangleFault::duplicate;
-        repairs.coinciding_triangles += faults[t] == TriangleFault::coinciding;
-        if (!is_kept(faults[t])) continue;
+        repairs.degenerate_triangles += faults.of[t] == TriangleFault::degenerate;
+        repairs.duplicate_triangles += faults.of[t] == TriangleFault::duplicate;
+        repairs.coinciding_triangles += faults.of[t] == TriangleFault::coinciding;
+        if (!is_kept(faults.of[t])) continue;
         kept.corners[count] = kept.corners[t];
+        if (faults.is_turned_over(t)) {
+            std::swap(kept.corners[count][1], kept.corners[count][2]);
+            kept.turned_over[count] = 1;
+        }
         kept.soup_triangles[count++] = t;
     }
     kept.corners.resize(count);
@@ -204,6 +210,8 @@ Assembled assemble(TriangleSoup soup)
     LinkedSurface surface = link_surface(std::move(kept.corners), positions, resolved);
     repairs.nonmanifold_edges = surface.nonmanifold_edges;
     repairs.unorientable_edges = surface.unorientable_edges;
+    for (std::size_t t = 0; !kept.turned_over.empty() && t < surface.flipped.size(); ++t)
+        surface.flipped[t] ^= kept.turned_over[t];
     Fans fans = find_fans(surface, resolved);
     if (fans.count > count_used_points(weld.point_count, surface.corners))
         repairs.nonmanifold_points =

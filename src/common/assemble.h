@@ -25,6 +25,7 @@ struct Repairs
 {
     std::uint64_t degenerate_triangles = 0;  ///< dropped: two corners at one position
     std::uint64_t duplicate_triangles = 0;   ///< dropped: same three points as an earlier one, in the same orientation
+                                             ///< once triangles are turned back
     std::uint64_t coinciding_triangles = 0;  ///< the same, but kept: without them a closed edge would be open
     std::uint64_t nonmanifold_edges = 0;     ///< more than two triangles met there: cut open or paired up
     std::uint64_t nonmanifold_points = 0;    ///< several fans met in one point: split into one point for each
@@ -56,7 +57,8 @@ struct Assembled
 /// patches, finds the solids, and groups triangles by material and solid in otherwise unchanged order.
 ///
 /// What is closed - along each edge as many triangles run one way as the other - stays closed: duplicates are dropped
-/// only where that opens nothing (find_faults()); the others stay, with points of their own.
+/// only where that opens nothing (find_faults()); the others stay, with points of their own. Triangles that are turned
+/// over are turned back before that is decided, and where more than two triangles meet (find_turned_sheets()).
 ///
 /// Orientation: a shell whose triangles agree keeps its orientation, unless it is an outermost shell of negative
 /// volume: that one is flipped together with what it contains. `sources` count the triangles of the soup. O(n log n)

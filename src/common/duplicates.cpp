@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "common/disjoint_sets.h"
 #include "common/half_edge_pairs.h"
+#include "common/sheets.h"
 
 namespace kerf {
 
@@ -43,6 +45,9 @@ public:
             judge_layer({first, last});
         }
     }
+
+    /// Whether turning triangles over may balance an edge: it has an even number of them, over different points.
+    bool may_be_turned_over() const { return may_be_turned_over_; }
 
     /// By number in `repeats`.
     bool is_needed(std::uint32_t repeat) { return is_needed_[patches_.find(repeat)] != 0; }
@@ -89,7 +94,14 @@ private:
                 has_repeat = true;
                 sides_.push_back({repeat_of[h / 3], static_cast<std::uint32_t>(balance_.size()), direction});
             }
-            if (has_repeat) balance_.push_back(balance);
+            if (!has_repeat) return;
+            balance_.push_back(balance);
+            const auto apex = [&](const EdgeRuns::Side& side) {
+                return near[side.half_edge / 3][previous_half_edge(side.half_edge) % 3];
+            };
+            may_be_turned_over_ |= balance != 0 && edge.size() % 2 == 0 &&
+                                   std::any_of(edge.begin() + 1, edge.end(),
+                                               [&](const EdgeRuns::Side& side) { return apex(side) != apex(edge[0]); });
         });
         std::stable_sort(sides_.begin(), sides_.end(),
                          [&](const Side& a, const Side& b) { return layer_of(a) > layer_of(b); });
@@ -123,16 +135,16 @@ private:
 
     std::span<const Repeat> repeats_;
     std::vector<Side> sides_;
+    bool may_be_turned_over_ = false;
     std::vector<int> balance_;             ///< of each edge of repeats, without what is dropped
     DisjointSets patches_;                 ///< of numbers in `repeats_`
     std::vector<std::uint8_t> is_needed_;  ///< of each patch
 };
 
-}  // namespace
-
-std::vector<TriangleFault> find_faults(std::uint32_t point_count, std::span<const Triangle> corners)
+/// Marks degenerate triangles, and returns the triangles that repeat others, in order.
+std::vector<Repeat> find_repeats(std::uint32_t point_count, std::span<const Triangle> corners,
+                                 std::vector<TriangleFault>& faults)
 {
-    std::vector<TriangleFault> faults(corners.size(), TriangleFault::none);
     Buffer<std::uint32_t> bucket_end(point_count, 0);
     for (std::size_t t = 0; t < corners.size(); ++t) {
         const auto& [a, b, c] = corners[t];
@@ -169,11 +181,29 @@ std::vector<TriangleFault> find_faults(std::uint32_t point_count, std::span<cons
         }
         begin = end;
     }
-    if (repeats.empty()) return faults;
     std::sort(repeats.begin(), repeats.end(), [](const Repeat& a, const Repeat& b) { return a.triangle < b.triangle; });
-    RepeatJudge judge(point_count, corners, repeats);
+    return repeats;
+}
+
+}  // namespace
+
+Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners)
+{
+    Faults faults{std::vector<TriangleFault>(corners.size(), TriangleFault::none), {}};
+    std::vector<Repeat> repeats = find_repeats(point_count, corners, faults.of);
+    faults.repeats = repeats.size();
+    if (repeats.empty()) return faults;
+    std::optional<RepeatJudge> judge(std::in_place, point_count, corners, repeats);
+    if (judge->may_be_turned_over()) faults.turned_over = find_turned_sheets(point_count, corners);
+    if (!faults.turned_over.empty()) {
+        Buffer<Triangle> turned(corners.begin(), corners.end());
+        for (std::size_t t = 0; t < turned.size(); ++t)
+            if (faults.is_turned_over(t)) std::swap(turned[t][1], turned[t][2]);
+        repeats = find_repeats(point_count, turned, faults.of);
+        judge.emplace(point_count, turned, repeats);
+    }
     for (std::uint32_t i = 0; i < repeats.size(); ++i)
-        faults[repeats[i].triangle] = judge.is_needed(i) ? TriangleFault::coinciding : TriangleFault::duplicate;
+        faults.of[repeats[i].triangle] = judge->is_needed(i) ? TriangleFault::coinciding : TriangleFault::duplicate;
     return faults;
 }
 

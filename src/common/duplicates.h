@@ -24,6 +24,16 @@ inline bool is_kept(TriangleFault fault)
     return fault == TriangleFault::none || fault == TriangleFault::coinciding;
 }
 
+/// What is to be done with all of them.
+struct Faults
+{
+    std::vector<TriangleFault> of;     ///< for each triangle
+    Buffer<std::uint8_t> turned_over;  ///< 1 for each that is to be turned over first; empty: none is
+    std::uint64_t repeats = 0;         ///< triangles that repeat others as they come, before any is turned over
+
+    bool is_turned_over(std::size_t t) const { return !turned_over.empty() && turned_over[t] != 0; }
+};
+
 /// Finds the faults of triangles. `corners` holds the three point ids of each triangle, all below `point_count`.
 ///
 /// The balance of an edge is how many more triangles run along it one way than the other; a closed edge has none over.
@@ -33,8 +43,13 @@ inline bool is_kept(TriangleFault fault)
 /// dropped once, for that changes no balance, and so is a triangle that is there once too often, on a closed surface or
 /// an open one. The face that two solids have in common, in the same orientation, stays twice.
 ///
-/// How many triangles over the same points are dropped depends neither on the order of triangles nor on the numbers of
-/// points; which ones does, but the first stays. O(n) for bounded valence, O(n log n) otherwise.
-std::vector<TriangleFault> find_faults(std::uint32_t point_count, std::span<const Triangle> corners);
+/// Unless triangles are turned over, how many over the same points are dropped depends neither on the order of
+/// triangles nor on the numbers of points; which ones does, but the first stays. O(n) for bounded valence, O(n log n)
+/// otherwise.
+///
+/// Triangles that are turned over would upset the balance: where an edge of a repeat has an even number of triangles,
+/// of different points, and is not balanced, they are turned back first, as find_turned_sheets() says, and faults are
+/// those of what that leaves. So what is closed but for triangles that are turned over keeps what it needs.
+Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners);
 
 }  // namespace kerf

@@ -27,14 +27,14 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
 {
     Buffer<Triangle> corners;
     corners.reserve(all_corners.size());
-    const std::vector<TriangleFault> faults = find_faults(point_count, all_corners);
+    const Faults faults = find_faults(point_count, all_corners);
     for (std::size_t t = 0; t < all_corners.size(); ++t) {
-        facts.degenerate_triangles += faults[t] == TriangleFault::degenerate;
-        if (faults[t] == TriangleFault::degenerate) continue;
-        facts.duplicate_triangles += faults[t] != TriangleFault::none;
+        facts.degenerate_triangles += faults.of[t] == TriangleFault::degenerate;
+        if (faults.of[t] == TriangleFault::degenerate) continue;
         corners.push_back(all_corners[t]);
     }
 
+    facts.duplicate_triangles = faults.repeats;
     const auto triangle_count = static_cast<std::uint32_t>(corners.size());
     const auto start = [&](std::uint32_t h) { return corners[h / 3][h % 3]; };
     const EdgeRuns edges(point_count, corners);
@@ -63,7 +63,10 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
     if (facts.misoriented_edges + facts.nonmanifold_edges + facts.duplicate_triangles == 0) return;
     Buffer<Triangle> kept;
     for (std::size_t t = 0; t < all_corners.size(); ++t)
-        if (is_kept(faults[t])) kept.push_back(all_corners[t]);
+        if (is_kept(faults.of[t])) {
+            kept.push_back(all_corners[t]);
+            if (faults.is_turned_over(t)) std::swap(kept.back()[1], kept.back()[2]);
+        }
     facts.open_edges = count_open_edges(std::move(kept), point_count);
 }
 
