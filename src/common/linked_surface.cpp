@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "common/sheets.h"
+
 namespace kerf {
 
 namespace {
@@ -248,6 +250,29 @@ void LinkedSurface::turn_over(std::span<const std::uint8_t> flip)
 
 namespace {
 
+void turn_over(LinkedSurface& surface, std::span<const std::uint8_t> flip, std::vector<NonmanifoldEdge>& resolved)
+{
+    surface.turn_over(flip);
+    for (NonmanifoldEdge& edge : resolved)
+        for (std::uint32_t& h : edge)
+            if (flip[h / 3]) h = turned_over(h);
+}
+
+/// How many triangles run along an edge as its first one does.
+std::ptrdiff_t count_forward(const LinkedSurface& surface, const NonmanifoldEdge& edge)
+{
+    return std::count_if(edge.begin(), edge.end(),
+                         [&](std::uint32_t h) { return surface.start(h) == surface.start(edge.front()); });
+}
+
+/// Whether turning patches over may close an edge: it has an even number of triangles.
+bool may_be_turned_over(const LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
+{
+    return std::any_of(resolved.begin(), resolved.end(), [&](const NonmanifoldEdge& edge) {
+        return edge.size() % 2 == 0 && 2 * count_forward(surface, edge) != std::ssize(edge);
+    });
+}
+
 /// A surface whose patches are oriented, but for edges of more than two triangles, which are in `resolved` and not
 /// linked yet. `patch` is left empty where there is nothing to orient.
 LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, std::vector<NonmanifoldEdge>& resolved,
@@ -275,15 +300,15 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
     if (consistent && resolved.empty()) return surface;
 
     Patches patches = PatchFlood(surface).run();
-    surface.turn_over(patches.flip);
+    turn_over(surface, patches.flip, resolved);
+    if (may_be_turned_over(surface, resolved))
+        if (const Buffer<std::uint8_t> flip = find_turned_sheets(point_count, surface.corners); !flip.empty())
+            turn_over(surface, flip, resolved);
     for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
         if (const std::uint32_t mate = surface.mates[h]; mate != kNoTwin && surface.start(h) == surface.start(mate)) {
             surface.mates[h] = surface.mates[mate] = kNoTwin;
             ++surface.unorientable_edges;
         }
-    for (NonmanifoldEdge& edge : resolved)
-        for (std::uint32_t& h : edge)
-            if (patches.flip[h / 3]) h = turned_over(h);
     patch = std::move(patches.patch);
     return surface;
 }
@@ -308,8 +333,7 @@ std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_cou
     const LinkedSurface surface = link_patches(std::move(corners), point_count, resolved, patch);
     auto open = std::count(surface.mates.begin(), surface.mates.end(), kNoTwin);
     for (const NonmanifoldEdge& edge : resolved) {
-        const auto forward = std::count_if(
-            edge.begin(), edge.end(), [&](std::uint32_t h) { return surface.start(h) == surface.start(edge.front()); });
+        const auto forward = count_forward(surface, edge);
         open -= 2 * std::min(forward, std::ssize(edge) - forward);
     }
     return static_cast<std::uint64_t>(open);

@@ -49,11 +49,12 @@ inline std::uint32_t turned_over(std::uint32_t h)
 
 /// Finds each triangle's neighbours. Edges with two triangles join them; patches of triangles that are joined so are
 /// made to agree on an orientation by turning over the smaller part, and cut open where no orientation satisfies both
-/// sides (a Moebius strip). Where more than two triangles meet, they are sorted around the edge and paired so that two
-/// bound the same wedge of solid; what finds no partner becomes boundary. Triangles that coincide are no neighbours of
-/// one another. As many half-edges find no partner at an edge as more run along it one way than the other, once patches
-/// are oriented. `corners` holds three different points for each triangle; `positions` belong to the points. `resolved`
-/// receives the edges of the last kind. O(n) plus sorting at each such edge.
+/// sides (a Moebius strip). Where an even number of triangles, more than two, is not balanced at an edge then, patches
+/// are turned over as find_turned_sheets() says. Where more than two triangles meet, they are sorted around the edge
+/// and paired so that two bound the same wedge of solid; what finds no partner becomes boundary. Triangles that
+/// coincide are no neighbours of one another. As many half-edges find no partner at an edge as more run along it one
+/// way than the other, once patches are oriented. `corners` holds three different points for each triangle; `positions`
+/// belong to the points. `resolved` receives the edges of the last kind. O(n) plus sorting at each such edge.
 LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved);
 

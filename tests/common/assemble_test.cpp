@@ -364,6 +364,71 @@ TEST(Assemble, KeepsClosedWhatIsClosed)
     EXPECT_GT(kept, 2000u);
 }
 
+// Balance was taken before triangles were turned back: the copy lost all but the one that was turned over, or the base
+// that both solids need was dropped.
+TEST(Assemble, DropsAShellThatIsThereTwiceWhicheverTrianglesAreTurnedOver)
+{
+    for (std::size_t turned = 0; turned <= 12; ++turned) {
+        SCOPED_TRACE(std::to_string(turned) + " turned over");
+        TriangleSoup mesh = cube() + cube();
+        for (std::size_t t = 12; t < 12 + turned; ++t) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        EXPECT_TRUE(measure(mesh).closed());
+        const Assembled result = assembled(mesh);
+        const MeshFacts facts = measure(result.mesh);
+        EXPECT_EQ(facts.boundary_edges, 0u);
+        // With most of it turned over it is a copy inside out.
+        EXPECT_EQ(facts.shells, turned <= 6 ? 1u : 2u);
+        EXPECT_EQ(result.repairs.duplicate_triangles, turned <= 6 ? 12u : 0u);
+    }
+}
+
+TEST(Assemble, ClosesSolidsOnOneBaseWhicheverSidesAreTurnedOver)
+{
+    for (const bool is_base_turned : {false, true})
+        for (std::size_t turned = 0; turned < 64; ++turned) {
+            SCOPED_TRACE((is_base_turned ? "base and back, " : "bases, ") + std::to_string(turned));
+            TriangleSoup mesh =
+                soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 1}, {0.3f, 0.3f, 2}},
+                     {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {0, 2, 1}, {0, 2, 1}});
+            for (std::size_t t = 0; t < 6; ++t)
+                if (turned >> t & 1) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+            if (is_base_turned) std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
+            EXPECT_EQ(measure(mesh).open_edges, 0u);
+            const Assembled result = assembled(mesh);
+            EXPECT_EQ(measure(result.mesh).boundary_edges, 0u);
+            EXPECT_EQ(result.repairs.duplicate_triangles, 0u);
+            EXPECT_EQ(measure(result.mesh).shells, 2u);
+        }
+}
+
+TEST(Assemble, ClosesWhatIsClosedButForTrianglesThatAreTurnedOver)
+{
+    std::uint64_t closed = 0, flipped = 0;
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        TriangleSoup mesh = solids_with_common_triangles(random);
+        if (!turn_some_over(mesh, random)) continue;
+        const Assembled result = assemble(mesh);
+        expect_faithful(mesh, result);
+        ASSERT_EQ(surface_referee::judge(result.mesh).boundary_edges, 0u);
+        ASSERT_TRUE(measure(mesh).closed());
+        ++closed;
+        flipped += result.repairs.flipped_triangles;
+    }
+    EXPECT_GT(closed, 1500u);
+    EXPECT_GT(flipped, 1500u);
+}
+
+// A triangle and its back are closed: nothing may open them for the sake of an edge elsewhere.
+TEST(Assemble, DoesNotTurnATriangleOffItsBack)
+{
+    const Assembled result = assembled(
+        soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 1}, {0, -1, -1}}, {{0, 1, 2}, {1, 0, 2}, {0, 1, 3}, {0, 1, 4}}));
+    EXPECT_EQ(result.repairs.flipped_triangles, 1u);
+    EXPECT_EQ(measure(result.mesh).boundary_edges, 4u);
+}
+
 // Closed with some triangles gone, turned over, or once more: kerf info must not call closed what comes out open.
 TEST(Assemble, ComesOutClosedWhereTheFactsSaySoAndNowhereElse)
 {

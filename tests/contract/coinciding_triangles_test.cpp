@@ -33,6 +33,12 @@ protected:
     IndexedMesh assembled(const TriangleSoup& soup)
     {
         EXPECT_EQ(measure(soup).unbalanced_edges, 0u);
+        return closed(soup);
+    }
+
+    /// What is left of a soup that comes out closed.
+    IndexedMesh closed(const TriangleSoup& soup)
+    {
         Assembled result = assemble(soup);
         EXPECT_EQ(result.error, "");
         EXPECT_EQ(referee::open_edges(result.mesh), 0u);
@@ -136,6 +142,22 @@ TEST_P(CoincidingTriangles, OfRandomSolidsLeaveClosedHalves)
     EXPECT_GT(seen_.kept, 300u);
     EXPECT_GT(seen_.dropped, 300u);
     EXPECT_GT(seen_.cuts, 800u);
+}
+
+TEST_P(CoincidingTriangles, SomeOfThemTurnedOverLeaveClosedHalves)
+{
+    for (std::uint32_t seed = 0; seed < 120; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        TriangleSoup soup = small_meshes::solids_with_common_triangles(random);
+        if (!small_meshes::turn_some_over(soup, random)) continue;
+        const IndexedMesh mesh = closed(soup);
+        expect_closed_halves(mesh, test::planes_for(mesh, 1, seed));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(seen_.kept, 100u);
+    EXPECT_GT(seen_.dropped, 100u);
+    EXPECT_GT(seen_.cuts, 400u);
 }
 
 std::vector<std::vector<referee::SurfaceTriangle>> pieces_of(const std::vector<std::unique_ptr<Cuttable>>& side)
