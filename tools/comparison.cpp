@@ -367,10 +367,13 @@ private:
     std::optional<WindingFacts> winding_of_solids(const ComparisonRow& row, const IndexedMesh& negative,
                                                   std::span<const SectionLoop> loops) const
     {
-        std::vector<std::vector<SectionStep>> sections{steps_of(loops)};
-        // What bounds an open surface need not be its section.
-        if (summary_.closed)
-            sections = sections_of_solids(negative, first_cap_ + static_cast<std::uint32_t>(row.piece.size()));
+        std::vector<std::vector<SectionStep>> sections =
+            sections_of_solids(negative, first_cap_ + static_cast<std::uint32_t>(row.piece.size()));
+        if (!summary_.closed) {
+            // What bounds an open surface need not be its section. No solid has all of a loop where a part vanished.
+            auto kept = keep_loops(sections, loops);
+            sections = kept ? std::move(*kept) : std::vector<std::vector<SectionStep>>{steps_of(loops)};
+        }
         WindingFacts sum;
         for (const std::vector<SectionStep>& section : sections) {
             const std::optional<WindingFacts> winding = measure_winding(section, row.plane.plane.normal);

@@ -1,6 +1,7 @@
 #include "tools/section_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -117,6 +118,45 @@ std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& nega
         }
     }
     return sections;
+}
+
+std::optional<std::vector<std::vector<SectionStep>>> keep_loops(std::span<const std::vector<SectionStep>> sections,
+                                                                std::span<const SectionLoop> loops)
+{
+    // By where a step leads, how often each section has it.
+    std::map<std::array<float, 6>, std::map<std::size_t, std::size_t>> left;
+    const auto sections_with = [&](const SectionStep& step) -> std::map<std::size_t, std::size_t>& {
+        const glm::vec3 &a = step.from, &b = step.to;
+        return left[{a.x, a.y, a.z, b.x, b.y, b.z}];
+    };
+    for (std::size_t s = 0; s < sections.size(); ++s)
+        for (const SectionStep& step : sections[s]) ++sections_with(step)[s];
+
+    std::vector<std::vector<SectionStep>> kept(sections.size());
+    for (const SectionLoop& loop : loops) {
+        if (!loop.closed) continue;
+        const std::vector<SectionStep> steps = steps_of({&loop, 1});
+        // The first section that has all of its steps.
+        const auto has_loop = [&](std::size_t s) {
+            std::size_t taken = 0;
+            for (; taken < steps.size(); ++taken) {
+                std::map<std::size_t, std::size_t>& counts = sections_with(steps[taken]);
+                const auto count = counts.find(s);
+                if (count == counts.end() || count->second == 0) break;
+                --count->second;
+            }
+            if (taken == steps.size()) return true;
+            while (taken-- > 0) ++sections_with(steps[taken])[s];
+            return false;
+        };
+        const std::map<std::size_t, std::size_t>& candidates = sections_with(steps.front());
+        const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                        [&](const auto& candidate) { return has_loop(candidate.first); });
+        if (found == candidates.end()) return std::nullopt;
+        std::vector<SectionStep>& section = kept[found->first];
+        section.insert(section.end(), steps.begin(), steps.end());
+    }
+    return kept;
 }
 
 std::optional<WindingFacts> measure_winding(std::span<const SectionStep> section, const glm::dvec3& normal)

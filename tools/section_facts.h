@@ -37,9 +37,14 @@ struct SectionStep
 /// The closed loops step by step.
 std::vector<SectionStep> steps_of(std::span<const SectionLoop> loops);
 
-/// The section of each solid, in no order: what bounds its part of the negative fragment of a closed mesh, but for the
-/// caps with this material. O(n log n).
+/// The section of each solid, in no order: what bounds its part of the negative fragment, but for the caps with
+/// this material. O(n log n).
 std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& negative, std::uint32_t cap_material);
+
+/// Of the sections of solids the closed loops: other edges, too, bound a solid's part of an open mesh. A loop is of the
+/// first solid that has it. Nothing if one is of none. O(n log n), times the solids that have edges in common.
+std::optional<std::vector<std::vector<SectionStep>>> keep_loops(std::span<const std::vector<SectionStep>> sections,
+                                                                std::span<const SectionLoop> loops);
 
 /// Looks at edges that measure_winding() takes before it gives up: about a second.
 inline constexpr std::uint64_t kMostWindingLooks = 20'000'000;

@@ -3,16 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <random>
 #include <utility>
 
 #include "baseline/baseline.h"
 #include "common/assemble.h"
 #include "common/shapes.h"
+#include "halfedge/halfedge.h"
 #include "tools/open_edges.h"
 #include "tools/section_facts.h"
 
@@ -378,6 +381,37 @@ TEST(SectionsOfSolids, ShowWhatWindsBackwardsWithinAnother)
     const auto sections = sections_of_solids(result.negative.front()->to_indexed_mesh(), 1);
     ASSERT_EQ(sections.size(), 2u);
     EXPECT_NEAR(measure_winding(sections[0], up)->backward + measure_winding(sections[1], up)->backward, 0.5, 1e-6);
+}
+
+// Loops of open shells, too, are covered solid by solid: two that run along one another in opposite directions cancel
+// in the section, and each has a cap.
+TEST(Comparison, FindsNothingInOpenSoupsWhoseLoopsCancel)
+{
+    const auto baseline = baseline::make_backend(), halfedge = halfedge::make_backend();
+    ComparisonOptions options;
+    options.planes = 4;
+    std::size_t cuts = 0, cancelling = 0;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        TriangleSoup soup;
+        for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
+            soup.vertices.push_back({p, glm::vec3(0, 0, 1), glm::vec2(0.0f)});
+        for (auto i = 3 + random() % 7; i > 0; --i) {
+            std::array<std::uint32_t, 4> points{0, 1, 2, 3};
+            std::shuffle(points.begin(), points.end(), random);
+            soup.triangles.push_back({points[0], points[1], points[2]});
+        }
+        const ProvenMesh mesh = assembled(std::move(soup));
+        if (mesh->triangles.empty()) continue;
+        compare_mesh(mesh, *baseline, *halfedge, options, [&](const ComparisonRow& row) {
+            cuts += row.was_cut();
+            cancelling += row.was_cut() && row.loops > 1 && row.section_area == 0.0 && row.halfedge.cap_area[0] > 0.0;
+            EXPECT_TRUE(row.failures.empty()) << row.failures.front();
+        });
+    }
+    EXPECT_GT(cuts, 1000u);
+    EXPECT_GT(cancelling, 5u);
 }
 
 TEST(Comparison, SaysWhatItCouldNotJudge)
