@@ -279,6 +279,50 @@ TEST_F(PlyTest, PassesOverFurtherNumbersAtTheEndsOfLines)
     EXPECT_EQ(one.notes, "1" + longer);
 }
 
+TEST_F(PlyTest, TakesAttributesOfTextThatAreNoNumbersOrMissing)
+{
+    const std::string bad_values = " values of further attributes that are not finite numbers set to 0";
+    const std::string bad_uvs = " texture coordinates that are not finite numbers set to 0";
+    const std::string shorter = " lines with fewer numbers than the header promises read without them";
+    const std::string colour = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    const std::string weights = "property list uchar float weights\n";
+    const std::vector<std::array<std::string, 3>> cases{
+        {"property float quality\n", "0,5", "3" + bad_values},
+        {"property float quality\n", "-", "3" + bad_values},
+        {"property float quality\n", "", "3" + shorter + ", 3" + bad_values},
+        {colour, "-1 300 x", "3" + bad_values},
+        {colour, "255", "3" + shorter + ", 6" + bad_values},
+        {"property float s\nproperty float t\n", "0.5 x", "3" + bad_uvs},
+        {weights, "3 0.5 x 1", ""},
+        {weights, "3 0.5", "3" + shorter},
+        {weights, "", "3" + shorter},
+        {weights + "property float quality\n", "3 0.5", "3" + shorter + ", 3" + bad_values},
+    };
+    for (const auto& [properties, data, notes] : cases) {
+        const Read found = read("a.ply", kAsciiHead + kVertex + properties + kFace + "0 0 0 " + data + "\n1 0 0 " +
+                                             data + "\n0 1 0 " + data + "\n3 0 1 2\n");
+        expect_triangle(found.soup, properties + data);
+        EXPECT_EQ(found.notes, notes) << properties << data;
+    }
+    const std::string face =
+        "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float "
+        "texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0\n";
+    const Read found = read("a.ply", kAsciiHead + kVertex + face);
+    expect_triangle(found.soup, "texcoord");
+    EXPECT_EQ(found.notes, "1" + shorter);
+    // Where lines are no elements, a number that is missing is one of those that follow.
+    EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + kVertex + "property float quality\n" + kFace +
+                                               "0 0 0 1 1 0 0 1\n0 1 0 3 0 1 2\n"),
+                         "stands behind the last number"));
+}
+
+TEST_F(PlyTest, TakesItsFirstWordInCapitals)
+{
+    const Read found = read("a.ply", "PLY\nformat ascii 1.0\n" + kVertex + kFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    expect_triangle(found.soup, "capitals");
+    EXPECT_EQ(found.notes, "1 header that begins with PLY in capitals read");
+}
+
 TEST_F(PlyTest, TakesElementsThatShareLinesOrTakeSeveral)
 {
     for (const char* body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0 0 1 0 0 0 1 0\n3 0 1 2\n", "0 0 0 1 0 0\n0 1 0 3\n0 1 2",

@@ -32,7 +32,7 @@ public:
         for (std::uint64_t i = 0; i < vertex_count_; ++i) read_vertex(i);
         line_.next_record(face_count_);
         // What is behind faces are their colours.
-        notes_.add("lines with more numbers than they need read without them", line_.lines_passed_over());
+        notes_.add(kLongLines, line_.lines_passed_over());
         line_.new_records();
         for (std::uint64_t i = 0; i < face_count_; ++i) read_face(i);
         line_.end_records();

@@ -123,7 +123,10 @@ PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& te
     const std::string_view bytes = text.view();
     TextScanner line(path, bytes, TextScanner::Syntax{}, &notes);
     PlyHeader header;
-    if (!line.next_line() || line.word() != "ply")
+    const std::string_view magic = line.next_line() ? line.word() : std::string_view();
+    if (magic == "PLY")
+        notes.add("header that begins with PLY in capitals read");
+    else if (magic != "ply")
         line.fail("it does not begin with 'ply'; export it again or mend its extension");
     bool has_format = false;
     for (;;) {

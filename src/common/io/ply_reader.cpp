@@ -39,25 +39,49 @@ public:
     {
         return builder.read_coordinate(words_, words_.word_of_record_lines());
     }
-    float attribute(PlyType) { return words_.to_float(words_.word_of_record_lines(), "a number"); }
+    /// What does not matter for the surface: not a number if it is none, or if a line that is one element ends before.
+    float attribute(PlyType)
+    {
+        const std::string_view word = words_.word_of_record_lines();
+        if (word.empty()) expect_line_end();
+        return TextScanner::to_attribute(word);
+    }
     std::int64_t integer(PlyType, std::string_view what)
     {
         return words_.to_integer(words_.word_of_record_lines(), what);
     }
+    /// The length of a list that does not matter for the surface.
+    std::int64_t length_to_skip(PlyType, std::string_view what)
+    {
+        const std::string_view word = words_.word_of_record_lines();
+        if (!word.empty()) return words_.to_integer(word, what);
+        expect_line_end();
+        return 0;
+    }
     void skip(PlyType, std::uint64_t count)
     {
         for (std::uint64_t i = 0; i < count; ++i)
-            if (words_.word_of_record_lines().empty()) fail("a number is missing; export it again");
+            if (words_.word_of_record_lines().empty()) return expect_line_end();
     }
     void finish(ReadingNotes& notes)
     {
         words_.end_records();
-        notes.add("lines with more numbers than they need read without them", words_.lines_passed_over());
+        notes.add(kLongLines, words_.lines_passed_over());
+        notes.add("lines with fewer numbers than the header promises read without them", short_lines_);
     }
     [[noreturn]] void fail(const std::string& reason) const { words_.fail(reason); }
 
 private:
+    /// There is no further word. Only a line that is one element may end before it is complete.
+    void expect_line_end()
+    {
+        if (!words_.records_have_lines()) fail("a number is missing; export it again");
+        if (std::exchange(short_line_, words_.line()) != words_.line()) ++short_lines_;
+    }
+
     TextScanner words_;
+    std::size_t short_line_ = 0;  ///< the latest
+    std::uint64_t short_lines_ = 0;
 };
 
 /// Numbers of a binary file of either byte order.
@@ -119,6 +143,8 @@ public:
         }
         return 0;
     }
+
+    std::int64_t length_to_skip(PlyType type, std::string_view what) { return integer(type, what); }
 
     void skip(PlyType type, std::uint64_t count)
     {
@@ -321,7 +347,7 @@ private:
 
     void skip_list(const PlyProperty& property)
     {
-        const std::int64_t count = source_.integer(property.count_type, kLength);
+        const std::int64_t count = source_.length_to_skip(property.count_type, kLength);
         if (count < 0) source_.fail("a list has a negative length; export it again");
         source_.skip(property.type, static_cast<std::uint64_t>(count));
     }
