@@ -100,6 +100,42 @@ TEST_F(StlTest, ReadsTextAsOtherProgramsWriteItAndNotesWhatIsUnusual)
     }
 }
 
+TEST_F(StlTest, ReadsTextWithControlCharactersInItsNames)
+{
+    const std::string facets = facet("0 0 0", "1 0 0", "0 1 0") + facet("0 0 0", "0 1 0", "0 0 1");
+    for (const char c : {'\0', '\x01', '\x07', '\x0E', '\x1B', '\x7F'})
+        for (const std::string& name : {std::string(1, c) + "x", "x" + std::string(90, c)}) {
+            const Read found = read("a.stl", "solid " + name + "\n" + facets + "endsolid\n");
+            EXPECT_EQ(found.soup.triangles.size(), 2u) << int{c};
+            EXPECT_EQ(found.notes, std::to_string(std::count(name.begin(), name.end(), c)) +
+                                       " control characters in the text passed over")
+                << int{c};
+        }
+    // Without facets nobody knows what it was to be.
+    EXPECT_TRUE(contains(error_of("a.stl", "solid \x01x\n" + std::string(100, 'x')),
+                         "it begins like text, but no facet follows, and as a binary file it is truncated"));
+}
+
+TEST_F(StlTest, NotesWhatStandsBehindItsTriangles)
+{
+    const std::string behind = " bytes behind the end passed over";
+    EXPECT_EQ(read("a.stl", binary(2, 2, "x")).notes, "");
+    EXPECT_EQ(read("a.stl", binary(2, 2, "x") + std::string(49, 'x')).notes, "49" + behind);
+    EXPECT_EQ(read("a.stl", binary(2, 2, "x") + std::string(512, '\0')).notes, "512" + behind);
+}
+
+TEST_F(StlTest, TellsNumbersTooManyFromLinesOfNoKnownKind)
+{
+    const std::string longer = " lines with more numbers than they need read without them";
+    const std::string good = facet("0 0 0", "1 0 0", "0 1 0");
+    EXPECT_EQ(read("a.stl", "solid\n" + facet("0 0 0 1", "1 0 0", "0 1 0 1") + "endsolid\n").notes, "2" + longer);
+    for (const char* normal : {"0 0 1 7", "0 0 1 7 7"}) {
+        std::string text = good;
+        text.replace(text.find("normal"), text.find('\n') - text.find("normal"), std::string("normal ") + normal);
+        EXPECT_EQ(read("a.stl", "solid\n" + text + "endsolid\n").notes, "1" + longer) << normal;
+    }
+}
+
 TEST_F(StlTest, SaysWhatIsWrong)
 {
     EXPECT_TRUE(contains(error_of("a.stl", binary(4000000000u, 1, "x")), "truncated"));

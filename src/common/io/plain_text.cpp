@@ -16,6 +16,10 @@ std::optional<Endian> order_of_utf16(std::string_view bytes)
 {
     if (bytes.starts_with("\xFF\xFE")) return Endian::little;
     if (bytes.starts_with("\xFE\xFF")) return Endian::big;
+    if (bytes.size() < 4) return std::nullopt;
+    const auto is_ascii = [&](std::size_t at) { return bytes[at] >= '\t' && bytes[at] < '\x7F'; };
+    if (is_ascii(0) && bytes[1] == '\0' && is_ascii(2) && bytes[3] == '\0') return Endian::little;
+    if (bytes[0] == '\0' && is_ascii(1) && bytes[2] == '\0' && is_ascii(3)) return Endian::big;
     return std::nullopt;
 }
 
@@ -40,7 +44,7 @@ void append_utf8(std::string& text, std::uint32_t code)
     }
 }
 
-/// Without the mark. What is left over of a last unit is cut off.
+/// Without the mark, if there is one. What is left over of a last unit is cut off.
 std::string utf8_of_utf16(std::string_view bytes, Endian order)
 {
     constexpr std::size_t kUnit = 2;
@@ -49,7 +53,9 @@ std::string utf8_of_utf16(std::string_view bytes, Endian order)
     const auto unit = [&](std::size_t at) -> std::uint32_t { return load<std::uint16_t>(bytes.data() + at, order); };
     const auto is_high = [](std::uint32_t u) { return u >= 0xD800 && u < 0xDC00; };
     const auto is_low = [](std::uint32_t u) { return u >= 0xDC00 && u < 0xE000; };
-    for (std::size_t at = kUnit; at + kUnit <= bytes.size(); at += kUnit) {
+    constexpr std::uint32_t kMark = 0xFEFF;
+    const bool has_mark = unit(0) == kMark;
+    for (std::size_t at = has_mark ? kUnit : 0; at + kUnit <= bytes.size(); at += kUnit) {
         std::uint32_t code = unit(at);
         if (is_high(code) && at + 2 * kUnit <= bytes.size() && is_low(unit(at + kUnit))) {
             code = 0x10000 + ((code - 0xD800) << 10) + (unit(at + kUnit) - 0xDC00);

@@ -7,8 +7,9 @@
 
 namespace kerf::io {
 
-/// The text of a file in UTF-8: converted, and noted, if the file is UTF-16 with its byte order mark, which some shells
-/// make of redirected output; otherwise a view of the bytes. Time and memory O(size).
+/// The text of a file in UTF-8: converted, and noted, if the file is UTF-16, which some shells make of redirected
+/// output; otherwise a view of the bytes. Without a byte order mark it is told by its first two characters, which are
+/// ASCII in every format. Time and memory O(size).
 class PlainText
 {
 public:

@@ -22,6 +22,7 @@ inline constexpr std::string_view kBadNormals = "normals that are not finite num
 inline constexpr std::string_view kBadUvs = "texture coordinates that are not finite numbers set to 0";
 inline constexpr std::string_view kBadValues = "values of further attributes that are not finite numbers set to 0";
 inline constexpr std::string_view kLongLines = "lines with more numbers than they need read without them";
+inline constexpr std::string_view kBytesBehind = "bytes behind the end passed over";
 inline constexpr std::string_view kUnusedVertices = "vertices of no face that are not finite numbers passed over";
 
 /// What a reader was lenient about, each kind with its count, in the order in which it was first met. A file with notes

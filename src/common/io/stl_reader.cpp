@@ -36,14 +36,40 @@ bool has_exactly_its_triangles(std::string_view bytes)
            bytes.size() - kHeaderBytes == std::uint64_t{binary_count(bytes)} * kTriangleBytes;
 }
 
+bool is_control(char c)
+{
+    return (c >= '\0' && c < ' ' && (c < '\t' || c > '\r')) || c == '\x7F';
+}
+
+bool begins_like_text(std::string_view bytes)
+{
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != bytes.npos &&
+           (is_word(bytes.substr(first, 5), "solid") || is_word(bytes.substr(first, 5), "facet"));
+}
+
+/// Whether "outer loop" stands in it, as in each facet of a text. O(n).
+bool has_outer_loop(std::string_view bytes)
+{
+    constexpr std::string_view kOuter = "outer", kLoop = "loop";
+    for (std::size_t at = 0; (at = bytes.find_first_of("oO", at)) != bytes.npos; ++at) {
+        if (!is_word(bytes.substr(at, kOuter.size()), kOuter)) continue;
+        // A look behind the word, which is bounded: blanks must not be counted anew for each of many words.
+        const std::string_view behind = bytes.substr(at + kOuter.size(), 64);
+        const std::size_t next = behind.find_first_not_of(" \t\r\n");
+        if (next != behind.npos && next > 0 && is_word(behind.substr(next, kLoop.size()), kLoop)) return true;
+    }
+    return false;
+}
+
 /// Binary files begin with anything, "solid" too. But they have bytes that no text has: the number of triangles ends
-/// with a 0 below 2^24.
+/// with a 0 below 2^24. A text may have some of them in a name, but has facets in words, which no binary file has.
 bool is_text(std::string_view bytes)
 {
-    const auto is_control = [](char c) { return (c >= '\0' && c < ' ' && (c < '\t' || c > '\r')) || c == '\x7F'; };
     const std::string_view beginning = bytes.substr(0, 1024);
-    return bytes.find_first_not_of(" \t\r\n") != std::string_view::npos &&
-           std::none_of(beginning.begin(), beginning.end(), is_control);
+    if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
+    return std::none_of(beginning.begin(), beginning.end(), is_control) ||
+           (begins_like_text(bytes) && has_outer_loop(bytes));
 }
 
 /// Facet normals are not read: they say nothing that the corners do not, and are often wrong.
@@ -53,13 +79,17 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
         fail(path, "it is neither a text nor a binary STL file, or its header is cut off; export it again");
     const std::uint64_t count = binary_count(bytes), room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
     if (room < count)
-        fail(path, "it is truncated: its header promises " + std::to_string(count) +
-                       " triangles, but there is room for " + std::to_string(room) + "; export it again");
+        fail(path,
+             std::string(begins_like_text(bytes) ? "it begins like text, but no facet follows, and as a binary file "
+                                                 : "") +
+                 "it is truncated: its header promises " + std::to_string(count) +
+                 " triangles, but there is room for " + std::to_string(room) + "; export it again");
     // Exporters that write as they go leave the count at 0 when they are stopped. Zeros, and less than a triangle, are
     // what fills up a block.
     if (room > count && bytes.substr(kHeaderBytes + count * kTriangleBytes).find_first_not_of('\0') != bytes.npos)
         fail(path, "its header promises " + std::to_string(count) + " triangles, but there are bytes for " +
                        std::to_string(room) + "; mend the number or export it again");
+    notes.add(kBytesBehind, bytes.size() - kHeaderBytes - count * kTriangleBytes);
     SoupBuilder builder(path, notes);
     builder.soup.vertices.reserve(count * 3);
     builder.soup.triangles.reserve(count);
@@ -139,6 +169,7 @@ public:
         notes_.add("facets outside of solids read", outside_);
         notes_.add("keywords in two words read", divided_);
         notes_.add("lines of no known kind passed over", unknown_);
+        notes_.add(kLongLines, long_);
         return builder_.finish();
     }
 
@@ -178,14 +209,15 @@ private:
         return Keyword::none;
     }
 
-    /// Lines that begin with no keyword are passed over.
+    /// Lines that begin with no keyword are passed over, and so is what stands behind a statement on its line.
     Keyword next_keyword()
     {
         for (;;) {
+            const std::size_t line = words_.line();
             word_ = words_.word_of_any_line();
             const Keyword keyword = to_keyword(word_);
             if (keyword != Keyword::none) return keyword;
-            ++unknown_;
+            ++(words_.line() == line ? long_ : unknown_);
             words_.rest();
         }
     }
@@ -205,13 +237,16 @@ private:
     void read_facet()
     {
         // "normal" and three numbers, whatever they are, and what else stands there.
+        constexpr std::uint64_t kWords = 4;
+        const std::size_t line = words_.line();
         std::uint64_t words = 0;
-        for (Keyword keyword = Keyword::none; keyword != Keyword::outer; ++words) {
+        for (;;) {
             word_ = words_.word_of_any_line();
-            keyword = to_keyword(word_);
-            if (keyword != Keyword::none && keyword != Keyword::outer) fail_at("outer");
+            const Keyword keyword = to_keyword(word_);
+            if (keyword == Keyword::outer) break;
+            if (keyword != Keyword::none) fail_at("outer");
+            if (++words == kWords + 1) ++(words_.line() == line ? long_ : unknown_);
         }
-        unknown_ += words > 5 ? 1 : 0;
         if (next_keyword() != Keyword::loop) fail_at("loop");
         corners_.clear();
         for (;;) {
@@ -238,7 +273,7 @@ private:
     SoupBuilder builder_;
     std::string_view word_;  ///< that a keyword was made of
     std::vector<std::uint32_t> corners_;
-    std::uint64_t unended_ = 0, outside_ = 0, divided_ = 0, unknown_ = 0;
+    std::uint64_t unended_ = 0, outside_ = 0, divided_ = 0, unknown_ = 0, long_ = 0;
 };
 
 }  // namespace
@@ -251,6 +286,8 @@ TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes,
         const std::string_view body = without_padding(text.view(), about_text);
         if (is_text(body)) {
             notes = about_text;
+            const auto controls = std::count_if(body.begin(), body.end(), is_control);
+            notes.add("control characters in the text passed over", static_cast<std::uint64_t>(controls));
             return TextStlReader(path, body, notes).read();
         }
     }
