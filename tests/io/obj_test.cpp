@@ -244,6 +244,20 @@ TEST_F(ObjTest, PassesOverWhatSaysNothingOfTheSurfaceAndNotesIt)
     }
 }
 
+TEST_F(ObjTest, TakesIndicesOfAttributesAsItTakesThoseOfVertices)
+{
+    const std::string lists = std::string(kTriangle) + "vt 0.5 0.25\nvn 0 0 1\n";
+    for (const auto& [face, notes] : std::vector<std::pair<std::string, std::string>>{
+             {"f 1.0/1.0/1.0 2.0/1.0/1.0 3.0/1.0/1.0\n", "9 integers written with a point or an exponent read"},
+             {"f +1/+1/+1 +2/+1/+1 +3/+1/+1\n", ""}}) {
+        const Read found = read("a.obj", lists + face);
+        EXPECT_EQ(found.notes, notes) << face;
+        ASSERT_EQ(found.soup.vertices.size(), 3u) << face;
+        EXPECT_EQ(found.soup.vertices[0].uv, glm::vec2(0.5f, 0.25f)) << face;
+        EXPECT_EQ(found.soup.vertices[0].normal, glm::vec3(0, 0, 1)) << face;
+    }
+}
+
 TEST_F(ObjTest, RefusesCoordinatesOfFacesThatAreNoNumbersWithTheirLine)
 {
     EXPECT_TRUE(contains(error_of("a.obj", "v 0 0 0\nv 1 0 3.1+e2\nv 0 1 0\nf 1 2 3\n"),

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -209,10 +209,8 @@ private:
     std::int64_t read_attribute_index(std::string_view word, std::size_t passed, const List& list)
     {
         if (word.empty()) return kNone;
-        std::int64_t index = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-        const bool is_whole = error == std::errc() && end == word.data() + word.size();
-        const std::int64_t place = is_whole ? find(index, passed, list) : kNone;
+        const std::optional<std::int64_t> index = line_.integer_if(word);
+        const std::int64_t place = index ? find(*index, passed, list) : kNone;
         absent_ += place == kNone ? 1 : 0;
         return place;
     }

@@ -304,6 +304,12 @@ float TextScanner::to_attribute(std::string_view text)
 std::int64_t TextScanner::to_integer(std::string_view text, std::string_view what) const
 {
     if (text.empty()) fail(std::string(what) + " is missing; add it or take the line out");
+    if (const auto value = integer_if(text)) return *value;
+    fail(std::string(what) + " is " + in_quotes(text) + ", which is not an integer that fits; write one");
+}
+
+std::optional<std::int64_t> TextScanner::integer_if(std::string_view text) const
+{
     const std::string_view digits = text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -315,7 +321,7 @@ std::int64_t TextScanner::to_integer(std::string_view text, std::string_view wha
     const auto [wide_end, wide_error] = std::from_chars(digits.data(), digits.data() + digits.size(), wide);
     if (wide_error != std::errc() || wide_end != digits.data() + digits.size() || std::trunc(wide) != wide ||
         std::abs(wide) > kLargest)
-        fail(std::string(what) + " is " + in_quotes(text) + ", which is not an integer that fits; write one");
+        return std::nullopt;
     if (notes_ != nullptr) notes_->add("integers written with a point or an exponent read");
     return static_cast<std::int64_t>(wide);
 }

@@ -95,6 +95,9 @@ public:
     /// A word as an integer; 8.0 is one, and is noted.
     std::int64_t to_integer(std::string_view text, std::string_view what) const;
 
+    /// The same, and nothing if it is none.
+    std::optional<std::int64_t> integer_if(std::string_view text) const;
+
     /// A word as a number that the surface does not need: NaN if it is not a finite number.
     static float to_attribute(std::string_view text);
 
