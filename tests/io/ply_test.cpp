@@ -377,6 +377,16 @@ TEST_F(PlyTest, ReadsBinaryNumbersBehindEveryLineEnd)
     }
 }
 
+TEST_F(PlyTest, NotesBytesBehindTheLastElementOfABinaryFile)
+{
+    Binary body(Endian::little);
+    for (int i = 0; i < 9; ++i) body << float(i == 3 || i == 7);
+    body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
+    const std::string head = "ply\nformat binary_little_endian 1.0\n" + kVertex + kFace;
+    EXPECT_EQ(read("a.ply", head + body.bytes()).notes, "");
+    EXPECT_EQ(read("a.ply", head + body.bytes() + "more").notes, "4 bytes behind the end passed over");
+}
+
 TEST_F(PlyTest, PassesOverFacesThatBoundNothingAndListsOfVertices)
 {
     const Read found = read("a.ply", kAsciiHead + kVertex + "property list uchar float weights\n" +

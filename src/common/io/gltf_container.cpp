@@ -1,5 +1,6 @@
 #include "common/io/gltf_container.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -34,6 +35,7 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
     };
     GltfParts parts;
     parts.is_container = true;
+    std::size_t end_of_chunks = kContainerHeader;
     for (std::size_t at = kContainerHeader; at + kChunkHeader <= end;) {
         const std::size_t size = number(at), first = at + kChunkHeader;
         const std::string_view name = name_at(at);
@@ -47,11 +49,18 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
         }
         if (name == kJsonChunk && parts.json.empty()) parts.json = bytes.substr(first, size);
         if (name == kBinaryChunk && parts.binary.empty()) parts.binary = bytes.substr(first, size);
+        const bool is_behind = first + size > number(8);
+        if (name == kJsonChunk || name == kBinaryChunk)
+            notes.add("chunks that pass the end that the header gives read", is_behind ? 1 : 0);
+        else
+            notes.add(kBytesBehind, is_behind ? kChunkHeader + size : 0);
         const std::size_t behind = first + size, padded = first + (size + 3) / 4 * 4;
         const bool is_unpadded = behind != padded && name_at(behind) == kBinaryChunk;
         if (behind != padded && behind != end) notes.add("chunks whose length is no multiple of four");
         at = is_unpadded ? behind : padded;
+        end_of_chunks = std::min(at, end);
     }
+    notes.add(kBytesBehind, end - end_of_chunks);
     return parts;
 }
 

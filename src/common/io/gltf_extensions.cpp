@@ -10,18 +10,22 @@ namespace kerf::io {
 
 namespace {
 
-constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
-
 constexpr std::array<std::string_view, 3> kRead{"KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
                                                 "KHR_texture_transform"};
 
-/// These hang on meshes, primitives, accessors, buffer views or buffers and leave the triangles as they are; of the two
-/// kinds of meshopt compression, the uncompressed copy is read where there is one (GltfAccessors).
-constexpr std::array<std::string_view, 10> kHarmless{"KHR_materials_variants",  "KHR_xmp",
-                                                     "KHR_xmp_json_ld",         "EXT_mesh_features",
-                                                     "EXT_structural_metadata", "EXT_mesh_manifold",
-                                                     "FB_ngon_encoding",        "CESIUM_primitive_outline",
-                                                     "EXT_meshopt_compression", "KHR_meshopt_compression"};
+/// These hang on meshes, primitives, accessors, buffer views or buffers and leave the triangles as they are; of Draco
+/// and the two kinds of meshopt compression, the uncompressed copy is read, and who reads it refuses if there is none.
+constexpr std::array<std::string_view, 11> kHarmless{"KHR_draco_mesh_compression",
+                                                     "KHR_materials_variants",
+                                                     "KHR_xmp",
+                                                     "KHR_xmp_json_ld",
+                                                     "EXT_mesh_features",
+                                                     "EXT_structural_metadata",
+                                                     "EXT_mesh_manifold",
+                                                     "FB_ngon_encoding",
+                                                     "CESIUM_primitive_outline",
+                                                     "EXT_meshopt_compression",
+                                                     "KHR_meshopt_compression"};
 
 template <class Names>
 bool has(const Names& names, std::string_view name)
@@ -35,9 +39,6 @@ GltfExtensions::GltfExtensions(const GltfDocument& document) : document_(documen
 {
     for (const GltfJson& extension : document.list("extensionsRequired")) {
         const std::string name = extension.is_string() ? extension.get<std::string>() : "?";
-        if (name == kDraco)
-            document.refuse("it needs the extension " + in_quotes(name) +
-                            ", compressed triangles, which is not supported; export it without compression");
         required_.insert(name);
         if (!has(kRead, name)) document.notes().add("required extension " + in_quotes(name) + " passed over");
     }

@@ -35,6 +35,9 @@ constexpr std::size_t kMostUvSets = 8;
 /// file's own size are allowed, so that a small file cannot ask for all memory.
 constexpr std::uint64_t kMostCopies = 64, kAlwaysAllowed = 1 << 20;
 
+/// More work than any file may ask for, and small enough that sums of it don't overflow.
+constexpr std::uint64_t kUnbounded = std::uint64_t{1} << 60;
+
 /// A checked primitive that is triangles. Its attributes may be shorter than its positions.
 struct Primitive
 {
@@ -103,16 +106,11 @@ private:
         if (p.mode < kTriangles) return notes_.add("primitives of points or lines passed over");
         const GltfJson* attributes = document_.object_if(source, "attributes");
         const auto position = attributes != nullptr ? document_.index_if(*attributes, "POSITION", where) : std::nullopt;
-        if (!position) return notes_.add("primitives without positions passed over");
+        const bool is_compressed = document_.extension(source, "KHR_draco_mesh_compression") != nullptr;
+        if (!position && !is_compressed) return notes_.add("primitives without positions passed over");
         extensions_.check(source, "a primitive of " + where);
-        p.positions = &accessors_.at(*position, where);
-        if (document_.extension(source, "KHR_draco_mesh_compression") != nullptr) {
-            if (!p.positions->has_data())
-                document_.refuse("a primitive of " + where +
-                                 " is compressed by KHR_draco_mesh_compression, which is not "
-                                 "supported, and there is no uncompressed copy of it; export it without compression");
-            notes_.add("primitives with compressed data read from their uncompressed copies");
-        }
+        if (position) p.positions = &accessors_.at(*position, where);
+        if (is_compressed) find_copy(source, where, p);
         if (p.positions->width != 3) document_.refuse("the positions of " + where + " are not three numbers each");
         if (p.positions->component == GltfComponent::uint32)
             notes_.add("lists of positions that are 32-bit integers, which no version of glTF allows");
@@ -123,8 +121,19 @@ private:
         }
         find_decoration(*attributes, where, p);
         p.material = material_of(source, where);
-        mesh.work += p.positions->count + p.corners;
+        mesh.work = std::min(mesh.work + p.positions->count + p.corners, kUnbounded);
         mesh.primitives.push_back(p);
+    }
+
+    /// A compressed primitive is read if its accessors have data of their own.
+    void find_copy(const GltfJson& source, const std::string& where, const Primitive& p)
+    {
+        const auto index = document_.index_if(source, "indices", where);
+        if (p.positions == nullptr || !p.positions->has_data() || (index && !accessors_.at(*index, where).has_data()))
+            document_.refuse("a primitive of " + where +
+                             " is compressed by KHR_draco_mesh_compression, which is not "
+                             "supported, and there is no uncompressed copy of it; export it without compression");
+        notes_.add("primitives with compressed data read from their uncompressed copies");
     }
 
     /// Finds the indices, if there are any, and returns the number of corners.
@@ -196,6 +205,9 @@ private:
         std::uint64_t left = most;
         for (const GltfPlacement& placement : placements) {
             const std::uint64_t work = meshes_.at(placement.mesh).work + 1;
+            if (work > most)
+                document_.refuse("mesh " + std::to_string(placement.mesh) + " asks for more than " +
+                                 std::to_string(most) + " vertices and corners, too many for a file of its size");
             if (placement.instances.count > left / work)
                 document_.refuse("it asks for more than " + std::to_string(most) +
                                  " vertices and corners, too many for a file of its size; export fewer copies");

@@ -128,12 +128,21 @@ std::optional<std::size_t> parse(std::string_view text, Json& document)
 Json parse_lenient_json(std::string_view text, ReadingNotes& notes)
 {
     Json document;
-    if (!parse(text, document)) return document;
+    // A byte of 0 outside of texts is the end for the parser.
+    const auto note_end = [&](std::string_view parsed) {
+        const std::size_t end = std::min(parsed.find('\0'), parsed.size());
+        notes.add(kBytesBehind, parsed.size() - end);
+    };
+    if (!parse(text, document)) {
+        note_end(text);
+        return document;
+    }
     const Mended mended = mend(text);
     if (const auto fault = parse(mended.text, document)) {
         const auto before = std::upper_bound(mended.grown.begin(), mended.grown.end(), *fault) - mended.grown.begin();
         throw JsonError(*fault - static_cast<std::size_t>(before));
     }
+    note_end(mended.text);
     notes.add("control characters inside texts of the JSON taken as spaces", mended.control_characters);
     notes.add("letters of the JSON that are not UTF-8 taken as Latin-1", mended.letters);
     notes.add("numbers of the JSON that are not finite passed over", mended.numbers);

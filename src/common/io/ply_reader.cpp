@@ -152,7 +152,11 @@ public:
         at_ += static_cast<std::size_t>(count) * size_of(type);
     }
 
-    void finish(ReadingNotes& notes) { notes.add("integers stored as floating point read", floats_); }
+    void finish(ReadingNotes& notes)
+    {
+        notes.add("integers stored as floating point read", floats_);
+        notes.add(kBytesBehind, bytes_.size() - at_);
+    }
 
     [[noreturn]] void fail(const std::string& reason) const
     {
