@@ -198,9 +198,8 @@ Assembled assemble(TriangleSoup soup)
     Kept kept = drop_faults(soup, weld, repairs);
     if (kept.corners.empty()) {
         result.error =
-            "every triangle of the mesh is degenerate: two corners of each are at one position; store it with more "
-            "digits, "
-            "or nearer to the origin";
+            "every triangle of the mesh is degenerate: two corners of each are at one position; export it again with "
+            "positions that differ: with a scale that is not 0, with more digits, or nearer to the origin";
         return result;
     }
     Buffer<glm::vec3> positions(weld.point_count);

@@ -65,8 +65,8 @@ TEST(Assemble, NamesTheReasonWhenThereIsNoMesh)
     EXPECT_EQ(assemble(mesh).error, "stream 'colour' does not have 3 values per vertex; complete it or leave it out");
 
     EXPECT_EQ(assemble(soup({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {{0, 1, 2}})).error,
-              "every triangle of the mesh is degenerate: two corners of each are at one position; store it with more "
-              "digits, or nearer to the origin");
+              "every triangle of the mesh is degenerate: two corners of each are at one position; export it again with "
+              "positions that differ: with a scale that is not 0, with more digits, or nearer to the origin");
 }
 
 TEST(Assemble, WeldsPositionsThatDifferInTheSignOfZero)
