@@ -131,7 +131,8 @@ TriangleSoup faulty_soup()
         for (VertexStream& stream : soup.streams) stream.values.insert(stream.values.end(), stream.width, 0.0f);
         return static_cast<std::uint32_t>(soup.vertices.size() - 1);
     };
-    soup.triangles.push_back({first[0], first[1], add_point({5, 5, 5})});
+    const Triangle far = soup.triangles[7];  // none of its edges is one of the triangle that is there twice
+    soup.triangles.push_back({far[0], far[1], add_point({5, 5, 5})});
     soup.triangles.push_back({first[2], add_point({5, 6, 5}), add_point({6, 5, 5})});
     std::array<std::uint32_t, 6> strip;
     for (std::uint32_t i = 0; i < 3; ++i) {
