@@ -323,7 +323,7 @@ TEST(ConstrainedTriangulator, TakesAFewStepsForEachPointWhereverPointsCluster)
         {"small clusters", polygon(kPoints,
                                    [](double t) {
                                        const double cluster = std::floor(30 * t);
-                                       const double angle = kTurn * (cluster + 1e-6 * (30 * t - cluster)) / 30;
+                                       const double angle = kTurn * (cluster + 1e-4 * (30 * t - cluster)) / 30;
                                        return glm::dvec2(std::cos(angle), std::sin(angle));
                                    })},
     };
