@@ -64,6 +64,31 @@ public:
     virtual bool triangulate(const CapOutline& outline, CapMesh& cap) = 0;
 };
 
+/// What edges run over, each from its start to its end.
+struct EdgeRoutes
+{
+    std::vector<Index> points;        ///< numbers of places, those of `added` behind the others
+    std::vector<std::size_t> starts;  ///< first of each edge, and the number of points at the end
+    std::vector<glm::dvec2> added;    ///< where two edges cross
+    std::uint64_t steps = 0;          ///< predicates, counted up
+};
+
+/// Finds where edges meet that may cross all over.
+class RouteFinder
+{
+public:
+    virtual ~RouteFinder() = default;
+
+    /// Leads each edge over every place that lies in it, and over one more wherever it crosses another: rounded to
+    /// double, which may lead it over others beside that. What comes out meets in places alone. False where more than
+    /// `most_added` are new. May throw std::bad_alloc, nothing else. O((n + crossings) log n) expected.
+    virtual bool find(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges,
+                      std::size_t most_added, EdgeRoutes& routes) = 0;
+};
+
+/// By a constrained Delaunay triangulation (CGAL).
+std::unique_ptr<RouteFinder> make_route_finder();
+
 /// One strictly convex loop, by halving it again and again: no point meets more than 2 log2(k) triangles, and a line
 /// crosses O(log k) of them. O(k).
 std::unique_ptr<CapTriangulator> make_convex_triangulator();

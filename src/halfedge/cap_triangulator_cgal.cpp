@@ -9,6 +9,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <map>
 #include <new>
 #include <optional>
 #include <tuple>
@@ -118,85 +119,22 @@ private:
     std::uint64_t state_;
 };
 
-class ConstrainedTriangulator final : public CapTriangulator
+/// Fisher and Yates.
+void shuffle(std::vector<std::array<Index, 2>>& seams)
+{
+    RandomNumbers random(seams.size());
+    for (std::size_t i = seams.size(); i > 1; --i) std::swap(seams[i - 1], seams[random.below(i)]);
+}
+
+/// In which order points are inserted: numbers of points, those at one place one after the other.
+class InsertionOrder
 {
 public:
-    bool triangulate(const CapOutline& outline, CapMesh& cap) override
-    {
-        order_along_curve(outline.points);
-        std::optional<bool> closed = triangulate_in_order(outline, cap, true);
-        if (closed) return *closed;
-        order_in_rounds(outline.points);
-        return span_the_plane(outline.points) && *triangulate_in_order(outline, cap, false);
-    }
-
-private:
-    /// Nothing when `may_give_up` and points take too many steps in this order.
-    std::optional<bool> triangulate_in_order(const CapOutline& outline, CapMesh& cap, bool may_give_up)
-    {
-        cap.clear();
-        // A triangulation of its own for each cap: one that ran out of memory half-way is fit for nothing but its
-        // destructor, and clear() gives all memory back as well.
-        const CapArena arena;
-        Triangulation triangulation(Kernel(&cap.steps));
-        triangulation_ = &triangulation;
-        try {
-            const std::optional<bool> inserted = insert_points(outline, cap, may_give_up);
-            if (!inserted) return std::nullopt;
-            if (!*inserted || triangulation.dimension() < 2 || !insert_seams(outline)) return false;
-        } catch (const std::bad_alloc&) {
-            throw;
-        } catch (const std::exception&) {
-            // Seams that cross one another: Intersection_of_constraints_exception.
-            return false;
-        }
-        if (!flood(cap)) return false;
-        link(cap);
-        return true;
-    }
-
-    /// False when points fall together that are two points in space.
-    std::optional<bool> insert_points(const CapOutline& outline, CapMesh& cap, bool may_give_up)
-    {
-        vertices_.resize(outline.points.size());
-        loops_at_.assign(outline.points.size(), 0);
-        FaceHandle hint;
-        VertexHandle v;
-        const std::uint64_t most_debt = kMostDebt + kMostDebtForPoint * order_.size();
-        std::uint64_t debt = 0;
-        for (const Index i : order_) {
-            const glm::dvec2& p = outline.points[i];
-            // Points at one place follow one another. CGAL would find that it has them, and look around each again.
-            if (v == VertexHandle() || outline.points[v->info()] != p) {
-                const std::uint64_t before = cap.steps;
-                // As long as all points are in line, CGAL looks at all edges for each new one.
-                if (triangulation_->dimension() < 2) cap.steps += triangulation_->number_of_vertices();
-                v = triangulation_->insert(Kernel::Point_2(p.x, p.y), hint);
-                v->info() = i;
-                debt += cap.steps - before;
-                debt -= std::min(debt, kStepsForPoint);
-                if (may_give_up && debt > most_debt) return std::nullopt;
-            } else {
-                if (outline.positions[v->info()] != outline.positions[i]) return false;
-                cap.shared_points.push_back(v->info());
-                cap.shared_points.push_back(i);
-            }
-            vertices_[i] = v;
-            ++loops_at_[v->info()];
-            hint = v->face();
-        }
-        return true;
-    }
-
-    struct Place
-    {
-        std::uint32_t key;  ///< cell on the curve, then round
-        Index point;
-    };
+    std::span<const Index> points() const { return order_; }
 
     /// Insertion in loop order makes long cascades of flips; neighbours on a space-filling curve are found at once. The
     /// fastest order for nearly all outlines.
-    void order_along_curve(std::span<const glm::dvec2> points)
+    void along_curve(std::span<const glm::dvec2> points)
     {
         curve_.clear();
         for (Index i = 0; i < points.size(); ++i) curve_.push_back({0, i});
@@ -209,8 +147,8 @@ private:
     /// one before: thousands of cut points around a tip that the plane passes by, as good as in one place, and
     /// thousands elsewhere. In random order expected flips are O(n log n) for any points at all. Random rounds, each
     /// along the curve and eight times as large as the one before, have this and the curve's short ways: Amenta, Choi
-    /// and Rote, "Incremental constructions con BRIO", 2003. After order_along_curve().
-    void order_in_rounds(std::span<const glm::dvec2> points)
+    /// and Rote, "Incremental constructions con BRIO", 2003. After along_curve().
+    void in_rounds(std::span<const glm::dvec2> points)
     {
         refine_cells(points, curve_);
         constexpr std::size_t kGrowth = 8, kFirstRound = 64;
@@ -246,6 +184,13 @@ private:
         std::rotate(order_.begin(), third, end);
         return true;
     }
+
+private:
+    struct Place
+    {
+        std::uint32_t key;  ///< cell on the curve, then round
+        Index point;
+    };
 
     /// Along Hilbert's curve through cells of one size. False when there is only one place.
     static bool sort_along_curve(std::span<const glm::dvec2> points, std::span<Place> run)
@@ -298,6 +243,80 @@ private:
         return index;
     }
 
+    std::vector<Place> curve_;
+    std::vector<Index> order_;
+};
+
+class ConstrainedTriangulator final : public CapTriangulator
+{
+public:
+    bool triangulate(const CapOutline& outline, CapMesh& cap) override
+    {
+        order_.along_curve(outline.points);
+        std::optional<bool> closed = triangulate_in_order(outline, cap, true);
+        if (closed) return *closed;
+        order_.in_rounds(outline.points);
+        return order_.span_the_plane(outline.points) && *triangulate_in_order(outline, cap, false);
+    }
+
+private:
+    /// Nothing when `may_give_up` and points take too many steps in this order.
+    std::optional<bool> triangulate_in_order(const CapOutline& outline, CapMesh& cap, bool may_give_up)
+    {
+        cap.clear();
+        // A triangulation of its own for each cap: one that ran out of memory half-way is fit for nothing but its
+        // destructor, and clear() gives all memory back as well.
+        const CapArena arena;
+        Triangulation triangulation(Kernel(&cap.steps));
+        triangulation_ = &triangulation;
+        try {
+            const std::optional<bool> inserted = insert_points(outline, cap, may_give_up);
+            if (!inserted) return std::nullopt;
+            if (!*inserted || triangulation.dimension() < 2 || !insert_seams(outline)) return false;
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception&) {
+            // Seams that cross one another: Intersection_of_constraints_exception.
+            return false;
+        }
+        if (!flood(cap)) return false;
+        link(cap);
+        return true;
+    }
+
+    /// False when points fall together that are two points in space.
+    std::optional<bool> insert_points(const CapOutline& outline, CapMesh& cap, bool may_give_up)
+    {
+        vertices_.resize(outline.points.size());
+        loops_at_.assign(outline.points.size(), 0);
+        FaceHandle hint;
+        VertexHandle v;
+        const std::uint64_t most_debt = kMostDebt + kMostDebtForPoint * outline.points.size();
+        std::uint64_t debt = 0;
+        for (const Index i : order_.points()) {
+            const glm::dvec2& p = outline.points[i];
+            // Points at one place follow one another. CGAL would find that it has them, and look around each again.
+            if (v == VertexHandle() || outline.points[v->info()] != p) {
+                const std::uint64_t before = cap.steps;
+                // As long as all points are in line, CGAL looks at all edges for each new one.
+                if (triangulation_->dimension() < 2) cap.steps += triangulation_->number_of_vertices();
+                v = triangulation_->insert(Kernel::Point_2(p.x, p.y), hint);
+                v->info() = i;
+                debt += cap.steps - before;
+                debt -= std::min(debt, kStepsForPoint);
+                if (may_give_up && debt > most_debt) return std::nullopt;
+            } else {
+                if (outline.positions[v->info()] != outline.positions[i]) return false;
+                cap.shared_points.push_back(v->info());
+                cap.shared_points.push_back(i);
+            }
+            vertices_[i] = v;
+            ++loops_at_[v->info()];
+            hint = v->face();
+        }
+        return true;
+    }
+
     /// False when a seam passes through a point of the outline.
     bool insert_seams(const CapOutline& outline)
     {
@@ -337,13 +356,6 @@ private:
     std::array<Index, 2> from_fewer_loops(Index i, Index j) const
     {
         return loops_at_[vertices_[i]->info()] <= loops_at_[vertices_[j]->info()] ? std::array{i, j} : std::array{j, i};
-    }
-
-    /// Fisher and Yates.
-    static void shuffle(std::vector<std::array<Index, 2>>& seams)
-    {
-        RandomNumbers random(seams.size());
-        for (std::size_t i = seams.size(); i > 1; --i) std::swap(seams[i - 1], seams[random.below(i)]);
     }
 
     template <class Visit>
@@ -445,8 +457,7 @@ private:
     }
 
     Triangulation* triangulation_ = nullptr;  // of the cap under way
-    std::vector<Place> curve_;
-    std::vector<Index> order_;  // in which points are inserted
+    InsertionOrder order_;
     std::vector<VertexHandle> vertices_;
     std::vector<Index> loops_at_;                // by a vertex's point: points of the outline that lie there
     std::vector<std::array<Index, 2>> crossed_;  // seams that are no edges yet
@@ -455,11 +466,165 @@ private:
     std::vector<Index> along_, against_;
 };
 
+/// Edges are constraints of a triangulation in which constraints may cross: predicates are exact, the points where two
+/// cross are rounded to double, and both run over that point then.
+class CgalRouteFinder final : public RouteFinder
+{
+public:
+    bool find(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges, std::size_t most_added,
+              EdgeRoutes& routes) override
+    {
+        routes.points.clear();
+        routes.starts.assign(1, 0);
+        routes.added.clear();
+        order_.along_curve(places);
+        order_.in_rounds(places);
+        if (!order_.span_the_plane(places)) return false;
+        const CapArena arena;
+        try {
+            return find_within(places, edges, places.size() + most_added, routes);
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception&) {
+            return false;
+        }
+    }
+
+private:
+    struct Number
+    {
+        Index value = kNone;
+    };
+    using Vertices = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
+    using Faces = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+    using Constraints =
+        CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>,
+                                                   CGAL::Exact_predicates_tag>;
+
+    /// Knows where constraints were divided. (CGAL's Constrained_triangulation_plus_2 does, too, but can't be destroyed
+    /// once it has run out of memory.)
+    class Crossing final : public Constraints
+    {
+    public:
+        Crossing(const Kernel& kernel, Index places) : Constraints(kernel), next_(places) {}
+
+        /// Appends the vertices from a to b, but for a. False where they can't be told.
+        bool append_route(Vertex_handle a, Vertex_handle b, std::vector<Index>& route) const
+        {
+            std::vector<std::array<Vertex_handle, 2>> left{{a, b}};
+            for (std::size_t most = kMostOnRoute; !left.empty(); --most) {
+                if (most == 0) return false;
+                const auto [from, to] = left.back();
+                left.pop_back();
+                const auto split = split_at_.find(key(from, to));
+                Vertex_handle middle;
+                Face_handle face;
+                int edge = 0;
+                if (split != split_at_.end() && split->second != from && split->second != to) {
+                    middle = split->second;
+                } else if (is_edge(from, to, face, edge)) {
+                    route.push_back(to->info().value);
+                    continue;
+                } else if (!includes_edge(from, to, middle, face, edge) || middle == to) {
+                    return false;
+                }
+                left.push_back({middle, to});
+                left.push_back({from, middle});
+            }
+            return true;
+        }
+
+    protected:
+        Vertex_handle intersect(Face_handle face, int edge, Vertex_handle a, Vertex_handle b) override
+        {
+            const Vertex_handle c = face->vertex(cw(edge)), d = face->vertex(ccw(edge));
+            const Vertex_handle v = Constraints::intersect(face, edge, a, b);
+            named_key(v, v);
+            split_at_[named_key(a, b)] = v;
+            split_at_[named_key(c, d)] = v;
+            return v;
+        }
+
+    private:
+        /// No edge runs over so many: a chain of divisions that leads back to itself ends.
+        static constexpr std::size_t kMostOnRoute = std::size_t{1} << 20;
+
+        static std::array<Index, 2> key(Vertex_handle a, Vertex_handle b)
+        {
+            return {std::min(a->info().value, b->info().value), std::max(a->info().value, b->info().value)};
+        }
+
+        /// Numbers vertices that have just been made.
+        std::array<Index, 2> named_key(Vertex_handle a, Vertex_handle b)
+        {
+            for (const Vertex_handle v : {a, b})
+                if (v->info().value == kNone) v->info().value = next_++;
+            return key(a, b);
+        }
+
+        std::map<std::array<Index, 2>, Vertex_handle> split_at_;
+        Index next_;
+    };
+
+    bool find_within(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges,
+                     std::size_t most_vertices, EdgeRoutes& routes)
+    {
+        Crossing triangulation(Kernel(&routes.steps), static_cast<Index>(places.size()));
+        std::vector<Crossing::Vertex_handle> vertices(places.size());
+        Crossing::Face_handle hint;
+        Crossing::Vertex_handle v;
+        for (const Index i : order_.points()) {
+            const glm::dvec2& p = places[i];
+            if (v == Crossing::Vertex_handle() || places[v->info().value] != p) {
+                v = triangulation.insert(Kernel::Point_2(p.x, p.y), hint);
+                v->info().value = i;
+            }
+            vertices[i] = v;
+            hint = v->face();
+        }
+        // Where many meet in one place, edges between two places are many, too.
+        std::vector<std::array<Index, 2>> constraints;
+        for (const auto& [from, to] : edges) {
+            const Index a = vertices[from]->info().value, b = vertices[to]->info().value;
+            constraints.push_back({std::min(a, b), std::max(a, b)});
+        }
+        std::sort(constraints.begin(), constraints.end());
+        constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
+        shuffle(constraints);
+        for (const auto& [a, b] : constraints) {
+            triangulation.insert_constraint(vertices[a], vertices[b]);
+            if (triangulation.number_of_vertices() > most_vertices) return false;
+        }
+        routes.added.resize(triangulation.number_of_vertices());
+        std::size_t added = 0;
+        for (auto it = triangulation.finite_vertices_begin(); it != triangulation.finite_vertices_end(); ++it)
+            if (it->info().value >= places.size()) {
+                if (it->info().value == kNone) return false;
+                routes.added[it->info().value - places.size()] = {it->point().x(), it->point().y()};
+                ++added;
+            }
+        routes.added.resize(added);
+        for (const auto& [from, to] : edges) {
+            routes.points.push_back(vertices[from]->info().value);
+            if (!triangulation.append_route(vertices[from], vertices[to], routes.points)) return false;
+            routes.starts.push_back(routes.points.size());
+        }
+        return true;
+    }
+
+    InsertionOrder order_;
+};
+
 }  // namespace
 
 std::unique_ptr<CapTriangulator> make_constrained_triangulator()
 {
     return std::make_unique<ConstrainedTriangulator>();
+}
+
+std::unique_ptr<RouteFinder> make_route_finder()
+{
+    return std::make_unique<CgalRouteFinder>();
 }
 
 }  // namespace kerf::halfedge

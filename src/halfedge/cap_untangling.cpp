@@ -3,11 +3,13 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "common/turn.h"
 #include "halfedge/cap_triangulator.h"
+#include "halfedge/near_places.h"
 #include "halfedge/run_boxes.h"
 
 // Cut points are rounded to float, so a section that comes near to itself may touch or cross itself by a unit in the
@@ -21,6 +23,12 @@
 // what it should not. There a point is added where they cross, and both edges are led over it: the seam keeps its
 // edges, the triangles on them have no more area than rounding that point gives them, and what lies behind them is free
 // of crossings.
+//
+// Where a plane passes a tip by less than floats tell apart, thousands of points lie within rounding of one another,
+// and edges cross as often as there are pairs of them: leading each over the nearest end makes new crossings for those
+// that are gone. There all crossings are found at once, in a triangulation whose constraints may cross, and edges are
+// led over just those; of large outlines each crowd is led over one of its points first, and edges over the points that
+// they pass by within rounding (snap rounding again, of points as well).
 //
 // A loop that comes back to a point falls apart there. If all parts run counter-clockwise each is covered on its own,
 // which is quick; holes need the constrained triangulation. That covers a place as often as it is wound around,
@@ -38,6 +46,10 @@ constexpr double kTurnedShare = 1e-8;
 constexpr double kAnyShare = std::numeric_limits<double>::infinity();
 /// Work that an outline of n points may cost before it is given up, per round and in all.
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
+/// Points within rounding of one that are a crowd.
+constexpr std::size_t kCrowd = 8;
+/// Points of a crowded outline whose crossings, which grow with their square, are few.
+constexpr std::size_t kFewPoints = 1024;
 /// Edges that crossings may make in all, over those: some tens of milliseconds.
 constexpr std::size_t kMostCrossed = 32768;
 
@@ -54,30 +66,241 @@ public:
     }
 
 private:
-    bool untangle(const CapOutline& outline, CapMesh& cap)
-    {
-        start(outline);
-        for (int round = 0; round < kMostRounds; ++round) {
-            // Many edges side by side are no reason to give up as long as none has been seen to meet another.
-            if (!find_meetings()) return round == 0 && crossings_.empty() && cover_with(*constrained_, cap);
-            if (edges_.size() > most_edges()) return false;
-            if (!leads_.empty()) {
-                lead_over(cap);
-                continue;
-            }
-            name_points(cap);
-            // Holes turned over are the last resort: what they cover is covered twice too often.
-            return cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap) || cover_parts(cap, kAnyShare);
-        }
-        return false;
-    }
-
     /// A directed edge of the outline; it ends where the next one of its loop starts.
     struct Edge
     {
         Index from, to;  ///< the first of the points at that position
         Index link;      ///< what it is: a seam, or an edge of a triangle that was put on one
     };
+
+    bool untangle(const CapOutline& outline, CapMesh& cap)
+    {
+        start(outline);
+        is_crowded_.reset();
+        if (const std::optional<bool> closed = lead_over_ends(cap)) return *closed;
+        // Where crossings are few it costs the least area to lead edges over just those.
+        if (outline.points.size() <= kFewPoints) {
+            cap.clear();
+            start(outline);
+            if (lead_along_routes(outline.points.size(), cap)) return cover_routes(cap);
+        }
+        cap.clear();
+        start(outline);
+        collapse_crowds(cap);
+        if (edges_.empty()) return true;  // all of it is folded together
+        return lead_along_routes(most_edges(), cap) && cover_routes(cap);
+    }
+
+    /// Where crossing points were rounded edges may meet once more, which is looked for only if they can't be covered.
+    bool cover_routes(CapMesh& cap)
+    {
+        for (int round = 0; round < kMostRounds; ++round) {
+            name_points(cap);
+            if (cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap))
+                return drop_triangles_between_equals(cap);
+            if (!find_meetings() || leads_.empty()) break;
+            lead_over(cap);
+        }
+        return cover_parts(cap, kAnyShare) && drop_triangles_between_equals(cap);
+    }
+
+    /// Rounds in which edges are led over ends of others and over where they cross. Nothing when points are too crowded
+    /// for that.
+    std::optional<bool> lead_over_ends(CapMesh& cap)
+    {
+        for (int round = 0; round < kMostRounds; ++round) {
+            const bool found_all = find_meetings();
+            if ((!found_all || leads_.size() > outline_.points.size()) && is_crowded()) return std::nullopt;
+            // Many edges side by side are no reason to give up as long as none has been seen to meet another.
+            if (!found_all) return round == 0 && crossings_.empty() && cover_with(*constrained_, cap);
+            if (edges_.size() > most_edges()) return false;
+            if (leads_.empty()) return cover(cap);
+            lead_over(cap);
+        }
+        return false;
+    }
+
+    /// Leads edges over all that they meet at once.
+    bool lead_along_routes(std::size_t most_crossings, CapMesh& cap)
+    {
+        // Only what edges end at counts: crowds are behind other points.
+        used_.clear();
+        for (const Edge& e : edges_) used_.push_back(e.from);
+        std::sort(used_.begin(), used_.end());
+        used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+        const auto number = [&](Index point) {
+            return static_cast<Index>(std::lower_bound(used_.begin(), used_.end(), point) - used_.begin());
+        };
+        std::vector<glm::dvec2> places;
+        for (const Index point : used_) places.push_back(places_[point]);
+        std::vector<std::array<Index, 2>> ends;
+        for (const Edge& e : edges_) ends.push_back({number(e.from), number(e.to)});
+        routes_.steps = 0;
+        const bool found = finder_->find(places, ends, most_crossings, routes_);
+        inner_.steps += routes_.steps;
+        if (!found) return false;
+        const std::size_t n = places_.size();
+        crossings_.resize(routes_.added.size());
+        for (const glm::dvec2& place : routes_.added) {
+            first_at_.push_back(static_cast<Index>(places_.size()));
+            used_.push_back(static_cast<Index>(places_.size()));
+            places_.push_back(place);
+        }
+        next_edges_.clear();
+        std::size_t loop = 0;
+        for (Index e = 0; e < edges_.size(); ++e) {
+            if (starts_[loop] == e) starts_[loop++] = static_cast<Index>(next_edges_.size());
+            route_.clear();
+            for (std::size_t i = routes_.starts[e]; i < routes_.starts[e + 1]; ++i) {
+                const Index point = used_[routes_.points[i]];
+                if (!is_beside(point, edges_[e])) return false;
+                if (point >= n) place_crossing(edges_[e], point);
+                route_.push_back(point);
+            }
+            lead_along_route(edges_[e].link, cap);
+        }
+        starts_.back() = static_cast<Index>(next_edges_.size());
+        edges_.swap(next_edges_);
+        return true;
+    }
+
+    /// Whether rounding could move a point onto an edge: where two edges are as good as parallel it may have moved the
+    /// point at which they cross to anywhere.
+    bool is_beside(Index point, const Edge& edge) const
+    {
+        const glm::dvec2 &a = places_[edge.from], &b = places_[edge.to], &p = places_[point];
+        const double length = glm::distance(a, b);
+        if (!(length > noise_)) return glm::distance(a, p) <= 2.0 * noise_;
+        const double along = glm::dot(p - a, b - a) / length;
+        return std::abs(turn(a, b, p)) <= noise_ * length && along >= -noise_ && along <= length + noise_;
+    }
+
+    /// Gives a crossing point its place in space: that of an edge that runs over it.
+    void place_crossing(const Edge& edge, Index point)
+    {
+        const glm::dvec2 &a = places_[edge.from], &b = places_[edge.to], &p = places_[point];
+        const int axis = longer_axis(a, b);
+        const double share = (p[axis] - a[axis]) / (b[axis] - a[axis]);
+        const glm::dvec3 from(position(edge.from)), to(position(edge.to));
+        const std::size_t n = outline_.points.size();
+        crossings_[point - n] = {glm::vec3(from + share * (to - from)) + 0.0f,
+                                 edge.from < n ? edge.from : crossings_[edge.from - n].seam};
+    }
+
+    /// Takes out triangles that have two corners at one position, once crossing points are rounded to float, and joins
+    /// what lies at their other two edges. The edge between such corners has another such triangle behind it.
+    bool drop_triangles_between_equals(CapMesh& cap)
+    {
+        const std::size_t n = outline_.points.size();
+        std::vector<Index> number(cap.triangles.size());
+        Index kept = 0;
+        for (Index t = 0; t < cap.triangles.size(); ++t) {
+            const std::array<Index, 3> corner = cap.triangles[t].corner;
+            const auto ends_are_equal = [&](Index i) {
+                const Index a = corner[i], b = corner[(i + 1) % 3];
+                return (a >= n || b >= n) && position(a) == position(b);
+            };
+            std::array<Index, 3> long_edges{};
+            std::size_t count = 0;
+            for (Index i = 0; i < 3; ++i)
+                if (!ends_are_equal(i)) long_edges[count++] = i;
+            number[t] = count == 3 ? kept++ : kNone;
+            if (count == 3) continue;
+            for (const Index i : corner) cap.shared_points.push_back(i);
+            if (count == 0) continue;
+            const Index a = cap.triangles[t].link[long_edges[0]], b = cap.triangles[t].link[long_edges[1]];
+            if (a != 3 * t + long_edges[1]) connect(a, b, cap);
+        }
+        if (kept == cap.triangles.size()) return true;
+        for (Index t = 0; t < number.size(); ++t) {
+            if (number[t] == kNone) continue;
+            CapTriangle triangle = cap.triangles[t];
+            for (Index& link : triangle.link)
+                if ((link & kSeamLink) == 0) link = 3 * number[link / 3] + link % 3;
+            cap.triangles[number[t]] = triangle;
+        }
+        cap.triangles.resize(kept);
+        return true;
+    }
+
+    bool cover(CapMesh& cap)
+    {
+        name_points(cap);
+        // Holes turned over are the last resort: what they cover is covered twice too often.
+        return cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap) || cover_parts(cap, kAnyShare);
+    }
+
+    /// Many points within rounding of one.
+    bool is_crowded()
+    {
+        if (is_crowded_) return *is_crowded_;
+        const std::vector<Index> standing = stand_ins(places_, order_, noise_);
+        std::vector<std::size_t> size(standing.size(), 0);
+        is_crowded_ = false;
+        for (Index i = 0; i < standing.size(); ++i)
+            if (first_at_[i] == i && ++size[standing[i]] >= kCrowd) is_crowded_ = true;
+        return *is_crowded_;
+    }
+
+    /// Leads all edges over the points that stand for their ends and over those that they pass by within rounding; what
+    /// then runs to a point and back is folded together.
+    void collapse_crowds(CapMesh& cap)
+    {
+        const std::vector<Index> standing = stand_ins(places_, order_, noise_);
+        std::vector<Index> standing_for_others;
+        for (const Index i : order_)
+            if (standing[i] == i && first_at_[i] == i) standing_for_others.push_back(i);
+        tree_.build(places_, std::move(standing_for_others));
+        std::vector<Edge> edges;
+        std::vector<Index> starts;
+        for (std::size_t loop = 0; loop + 1 < starts_.size(); ++loop) {
+            const std::size_t first = edges.size();
+            // Edges to a point and from it: of the loop's first point, and of the one that the next edge starts at.
+            Index first_spike = kNone, last_spike = kNone;
+            for (Index e = starts_[loop]; e < starts_[loop + 1]; ++e) {
+                const auto [from, to, link] = edges_[e];
+                next_edges_.clear();
+                find_route(from, to, standing);
+                lead_along_route(link, cap);
+                auto begin = next_edges_.begin(), end = next_edges_.end();
+                if (from != standing[from]) {
+                    if (e == starts_[loop])
+                        first_spike = begin->link;
+                    else
+                        connect(last_spike, begin->link, cap);
+                    ++begin;
+                }
+                if (to != standing[to]) last_spike = (--end)->link;
+                edges.insert(edges.end(), begin, end);
+            }
+            if (first_spike != kNone) connect(last_spike, first_spike, cap);
+            if (edges.size() > first) starts.push_back(static_cast<Index>(first));
+        }
+        starts.push_back(static_cast<Index>(edges.size()));
+        edges_.swap(edges);
+        starts_.swap(starts);
+        for (Index i = 0; i < standing.size(); ++i)
+            if (standing[i] != i) {
+                cap.shared_points.push_back(i);
+                cap.shared_points.push_back(standing[i]);
+            }
+    }
+
+    /// Fills `route_` with an edge's start, what stands for it, what lies beside the edge between, what stands for its
+    /// end, and that.
+    void find_route(Index from, Index to, std::span<const Index> standing)
+    {
+        const Index first = standing[from], last = standing[to];
+        route_.clear();
+        if (from != first) route_.push_back(from);
+        route_.push_back(first);
+        if (first != last) {
+            tree_.append_beside(places_[first], places_[last], 0.5 * noise_, route_, inner_.steps);
+            std::erase_if(route_, [&](Index i) { return i == last; });
+            route_.push_back(last);
+        }
+        if (to != last) route_.push_back(to);
+    }
 
     /// An edge that is to be led over a point.
     struct Lead
@@ -168,7 +391,7 @@ private:
                 // Each crossing makes two edges more.
                 return --pairs_left == 0 || 2 * crossings_.size() > most_edges();
             });
-            if (too_many) return false;
+            if (too_many || (leads_.size() > outline_.points.size() && is_crowded())) return false;
         }
         return true;
     }
@@ -432,7 +655,12 @@ private:
 
     std::unique_ptr<CapTriangulator> convex_ = make_convex_triangulator(), clipping_ = make_clipping_triangulator(),
                                      constrained_ = make_constrained_triangulator();
+    const std::unique_ptr<RouteFinder> finder_ = make_route_finder();
+    EdgeRoutes routes_;
+    PlaceTree tree_;
+    std::vector<Index> used_;
     CapOutline outline_;
+    std::optional<bool> is_crowded_;
     double noise_ = 0.0;                               ///< what rounding can do to points, mesh units
     std::vector<CrossingPoint> crossings_;             ///< numbered behind the points of the outline
     std::map<std::array<double, 2>, Index> point_at_;  ///< by place; filled when edges cross in earnest
