@@ -149,7 +149,8 @@ TEST_F(OutputFileTest, RefusesLinksThatLeadInACircleOrIntoNoFolder)
     try {
         OutputFile{file("c")};
     } catch (const FileError& error) {
-        EXPECT_TRUE(contains(error.what(), "the link of this name leads into a folder that does not exist")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "the link of this name leads into a folder that does not exist"))
+            << error.what();
     }
     EXPECT_EQ(names_in_folder(), (std::vector<std::string>{"a", "b", "c"}));
 }
