@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -185,26 +184,69 @@ std::vector<Repeat> find_repeats(std::uint32_t point_count, std::span<const Tria
     return repeats;
 }
 
+/// The corners as they are once triangles are turned over.
+Buffer<Triangle> turn_over(std::span<const Triangle> corners, const Buffer<std::uint8_t>& turned_over)
+{
+    Buffer<Triangle> turned(corners.begin(), corners.end());
+    for (std::size_t t = 0; t < turned_over.size(); ++t)
+        if (turned_over[t]) std::swap(turned[t][1], turned[t][2]);
+    return turned;
+}
+
+/// Marks which repeats are dropped.
+void mark(RepeatJudge& judge, std::span<const Repeat> repeats, std::vector<TriangleFault>& faults)
+{
+    for (std::uint32_t i = 0; i < repeats.size(); ++i)
+        faults[repeats[i].triangle] = judge.is_needed(i) ? TriangleFault::coinciding : TriangleFault::duplicate;
+}
+
+/// The faults of triangles some of which are turned over first.
+Faults find_faults_of_turned(std::uint32_t point_count, std::span<const Triangle> corners,
+                             Buffer<std::uint8_t> turned_over)
+{
+    const Buffer<Triangle> turned = turn_over(corners, turned_over);
+    Faults faults{std::vector<TriangleFault>(corners.size(), TriangleFault::none), std::move(turned_over)};
+    const std::vector<Repeat> repeats = find_repeats(point_count, turned, faults.of);
+    RepeatJudge judge(point_count, turned, repeats);
+    mark(judge, repeats, faults.of);
+    return faults;
+}
+
+/// How many triangles find no partner at their edges, of those that stay.
+std::uint64_t count_open(std::uint32_t point_count, std::span<const Triangle> corners, const Faults& faults)
+{
+    Buffer<Triangle> kept = turn_over(corners, faults.turned_over);
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < kept.size(); ++t)
+        if (is_kept(faults.of[t])) kept[count++] = kept[t];
+    kept.resize(count);
+    if (faults.turned_over.empty()) kept = turn_over(kept, find_turned_sheets(point_count, kept));
+    std::uint64_t open = 0;
+    EdgeRuns(point_count, kept).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        int balance = 0;
+        for (const auto& [larger_point, h] : edge) balance += kept[h / 3][h % 3] == larger_point ? -1 : 1;
+        open += static_cast<std::uint64_t>(std::abs(balance));
+    });
+    return open;
+}
+
 }  // namespace
 
 Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners)
 {
     Faults faults{std::vector<TriangleFault>(corners.size(), TriangleFault::none), {}};
-    std::vector<Repeat> repeats = find_repeats(point_count, corners, faults.of);
+    const std::vector<Repeat> repeats = find_repeats(point_count, corners, faults.of);
     faults.repeats = repeats.size();
     if (repeats.empty()) return faults;
-    std::optional<RepeatJudge> judge(std::in_place, point_count, corners, repeats);
-    if (judge->may_be_turned_over()) faults.turned_over = find_turned_sheets(point_count, corners);
-    if (!faults.turned_over.empty()) {
-        Buffer<Triangle> turned(corners.begin(), corners.end());
-        for (std::size_t t = 0; t < turned.size(); ++t)
-            if (faults.is_turned_over(t)) std::swap(turned[t][1], turned[t][2]);
-        repeats = find_repeats(point_count, turned, faults.of);
-        judge.emplace(point_count, turned, repeats);
-    }
-    for (std::uint32_t i = 0; i < repeats.size(); ++i)
-        faults.of[repeats[i].triangle] = judge->is_needed(i) ? TriangleFault::coinciding : TriangleFault::duplicate;
-    return faults;
+    RepeatJudge judge(point_count, corners, repeats);
+    mark(judge, repeats, faults.of);
+    if (!judge.may_be_turned_over()) return faults;
+    Buffer<std::uint8_t> turned_over = find_turned_sheets(point_count, corners);
+    if (turned_over.empty()) return faults;
+    Faults turned = find_faults_of_turned(point_count, corners, std::move(turned_over));
+    if (count_open(point_count, corners, turned) > count_open(point_count, corners, faults)) return faults;
+    turned.repeats = faults.repeats;
+    return turned;
 }
 
 }  // namespace kerf

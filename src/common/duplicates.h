@@ -49,7 +49,9 @@ struct Faults
 ///
 /// Triangles that are turned over would upset the balance: where an edge of a repeat has an even number of triangles,
 /// of different points, and is not balanced, they are turned back first, as find_turned_sheets() says, and faults are
-/// those of what that leaves. So what is closed but for triangles that are turned over keeps what it needs.
+/// those of what that leaves. So what is closed but for triangles that are turned over keeps what it needs. But where
+/// fewer triangles stay open if repeats are dropped first and the rest is turned afterwards, nothing is turned here: a
+/// wall at an edge of a repeat, turned over, would close that edge and hold the repeat.
 Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners);
 
 }  // namespace kerf

@@ -98,6 +98,17 @@ TEST(Duplicates, AreLookedForWhenTrianglesAreTurnedBack)
     EXPECT_EQ(faults.repeats, 3u);
 }
 
+// Turned over, the wall would close one edge of the repeat, which then stays open at its two others.
+TEST(Duplicates, AreDroppedWhereAWallStandsAtTheirEdge)
+{
+    const auto shell = tetrahedron(0, 1, 2, 3);
+    const Triangle wall{1, 2, 4}, turned{shell[0][0], shell[0][2], shell[0][1]};
+    const List expected{none, none, none, none, duplicate, none};
+    EXPECT_EQ(faults_of(shell + std::vector<Triangle>{shell[2], wall}), expected);
+    // Another triangle that is turned over changes nothing of it.
+    EXPECT_EQ(faults_of({turned, shell[1], shell[2], shell[3], shell[2], wall}), expected);
+}
+
 TEST(Duplicates, TurnNothingOverWhereTheyAreBalanced)
 {
     for (const auto& corners : {tetrahedron(0, 1, 2, 3) + tetrahedron(0, 1, 2, 4),
