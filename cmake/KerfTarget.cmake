@@ -2,10 +2,14 @@
 #
 # -ffp-contract=off: a fused multiply-add rounds once where the source says twice, so the same expression inlined
 # in two places would give two answers and the back ends would not agree bit for bit (docs/floating-point.md).
+#
+# -fno-tree-slp-vectorize: GCC 12, from -O2, takes a pair of doubles that is rounded to float and widened again for the
+# pair itself; the rounding is lost.
+set(KERF_ROUNDING_OPTIONS -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 
 add_library(kerf_flags INTERFACE)
 target_compile_features(kerf_flags INTERFACE cxx_std_20)
-target_compile_options(kerf_flags INTERFACE -ffp-contract=off -fno-fast-math
+target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-math
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 if(KERF_WERROR)
   target_compile_options(kerf_flags INTERFACE -Werror)
@@ -25,6 +29,6 @@ function(kerf_library name)
   target_include_directories(kerf_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   # Users of the library need C++20 and the same rounding, not our warnings.
   target_compile_features(kerf_${name} PUBLIC cxx_std_20)
-  target_compile_options(kerf_${name} INTERFACE -ffp-contract=off)
+  target_compile_options(kerf_${name} INTERFACE ${KERF_ROUNDING_OPTIONS})
   target_link_libraries(kerf_${name} PRIVATE $<BUILD_INTERFACE:kerf_flags>)
 endfunction()

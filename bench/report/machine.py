@@ -70,7 +70,7 @@ def describe(build: Path) -> dict[str, str]:
         "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux {platform.release().partition('-')[0]}",
         "compiler": (output_of([compiler, "--version"]) if compiler else "").partition("\n")[0] or "not known",
         "flags": " ".join([cache_entry(cache, "CMAKE_BUILD_TYPE"), cache_entry(cache, "CMAKE_CXX_FLAGS_RELEASE"),
-                           cache_entry(cache, "CMAKE_CXX_FLAGS"), "-ffp-contract=off -fno-fast-math"]).strip(),
+                           cache_entry(cache, "CMAKE_CXX_FLAGS"), "-ffp-contract=off -fno-fast-math -fno-tree-slp-vectorize (of GCC)"]).strip(),
         "commit": commit(),
     }
     for package in PACKAGES:
