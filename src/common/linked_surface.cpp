@@ -250,10 +250,9 @@ void LinkedSurface::turn_over(std::span<const std::uint8_t> flip)
 
 namespace {
 
-void turn_over(LinkedSurface& surface, std::span<const std::uint8_t> flip, std::vector<NonmanifoldEdge>& resolved)
+void turn_sides_over(std::span<const std::uint8_t> flip, std::vector<NonmanifoldEdge>& edges)
 {
-    surface.turn_over(flip);
-    for (NonmanifoldEdge& edge : resolved)
+    for (NonmanifoldEdge& edge : edges)
         for (std::uint32_t& h : edge)
             if (flip[h / 3]) h = turned_over(h);
 }
@@ -283,12 +282,16 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
     surface.mates.assign(surface.corners.size() * 3, kNoTwin);
     surface.flipped.assign(surface.corners.size(), 0);
 
+    std::vector<NonmanifoldEdge> doubled;
     bool consistent = true;
     EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
         if (edge.size() == 2) {
             const std::uint32_t a = edge[0].half_edge, b = edge[1].half_edge;
             const bool agree = surface.start(a) != surface.start(b);
-            if (!agree && surface.coincide(a, b)) return;
+            if (!agree && surface.coincide(a, b)) {
+                doubled.push_back({a, b});
+                return;
+            }
             surface.link(a, b);
             consistent = consistent && agree;
         } else if (edge.size() > 2) {
@@ -300,10 +303,18 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
     if (consistent && resolved.empty()) return surface;
 
     Patches patches = PatchFlood(surface).run();
-    turn_over(surface, patches.flip, resolved);
+    surface.turn_over(patches.flip);
+    turn_sides_over(patches.flip, resolved);
+    turn_sides_over(patches.flip, doubled);
     if (may_be_turned_over(surface, resolved))
-        if (const Buffer<std::uint8_t> flip = find_turned_sheets(point_count, surface.corners); !flip.empty())
-            turn_over(surface, flip, resolved);
+        if (const Buffer<std::uint8_t> flip = find_turned_sheets(point_count, surface.corners); !flip.empty()) {
+            surface.turn_over(flip);
+            turn_sides_over(flip, resolved);
+            turn_sides_over(flip, doubled);
+        }
+    // One of two triangles in one place may have become the other's back.
+    for (const NonmanifoldEdge& edge : doubled)
+        if (surface.start(edge[0]) != surface.start(edge[1])) surface.link(edge[0], edge[1]);
     for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
         if (const std::uint32_t mate = surface.mates[h]; mate != kNoTwin && surface.start(h) == surface.start(mate)) {
             surface.mates[h] = surface.mates[mate] = kNoTwin;

@@ -429,6 +429,16 @@ TEST(Assemble, DoesNotTurnATriangleOffItsBack)
     EXPECT_EQ(measure(result.mesh).boundary_edges, 4u);
 }
 
+// One of two triangles in one place is turned over for the sake of edges where more meet: then it is the other's back.
+TEST(Assemble, LinksARepeatThatIsTurnedOverToItsCopyAllAround)
+{
+    const TriangleSoup mesh = soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}},
+                                   {{1, 2, 0}, {4, 0, 1}, {2, 0, 1}, {2, 1, 4}, {1, 3, 2}});
+    const Assembled result = assembled(mesh);
+    EXPECT_EQ(measure(mesh).open_edges, 5u);
+    EXPECT_EQ(surface_referee::judge(result.mesh).boundary_edges, 5u);
+}
+
 // Closed with some triangles gone, turned over, or once more: kerf info must not call closed what comes out open.
 TEST(Assemble, ComesOutClosedWhereTheFactsSaySoAndNowhereElse)
 {
