@@ -147,6 +147,7 @@ private:
             places_.push_back(place);
         }
         next_edges_.clear();
+        on_path_.assign(places_.size(), kNone);
         std::size_t loop = 0;
         for (Index e = 0; e < edges_.size(); ++e) {
             if (starts_[loop] == e) starts_[loop++] = static_cast<Index>(next_edges_.size());
@@ -157,11 +158,30 @@ private:
                 if (point >= n) place_crossing(edges_[e], point);
                 route_.push_back(point);
             }
+            straighten_route();
             lead_along_route(edges_[e].link, cap);
         }
         starts_.back() = static_cast<Index>(next_edges_.size());
         edges_.swap(next_edges_);
         return true;
+    }
+
+    /// Leaves out of `route_` what lies between two visits to one point: rounding moves a point where edges cross past
+    /// others, and an edge that runs over it leads back over itself then. A triangle there would have two corners in
+    /// one point. `on_path_` holds kNone for all points, before and after.
+    void straighten_route()
+    {
+        std::size_t kept = 0;
+        for (const Index point : route_) {
+            if (const Index first = on_path_[point]; first != kNone) {
+                while (kept > first + 1) on_path_[route_[--kept]] = kNone;
+                continue;
+            }
+            on_path_[point] = static_cast<Index>(kept);
+            route_[kept++] = point;
+        }
+        route_.resize(kept);
+        for (const Index point : route_) on_path_[point] = kNone;
     }
 
     /// Whether rounding could move a point onto an edge: where two edges are as good as parallel it may have moved the
@@ -673,7 +693,8 @@ private:
     std::vector<Index> route_;  ///< the points of an edge that is led over some
     RunBoxes boxes_;
     std::vector<Edge> path_, parts_;
-    std::vector<Index> part_starts_, on_path_, visits_;
+    std::vector<Index> part_starts_, visits_;
+    std::vector<Index> on_path_;               ///< by point: where it is on the way under way
     std::vector<std::array<Index, 2>> folds_;  ///< what the edges are
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
