@@ -575,18 +575,18 @@ private:
         Crossing::Vertex_handle v;
         for (const Index i : order_.points()) {
             const glm::dvec2& p = places[i];
-            if (v == Crossing::Vertex_handle() || places[v->info().value] != p) {
-                v = triangulation.insert(Kernel::Point_2(p.x, p.y), hint);
-                v->info().value = i;
-            }
+            // Equal places follow one another. CGAL has no constraint between a vertex and itself.
+            if (v != Crossing::Vertex_handle() && places[v->info().value] == p) return false;
+            v = triangulation.insert(Kernel::Point_2(p.x, p.y), hint);
+            v->info().value = i;
             vertices[i] = v;
             hint = v->face();
         }
         // Where many meet in one place, edges between two places are many, too.
         std::vector<std::array<Index, 2>> constraints;
         for (const auto& [from, to] : edges) {
-            const Index a = vertices[from]->info().value, b = vertices[to]->info().value;
-            constraints.push_back({std::min(a, b), std::max(a, b)});
+            if (from == to) return false;
+            constraints.push_back({std::min(from, to), std::max(from, to)});
         }
         std::sort(constraints.begin(), constraints.end());
         constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
@@ -605,7 +605,7 @@ private:
             }
         routes.added.resize(added);
         for (const auto& [from, to] : edges) {
-            routes.points.push_back(vertices[from]->info().value);
+            routes.points.push_back(from);
             if (!triangulation.append_route(vertices[from], vertices[to], routes.points)) return false;
             routes.starts.push_back(routes.points.size());
         }

@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "halfedge/cap_triangulator.h"
+
+namespace kerf::halfedge {
+namespace {
+
+using Edges = std::vector<std::array<Index, 2>>;
+
+constexpr std::size_t kAnyNumber = 1000;
+
+std::vector<Index> route_of(const EdgeRoutes& routes, std::size_t edge)
+{
+    return {routes.points.begin() + static_cast<std::ptrdiff_t>(routes.starts[edge]),
+            routes.points.begin() + static_cast<std::ptrdiff_t>(routes.starts[edge + 1])};
+}
+
+TEST(RouteFinder, LeadsEdgesOverPlacesInThemAndOverWhereTheyCross)
+{
+    const std::vector<glm::dvec2> places{{0, 0}, {4, 0}, {1, 0}, {3, -1}, {3, 1}};
+    EdgeRoutes routes;
+    ASSERT_TRUE(make_route_finder()->find(places, Edges{{0, 1}, {3, 4}}, kAnyNumber, routes));
+    ASSERT_EQ(routes.added.size(), 1u);
+    EXPECT_NEAR(glm::distance(routes.added[0], glm::dvec2(3, 0)), 0.0, 1e-15);
+    EXPECT_EQ(route_of(routes, 0), (std::vector<Index>{0, 2, 5, 1}));
+    EXPECT_EQ(route_of(routes, 1), (std::vector<Index>{3, 5, 4}));
+}
+
+TEST(RouteFinder, GivesUpWhereMoreCrossThanAreAllowed)
+{
+    const std::vector<glm::dvec2> places{{0, 0}, {4, 0}, {3, -1}, {3, 1}};
+    EdgeRoutes routes;
+    EXPECT_FALSE(make_route_finder()->find(places, Edges{{0, 1}, {2, 3}}, 0, routes));
+}
+
+TEST(RouteFinder, RefusesEqualPlaces)
+{
+    const std::vector<glm::dvec2> places{{0, 0}, {4, 0}, {0, 0}, {3, 1}};
+    EdgeRoutes routes;
+    EXPECT_FALSE(make_route_finder()->find(places, Edges{{0, 1}, {2, 3}}, kAnyNumber, routes));
+    EXPECT_FALSE(make_route_finder()->find(places, Edges{{0, 2}}, kAnyNumber, routes));
+}
+
+TEST(RouteFinder, RefusesEdgesThatEndAtTheirStart)
+{
+    const std::vector<glm::dvec2> places{{0, 0}, {4, 0}, {3, 1}};
+    EdgeRoutes routes;
+    EXPECT_FALSE(make_route_finder()->find(places, Edges{{0, 1}, {2, 2}}, kAnyNumber, routes));
+}
+
+TEST(RouteFinder, RefusesPlacesInOneLine)
+{
+    const std::vector<glm::dvec2> places{{0, 0}, {4, 0}, {3, 0}};
+    EdgeRoutes routes;
+    EXPECT_FALSE(make_route_finder()->find(places, Edges{{0, 1}}, kAnyNumber, routes));
+}
+
+}  // namespace
+}  // namespace kerf::halfedge
