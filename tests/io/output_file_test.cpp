@@ -3,7 +3,9 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "common/io/unfinished_files.h"
 #include "io/test_files.h"
@@ -35,6 +37,107 @@ TEST_F(OutputFileTest, LeavesNothingBehindAndTheOldFileAloneWhenAbandoned)
     }
     EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
     EXPECT_EQ(read_text(file("a.txt")), "old");
+}
+
+/// The one sentence of a FileError; "" without one.
+template <typename Call>
+std::string refusal_of(Call call)
+{
+    try {
+        call();
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+void expect_too_late(OutputFile& out)
+{
+    for (const std::string& error : {refusal_of([&] { out.write("more"); }), refusal_of([&] { out.finish(); })})
+        EXPECT_TRUE(contains(error, ": nothing can be written to it any more")) << error;
+}
+
+TEST_F(OutputFileTest, RefusesWhatComesTooLate)
+{
+    OutputFile out(file("a.txt"));
+    out.write("hello");
+    out.finish();
+    expect_too_late(out);
+    out.commit();
+    expect_too_late(out);
+    EXPECT_TRUE(contains(refusal_of([&] { out.commit(); }), "nothing can be written to it any more"));
+    EXPECT_EQ(read_text(file("a.txt")), "hello");
+    out.withdraw();
+    expect_too_late(out);
+    EXPECT_THROW(out.commit(), FileError);
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{});
+}
+
+TEST_F(OutputFileTest, GetsNoNameBeforeItIsFinished)
+{
+    {
+        OutputFile out(file("a.txt"));
+        out.write("hel");
+        EXPECT_TRUE(contains(refusal_of([&] { out.commit(); }), "before it is finished"));
+        out.write("lo");
+        out.finish();
+        out.commit();
+    }
+    EXPECT_EQ(read_text(file("a.txt")), "hello");
+}
+
+TEST_F(OutputFileTest, RefusesEverythingAfterItWasMovedAway)
+{
+    write("a.txt", "old");
+    {
+        OutputFile from(file("a.txt"));
+        from.write("hel");
+        OutputFile to(std::move(from));
+        expect_too_late(from);  // NOLINT(bugprone-use-after-move): that is the test
+        EXPECT_TRUE(contains(refusal_of([&] { from.commit(); }), "moved away"));
+        EXPECT_EQ(from.path(), "");
+        EXPECT_EQ(from.place(), "");
+        from.withdraw();
+        EXPECT_EQ(read_text(file("a.txt")), "old");
+        to.write("lo");
+        to.finish();
+        to.commit();
+        OutputFile last(std::move(to));
+        to.withdraw();
+        EXPECT_EQ(read_text(file("a.txt")), "hello");
+        last.withdraw();
+        EXPECT_FALSE(std::filesystem::exists(file("a.txt")));
+    }
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{});
+}
+
+TEST_F(OutputFileTest, LeavesTheTemporaryFileToWhereItWasMoved)
+{
+    std::optional<OutputFile> from(file("a.txt"));
+    OutputFile to(std::move(*from));
+    from.reset();
+    EXPECT_EQ(names_in_folder().size(), 1u);
+    to.finish();
+    to.commit();
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
+}
+
+TEST_F(OutputFileTest, WithdrawsOnlyWhatItHasNamed)
+{
+    write("a.txt", "old");
+    OutputFile out(file("a.txt"));
+    out.withdraw();
+    out.write("new");
+    out.withdraw();
+    out.finish();
+    out.withdraw();
+    EXPECT_EQ(read_text(file("a.txt")), "old");
+    out.commit();
+    out.withdraw();
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{});
+    write("a.txt", "another's");
+    out.withdraw();
+    EXPECT_EQ(read_text(file("a.txt")), "another's");
 }
 
 TEST_F(OutputFileTest, IsFoundByASignalHandlerWhileItIsUnfinished)
@@ -199,6 +302,22 @@ TEST_F(OutputFileTest, ReportsAFullDiskAndLeavesNothing)
         }
         EXPECT_TRUE(contains(error, "cannot be written")) << error;
         EXPECT_TRUE(names_in_folder().empty()) << name;
+    }
+}
+
+TEST_F(OutputFileTest, GetsNoNameWhenBytesAreMissing)
+{
+    OutputFile while_writing(file("a.txt")), at_the_end(file("b.txt"));
+    at_the_end.write(std::string(1000, 'b'));
+    {
+        const FileSizeLimit limit(100);
+        EXPECT_THROW(while_writing.write(std::string(2 << 20, 'a')), FileError);
+        EXPECT_THROW(at_the_end.finish(), FileError);
+    }
+    for (OutputFile* out : {&while_writing, &at_the_end}) {
+        expect_too_late(*out);
+        EXPECT_TRUE(contains(refusal_of([&] { out->commit(); }), "writing it failed"));
+        EXPECT_FALSE(std::filesystem::exists(out->path()));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "common/io/read_formats.h"
 
@@ -77,36 +78,72 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path))
     std::setvbuf(file_.get(), nullptr, _IOFBF, kBufferBytes);
 }
 
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      place_(std::move(other.place_)),
+      temporary_(std::move(other.temporary_)),
+      unfinished_(std::move(other.unfinished_)),
+      file_(std::move(other.file_)),
+      state_(std::exchange(other.state_, State::gone))
+{
+    // What a path is after it was moved away is not said.
+    for (fs::path* path : {&other.path_, &other.place_, &other.temporary_}) path->clear();
+}
+
 OutputFile::~OutputFile()
 {
     file_.reset();
     std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    if (has_temporary()) fs::remove(temporary_, ignored);
 }
 
 void OutputFile::write(std::string_view bytes)
 {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail_to_write(errno);
+    expect(State::open);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size()) return;
+    const int reason = errno;
+    state_ = State::failed;
+    fail_to_write(reason);
 }
 
 void OutputFile::finish()
 {
+    expect(State::open);
+    state_ = State::failed;
     if (std::fclose(file_.release()) != 0) fail_to_write(errno);
+    state_ = State::finished;
 }
 
 void OutputFile::commit()
 {
+    expect(State::finished);
     std::error_code error;
     fs::rename(temporary_, place_, error);
     if (error) fail_to_write(error.value());
     unfinished_.reset();
-    temporary_.clear();
+    state_ = State::named;
 }
 
 void OutputFile::withdraw() noexcept
 {
+    if (state_ != State::named) return;
     std::error_code ignored;
     fs::remove(place_, ignored);
+    state_ = State::gone;
+}
+
+bool OutputFile::has_temporary() const noexcept
+{
+    return state_ == State::open || state_ == State::finished || state_ == State::failed;
+}
+
+void OutputFile::expect(State state) const
+{
+    if (state_ == state) return;
+    if (state_ == State::open) fail(path_, "it cannot get its name before it is finished; finish it first");
+    const fs::path name = path_.empty() ? fs::path("a file that was moved away") : path_;
+    fail(name, std::string("nothing can be written to it any more, ") +
+                   (state_ == State::failed ? "as writing it failed" : "as it is finished") + "; open it again");
 }
 
 void OutputFile::fail_to_write(int reason) const

@@ -21,45 +21,64 @@ std::filesystem::path place_of(const std::filesystem::path& path);
 
 /// A file that appears complete or not at all: it is written under a temporary name beside its place, and renamed. A
 /// symbolic link of its name stays; what it leads to is replaced, or made.
+///
+/// It is written, finished and committed, once each and in this order. What comes too late or too early is a FileError
+/// and changes nothing: writing what is finished, naming what is not, anything after a failure of write() or finish(),
+/// and anything of a file that was moved away. So a file that is not complete never gets its name.
 class OutputFile
 {
 public:
     /// @throws FileError  the folder cannot be written to, or something that is not a regular file has the name
     explicit OutputFile(std::filesystem::path path);
     ~OutputFile();  ///< removes the temporary file
-    OutputFile(OutputFile&&) noexcept = default;
+    /// The other one has no file any more, and no path.
+    OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
     /// Where it appears: behind the links of its name.
     const std::filesystem::path& place() const { return place_; }
 
-    /// Appends bytes. @throws FileError  for example: the disk is full
+    /// Appends bytes. @throws FileError  for example: the disk is full; it is finished
     void write(std::string_view bytes);
 
-    /// Hands everything to the system and closes. @throws FileError
+    /// Hands everything to the system and closes. @throws FileError  for example: the disk is full; it is finished
     void finish();
 
-    /// Gives the finished file its name. @throws FileError
+    /// Gives the finished file its name; may be tried again. @throws FileError  for example: a folder has the name by
+    /// now; it is not finished
     void commit();
 
-    /// Removes a file that commit() has named.
+    /// Removes the file if commit() of this object has named it; does nothing otherwise, nor a second time.
     void withdraw() noexcept;
 
 private:
+    enum class State
+    {
+        open,
+        finished,
+        failed,  ///< bytes are missing
+        named,
+        gone,  ///< withdrawn or moved away
+    };
+
     struct Close
     {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
 
+    bool has_temporary() const noexcept;
+    /// @throws FileError  it is in another state
+    void expect(State state) const;
     /// For a reason as errno gives it.
     [[noreturn]] void fail_to_write(int reason) const;
 
     std::filesystem::path path_;
-    std::filesystem::path place_;      ///< behind links
-    std::filesystem::path temporary_;  ///< empty: committed, or moved from
+    std::filesystem::path place_;  ///< behind links
+    std::filesystem::path temporary_;
     UnfinishedFile unfinished_;
-    std::unique_ptr<std::FILE, Close> file_;
+    std::unique_ptr<std::FILE, Close> file_;  ///< while it is open; after a failure perhaps
+    State state_ = State::open;
 };
 
 }  // namespace kerf::io
