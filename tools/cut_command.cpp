@@ -259,12 +259,11 @@ std::vector<std::string> backend_names()
     return names;
 }
 
-/// Who asks for a lookup wants the back end that has it.
-std::string backend_with(const std::string& lookup)
+/// Who asks for a lookup, even for one that does not exist, wants a back end that has some.
+std::string backend_with_lookups()
 {
     for (const RegisteredBackend& backend : registered_backends())
-        for (const std::string& one : backend.lookups)
-            if (one == lookup) return backend.name;
+        if (!backend.lookups.empty()) return backend.name;
     return registered_backends().front().name;
 }
 
@@ -312,8 +311,8 @@ void add_cut_command(CLI::App& program)
     CLI::Option* backend = command->add_option("--backend", options->backend, "Which way to cut; see below")
                                ->check(CLI::IsMember(backend_names()).description(""))
                                ->capture_default_str();
-    command->add_option("--lookup", options->lookup,
-                        "How the baseline, which this implies, looks up vertices; see below");
+    CLI::Option* lookup = command->add_option("--lookup", options->lookup,
+                                              "How the baseline, which this implies, looks up vertices; see below");
     command->add_flag("--no-cap", options->no_cap, "Leave the section open");
     command->add_flag("--components", options->components, "Write the connected pieces of each side one by one");
     command->add_option("--out", options->prefix, "Beginning of the names of the files to write")
@@ -339,9 +338,9 @@ void add_cut_command(CLI::App& program)
         "  kerf cut rook.obj --normal 0,1,0 --out /tmp/rook\n"
         "  kerf cut rook.obj --plane y=0.5 --out /tmp/rook\n"
         "  kerf cut knot.off --point 0.1,0,0 --normal 1,0.5,0 --components --format ply --out knot --json");
-    command->callback([options, backend] {
+    command->callback([options, backend, lookup] {
         if (!options->normal && !options->plane) throw CLI::RequiredError("--normal or --plane");
-        if (backend->empty()) options->backend = backend_with(options->lookup);
+        if (backend->empty() && !lookup->empty()) options->backend = backend_with_lookups();
         try {
             make_backend(options->backend, options->lookup);
         } catch (const std::invalid_argument& error) {

@@ -42,6 +42,20 @@ RegisteredBackend halfedge_entry()
 }
 #endif
 
+/// For a back end that lacks a lookup: which there are, and which back end has them if it has none.
+std::string lookups_text(const RegisteredBackend& asked)
+{
+    const std::vector<RegisteredBackend>& all = registered_backends();
+    const auto has_lookups = [](const RegisteredBackend& entry) { return !entry.lookups.empty(); };
+    const auto other = std::find_if(all.begin(), all.end(), has_lookups);
+    std::string text = has_lookups(asked) ? "it is one of " : "only the back end " + other->name + " has lookups, ";
+    for (const std::string& one : (has_lookups(asked) ? asked : *other).lookups) {
+        if (text.back() != ' ') text += ", ";
+        text += one;
+    }
+    return text;
+}
+
 }  // namespace
 
 const std::vector<RegisteredBackend>& registered_backends()
@@ -60,12 +74,9 @@ std::unique_ptr<Backend> make_backend(const std::string& name, const std::string
     for (const RegisteredBackend& entry : registered_backends()) {
         if (entry.name != name) continue;
         const bool known = std::find(entry.lookups.begin(), entry.lookups.end(), lookup) != entry.lookups.end();
-        if (!lookup.empty() && !known) {
-            std::string lookups;
-            for (const std::string& one : entry.lookups) lookups += (lookups.empty() ? "" : ", ") + one;
+        if (!lookup.empty() && !known)
             throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup +
-                                        "': " + (lookups.empty() ? "it needs none" : "it is one of " + lookups));
-        }
+                                        "': " + lookups_text(entry));
         return entry.make(lookup);
     }
     return nullptr;

@@ -170,8 +170,31 @@ TEST_F(KerfCut, CutsWithTheHalfEdgeBackEndUnlessToldOtherwise)
     EXPECT_EQ(kerf_json(plane + " --backend baseline")["backend"], "baseline/hash");
     // Who asks for a lookup asks for the back end that has it.
     EXPECT_EQ(kerf_json(plane + " --lookup remap")["backend"], "baseline/remap");
-    EXPECT_EQ(kerf(plane + " --backend halfedge --lookup remap").status, 2);
-    EXPECT_EQ(kerf(plane + " --lookup guess").status, 2);
+}
+
+TEST_F(KerfCut, SaysWhichBackEndHasWhichLookupsWhenOneIsNotThere)
+{
+    make("box", 12);
+    const std::string plane = "cut in.ply --normal 0,1,0 --out a";
+    const std::string lookups = "hash, remap, two_bucket_hash, scan\n";
+    // Nobody asked for the back end that cuts by default: that it has no lookups is no help.
+    for (const std::string backend : {"", " --backend baseline"}) {
+        const Outcome outcome = kerf(plane + backend + " --lookup guess");
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.err.find("the back end baseline has no lookup called 'guess': it is one of " + lookups),
+                  std::string::npos)
+            << outcome.err;
+    }
+    EXPECT_TRUE(written().empty());
+    if (kerf(plane + " --backend halfedge").status == 2) GTEST_SKIP() << "this program has no half-edge back end";
+    for (const std::string lookup : {"guess", "remap"}) {
+        const Outcome outcome = kerf(plane + " --backend halfedge --lookup " + lookup);
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.err.find("the back end halfedge has no lookup called '" + lookup +
+                                   "': only the back end baseline has lookups, " + lookups),
+                  std::string::npos)
+            << outcome.err;
+    }
 }
 
 TEST_F(KerfCut, NeverReplacesWhatItReads)
