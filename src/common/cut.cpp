@@ -1,11 +1,15 @@
 #include "common/cut.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <tuple>
+#include <utility>
 
 #include "common/coordinate_grain.h"
 
@@ -74,13 +78,45 @@ void merge_ranges(std::vector<DrawRange>& ranges)
     if (!ranges.empty()) ranges.resize(last + 1);
 }
 
+namespace {
+
+/// "cap" is 0, "cap.7" is 7. Others have none: no number is spelt in two ways.
+std::optional<std::uint32_t> cap_number(std::string_view name)
+{
+    constexpr std::string_view kCap = "cap";
+    if (name.substr(0, kCap.size()) != kCap) return std::nullopt;
+    if (name == kCap) return 0;
+    const std::string_view digits = name.substr(kCap.size() + 1);
+    if (name[kCap.size()] != '.' || digits.empty() || digits.front() == '0') return std::nullopt;
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return number;
+}
+
+/// A number that no name has: there are more numbers than names, so some part of the numbers has fewer names than
+/// numbers, and a part of that again. Four passes, without memory: back ends call this when nothing may fail any more.
+std::uint32_t free_cap_number(const std::vector<Material>& materials)
+{
+    std::uint64_t first = 0;
+    for (int bits = 24; bits >= 0; bits -= 8) {
+        std::array<std::uint64_t, 256> names{};
+        for (const Material& material : materials)
+            if (const auto number = cap_number(material.name); number && *number >= first)
+                if (const std::uint64_t part = (*number - first) >> bits; part < names.size()) ++names[part];
+        const std::uint64_t numbers = std::uint64_t(1) << bits;
+        const auto part = std::find_if(names.begin(), names.end(), [&](std::uint64_t n) { return n < numbers; });
+        first += static_cast<std::uint64_t>(part - names.begin()) << bits;
+    }
+    return static_cast<std::uint32_t>(first);
+}
+
+}  // namespace
+
 std::uint32_t add_cap_material(std::vector<Material>& materials)
 {
-    const auto is_taken = [&](const std::string& name) {
-        return std::any_of(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
-    };
-    std::string name = "cap";
-    for (int number = 1; is_taken(name); ++number) name = "cap." + std::to_string(number);
+    const std::uint32_t number = free_cap_number(materials);
+    std::string name = number == 0 ? "cap" : "cap." + std::to_string(number);  // as short as needs no memory
     materials.push_back({std::move(name), glm::vec4(1.0f), {}});
     return static_cast<std::uint32_t>(materials.size() - 1);
 }

@@ -134,7 +134,8 @@ struct CutOptions
 
 /// Appends the material that fills sections when the user names none, and returns its index. It is called "cap", or
 /// "cap.1" and so on where the object has a material of that name already: caps never share a material with the surface
-/// by accident.
+/// by accident. The number is the smallest that is free, or another where names occur twice. O(materials). Allocates
+/// nothing where `materials` has room for one more.
 std::uint32_t add_cap_material(std::vector<Material>& materials);
 
 struct CutResult;
