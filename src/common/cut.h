@@ -29,7 +29,7 @@ enum class Status : std::uint8_t
     open_section,   ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are not
                     ///< capped
     invalid_plane,  ///< not finite, or the normal is not a unit vector: the object comes back unharmed
-    invalid_mesh,   ///< prepare only: the mesh breaks what IndexedMesh promises
+    invalid_mesh,   ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
     out_of_memory,  ///< the object comes back unharmed
 };
 std::string_view name_of(Status status);
@@ -67,8 +67,8 @@ struct CutStatistics
     std::uint64_t triangles = 0;           ///< of the object before the cut
     std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
     std::uint64_t crossing_surface = 0;    ///< those of them that are no caps: the same number for every back end
-    std::uint64_t section_loops = 0;  ///< closed loops of the section; where several edges of it leave one point, back
-                                      ///< ends may divide it into loops in different ways
+    std::uint64_t section_loops = 0;  ///< closed loops of the section; where several edges of it leave one point, every
+                                      ///< back end divides it by the same rule
     std::uint64_t open_chains = 0;    ///< section polylines that end at the boundary of an open mesh
     std::uint64_t nodes_visited = 0;  ///< tree nodes looked at
     std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
@@ -132,10 +132,9 @@ struct CutOptions
     std::uint32_t cap_material = kDefaultCapMaterial;
 };
 
-/// Appends the material that fills sections when the user names none, and returns its index. It is called "cap", or
-/// "cap.1" and so on where the object has a material of that name already: caps never share a material with the surface
-/// by accident. The number is the smallest that is free, or another where names occur twice. O(materials). Allocates
-/// nothing where `materials` has room for one more.
+/// Appends the material that fills sections when the user names none, and returns its index: "cap", or "cap.1" and so
+/// on where a material has that name: caps never share one with the surface by accident. The number is the smallest
+/// that is free, or another where names occur twice. O(materials); allocates nothing where there is room for one.
 std::uint32_t add_cap_material(std::vector<Material>& materials);
 
 struct CutResult;
