@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// What a mesh is like before anything is repaired, after welding by bit-equal position.
+/// A mesh before anything is repaired, welded by bit-equal position; but `open_edges` are those that repairs leave.
 struct MeshFacts
 {
     std::uint64_t triangles = 0;
@@ -40,12 +40,12 @@ struct MeshFacts
     bool has_coarse_coordinates() const { return kerf::has_coarse_coordinates(shortest_edge, bounds); }
 };
 
-/// Measures triangles as they come. With an index out of range there is nothing to measure: all facts are 0.
-/// O(n log n).
+/// Measures triangles as they come. Of nothing, and with an index out of range, all counts and sums are 0, the shortest
+/// edge is infinite and the bounds are empty. O(n log n).
 MeshFacts measure(const TriangleSoup& soup);
 
 /// Measures a mesh or a fragment by its point ids, caps included; `welded_vertices` counts points. With an index or a
-/// point id out of range all facts are 0. O(n log n).
+/// point id out of range there is nothing to measure, either. O(n log n).
 MeshFacts measure(const IndexedMesh& mesh);
 
 }  // namespace kerf
