@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "io/test_files.h"
 
@@ -339,6 +342,41 @@ TEST_F(ObjTest, KeepsMaterialsApartThatShareAName)
     EXPECT_EQ(soup.materials[1].name, "m_2");
     EXPECT_EQ(soup.materials[2].name, "a_b");
     EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.obj"}) << "names alone need no .mtl file";
+}
+
+/// The names that a material file has, in order.
+std::vector<std::string> new_materials(const std::string& text)
+{
+    const std::string keyword = "newmtl ";
+    std::vector<std::string> names;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(keyword)) names.push_back(line.substr(keyword.size()));
+    return names;
+}
+
+TEST_F(ObjTest, NumbersMaterialsThatShareANameBesideOnesThatAreCalledSoAlready)
+{
+    IndexedMesh mesh = sample_mesh();
+    mesh.materials.clear();
+    for (const char* name : {"a", "a", "a_2", "a_2", "a_3", "a", "a_2_2", ""})
+        mesh.materials.push_back({name, glm::vec4(0.5f), ""});
+    write_mesh(file("a.obj"), mesh);
+    EXPECT_EQ(new_materials(read_text(file("a.mtl"))),
+              (std::vector<std::string>{"a", "a_2", "a_2_2", "a_2_3", "a_3", "a_4", "a_2_2_2", "material"}));
+}
+
+TEST_F(ObjTest, WritesAnyNumberOfMaterialsThatShareAName)
+{
+    // If each looked for its number from the start, they would take hours.
+    constexpr std::size_t kMaterials = 200'000;
+    IndexedMesh mesh = sample_mesh();
+    mesh.materials.assign(kMaterials, {"m", glm::vec4(0.5f), ""});
+    write_mesh(file("a.obj"), mesh);
+    const std::vector<std::string> names = new_materials(read_text(file("a.mtl")));
+    ASSERT_EQ(names.size(), kMaterials);
+    EXPECT_EQ(names.back(), "m_200000");
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), kMaterials);
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ std::string_view group_name(TriangleKind kind)
 }
 
 /// Names for usemtl: one line each, none empty, no two equal. An unnamed material is called like the group that has it.
+/// Time O(n), however many share a name.
 std::vector<std::string> material_names(const IndexedMesh& mesh)
 {
     std::vector<std::string> names;
@@ -102,10 +103,15 @@ std::vector<std::string> material_names(const IndexedMesh& mesh)
         if (group.material < names.size() && names[group.material].empty())
             names[group.material] = group_name(group.kind);
     std::unordered_set<std::string> used;
+    // By name: the number that is tried next. Those before it are taken, and stay so.
+    std::unordered_map<std::string, std::uint32_t> next_number;
     for (std::string& name : names) {
         if (name.empty()) name = "material";
+        if (used.insert(name).second) continue;
         const std::string base = name;
-        for (std::uint32_t i = 2; !used.insert(name).second; ++i) name = base + "_" + std::to_string(i);
+        std::uint32_t& number = next_number.try_emplace(base, 2).first->second;
+        do name = base + "_" + std::to_string(number++);
+        while (!used.insert(name).second);
     }
     return names;
 }
