@@ -238,6 +238,22 @@ TEST_F(GlbTest, WritesMaterialsNodesAndAttributesThatReadBack)
     EXPECT_EQ(material(3).name, "flesh");
 }
 
+TEST_F(GlbTest, WritesAnyNumberOfMaterialsAndGroups)
+{
+    // If each material looked through all groups, they would take minutes.
+    constexpr std::uint32_t kMaterials = 200'000;
+    IndexedMesh mesh = sample_mesh();
+    mesh.materials.assign(kMaterials, {"m", glm::vec4(0.5f), ""});
+    mesh.groups.back().material = kMaterials - 1;
+    const auto end = static_cast<std::uint32_t>(mesh.triangles.size());
+    for (std::uint32_t material = 0; material < kMaterials; ++material)
+        mesh.groups.push_back({end, 0, material, 0, TriangleKind::surface});
+    write_mesh(file("a.glb"), mesh);
+    const TriangleSoup soup = read_soup(file("a.glb"));
+    EXPECT_EQ(soup.materials.size(), kMaterials);
+    EXPECT_EQ(soup.triangle_materials, (std::vector<std::uint32_t>{0, 0, 1, kMaterials - 1}));
+}
+
 TEST_F(GlbTest, WritesAContainerThatKeepsTheRulesOfTheFormat)
 {
     write_mesh(file("a.glb"), sample_mesh());

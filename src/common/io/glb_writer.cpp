@@ -48,6 +48,7 @@ public:
     void write(OutputFile& file)
     {
         add_materials();
+        local_.assign(mesh_.vertices.size(), kUnused);
         for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap}) {
             Json primitives = primitives_of(kind);
             if (primitives.empty()) continue;
@@ -80,17 +81,20 @@ private:
         }
     }
 
-    /// One primitive for each material, with its own vertices in order of use.
+    /// One primitive for each material, with its own vertices in order of use. Takes what the groups of this kind take,
+    /// and not all vertices anew for each of many materials.
     Json primitives_of(TriangleKind kind)
     {
+        std::vector<std::vector<const TriangleGroup*>> groups(mesh_.materials.size());
+        for (const TriangleGroup& group : mesh_.groups)
+            if (group.kind == kind) groups[group.material].push_back(&group);
         Json primitives = Json::array();
-        for (std::uint32_t material = 0; material < mesh_.materials.size(); ++material) {
+        for (std::uint32_t material = 0; material < groups.size(); ++material) {
+            for (const TriangleGroup* group : groups[material]) collect(*group);
+            if (!indices_.empty()) primitives.push_back(primitive(material));
+            for (const std::uint32_t v : used_) local_[v] = kUnused;
             used_.clear();
             indices_.clear();
-            local_.assign(mesh_.vertices.size(), kUnused);
-            for (const TriangleGroup& group : mesh_.groups)
-                if (group.kind == kind && group.material == material) collect(group);
-            if (!indices_.empty()) primitives.push_back(primitive(material));
         }
         return primitives;
     }
@@ -210,7 +214,7 @@ private:
     std::string binary_;
     std::vector<std::uint32_t> used_;     ///< vertices of the current primitive
     std::vector<std::uint32_t> indices_;  ///< of the current primitive
-    std::vector<std::uint32_t> local_;    ///< vertex -> index in used_
+    std::vector<std::uint32_t> local_;    ///< vertex -> index in used_; kUnused between primitives
 };
 
 }  // namespace
