@@ -116,6 +116,28 @@ TEST_F(StlTest, ReadsTextWithControlCharactersInItsNames)
                          "it begins like text, but no facet follows, and as a binary file it is truncated"));
 }
 
+TEST_F(StlTest, ReadsTextWithControlCharactersWhateverStandsBeforeItsFirstWord)
+{
+    const std::string facets = facet("0 0 0", "1 0 0", "0 1 0") + facet("0 0 0", "0 1 0", "0 0 1");
+    const std::string mark = "\xEF\xBB\xBF";
+    for (const std::string& before : {mark, mark + " \r\n\t", std::string("# made\x01\n// by\x01 hand\n"),
+                                      std::string("; made by\x01 hand\n"), mark + "\v\f\n; made\n#\x01\n"})
+        for (const std::string solid : {"solid \x01x\n", "solidx\x01\n", "SOLID\t\x01\n"}) {
+            const std::string text = before + solid + facets + "endsolid\n";
+            const Read found = read("a.stl", text);
+            EXPECT_EQ(found.soup.triangles.size(), 2u) << text;
+            EXPECT_TRUE(contains(found.notes, "control characters in the text passed over")) << text;
+        }
+    // So is what stands between the words that tell it from a binary file.
+    std::string spaced = "solid \x01\n" + facets;
+    for (std::size_t at = 0; (at = spaced.find("outer loop", at)) != std::string::npos; at += 10)
+        spaced.replace(at, 10, "OUTER ; a remark\n" + std::string(100, ' ') + "\vLOOP");
+    EXPECT_EQ(soup_of("a.stl", spaced).triangles.size(), 2u);
+    // A binary file may begin with any of it.
+    for (const std::string& title : {mark + "solid x", std::string("# made\nsolid x"), std::string("; x\nfacet")})
+        EXPECT_EQ(soup_of("a.stl", binary(2, 2, title) + "behind").triangles.size(), 2u) << title;
+}
+
 TEST_F(StlTest, NotesWhatStandsBehindItsTriangles)
 {
     const std::string behind = " bytes behind the end passed over";

@@ -41,35 +41,52 @@ bool is_control(char c)
     return (c >= '\0' && c < ' ' && (c < '\t' || c > '\r')) || c == '\x7F';
 }
 
-bool begins_like_text(std::string_view bytes)
+/// A text as it is read, be it to look at or to read it: without its mark, and without comments.
+TextScanner scanner_of(const std::filesystem::path& path, std::string_view text)
 {
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    return first != bytes.npos &&
-           (is_word(bytes.substr(first, 5), "solid") || is_word(bytes.substr(first, 5), "facet"));
+    return {path, text, {.comment = ';', .continuations = false}};
+}
+
+/// The first word behind remarks, which are counted; empty if there is none.
+std::string_view first_word(TextScanner& words, std::uint64_t& remarks)
+{
+    std::string_view word = words.word_of_any_line();
+    for (; word.starts_with('#') || word.starts_with("//"); word = words.word_of_any_line()) {
+        ++remarks;
+        words.rest();
+    }
+    return word;
+}
+
+bool begins_like_text(const std::filesystem::path& path, std::string_view bytes)
+{
+    TextScanner words = scanner_of(path, bytes);
+    std::uint64_t remarks = 0;
+    const std::string_view word = first_word(words, remarks);
+    return is_word(word.substr(0, 5), "solid") || is_word(word, "facet");
 }
 
 /// Whether "outer loop" stands in it, as in each facet of a text. O(n).
-bool has_outer_loop(std::string_view bytes)
+bool has_outer_loop(const std::filesystem::path& path, std::string_view bytes)
 {
-    constexpr std::string_view kOuter = "outer", kLoop = "loop";
-    for (std::size_t at = 0; (at = bytes.find_first_of("oO", at)) != bytes.npos; ++at) {
-        if (!is_word(bytes.substr(at, kOuter.size()), kOuter)) continue;
-        // A look behind the word, which is bounded: blanks must not be counted anew for each of many words.
-        const std::string_view behind = bytes.substr(at + kOuter.size(), 64);
-        const std::size_t next = behind.find_first_not_of(" \t\r\n");
-        if (next != behind.npos && next > 0 && is_word(behind.substr(next, kLoop.size()), kLoop)) return true;
+    TextScanner words = scanner_of(path, bytes);
+    bool is_behind_outer = false;
+    for (std::string_view word = words.word_of_any_line(); !word.empty(); word = words.word_of_any_line()) {
+        if (is_behind_outer && is_word(word, "loop")) return true;
+        is_behind_outer = is_word(word, "outer");
     }
     return false;
 }
 
 /// Binary files begin with anything, "solid" too. But they have bytes that no text has: the number of triangles ends
-/// with a 0 below 2^24. A text may have some of them in a name, but has facets in words, which no binary file has.
-bool is_text(std::string_view bytes)
+/// with a 0 below 2^24. A text may have some of them in a name or a remark, but has facets in words, which no binary
+/// file has. Both are looked for as the text is read, so that no leniency of its reader is missing here.
+bool is_text(const std::filesystem::path& path, std::string_view bytes)
 {
     const std::string_view beginning = bytes.substr(0, 1024);
     if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
     return std::none_of(beginning.begin(), beginning.end(), is_control) ||
-           (begins_like_text(bytes) && has_outer_loop(bytes));
+           (begins_like_text(path, bytes) && has_outer_loop(path, bytes));
 }
 
 /// Facet normals are not read: they say nothing that the corners do not, and are often wrong.
@@ -79,11 +96,11 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
         fail(path, "it is neither a text nor a binary STL file, or its header is cut off; export it again");
     const std::uint64_t count = binary_count(bytes), room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
     if (room < count)
-        fail(path,
-             std::string(begins_like_text(bytes) ? "it begins like text, but no facet follows, and as a binary file "
-                                                 : "") +
-                 "it is truncated: its header promises " + std::to_string(count) +
-                 " triangles, but there is room for " + std::to_string(room) + "; export it again");
+        fail(path, std::string(begins_like_text(path, bytes)
+                                   ? "it begins like text, but no facet follows, and as a binary file "
+                                   : "") +
+                       "it is truncated: its header promises " + std::to_string(count) +
+                       " triangles, but there is room for " + std::to_string(room) + "; export it again");
     // Exporters that write as they go leave the count at 0 when they are stopped. Zeros, and less than a triangle, are
     // what fills up a block.
     if (room > count && bytes.substr(kHeaderBytes + count * kTriangleBytes).find_first_not_of('\0') != bytes.npos)
@@ -135,7 +152,7 @@ class TextStlReader
 {
 public:
     TextStlReader(const std::filesystem::path& path, std::string_view text, ReadingNotes& notes)
-        : words_(path, text, {.comment = ';', .continuations = false}), notes_(notes), builder_(path, notes)
+        : words_(scanner_of(path, text)), notes_(notes), builder_(path, notes)
     {
     }
 
@@ -177,12 +194,7 @@ private:
     /// What a file begins with must be known: anything else is another format.
     Keyword first_keyword()
     {
-        word_ = words_.word_of_any_line();
-        // Remarks.
-        for (; word_.starts_with('#') || word_.starts_with("//"); word_ = words_.word_of_any_line()) {
-            ++unknown_;
-            words_.rest();
-        }
+        word_ = first_word(words_, unknown_);
         const Keyword keyword = to_keyword(word_);
         if (keyword == Keyword::solid || keyword == Keyword::facet) return keyword;
         // The blank behind it may be missing.
@@ -284,7 +296,7 @@ TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes,
         ReadingNotes about_text = notes;
         const PlainText text(bytes, about_text);
         const std::string_view body = without_padding(text.view(), about_text);
-        if (is_text(body)) {
+        if (is_text(path, body)) {
             notes = about_text;
             const auto controls = std::count_if(body.begin(), body.end(), is_control);
             notes.add("control characters in the text passed over", static_cast<std::uint64_t>(controls));
