@@ -333,6 +333,68 @@ TEST_F(PlyTest, TakesElementsThatShareLinesOrTakeSeveral)
     }
 }
 
+TEST_F(PlyTest, TakesElementsOfSeveralLinesBesideLinesThatAreTooLong)
+{
+    const std::string longer = " lines with more numbers than they need read without them";
+    const std::string behind = "1 lines behind the last one that is expected passed over";
+    const std::string plain = kAsciiHead + kVertex + kFace;
+    const std::string normals =
+        kAsciiHead + kVertex + "property float nx\nproperty float ny\nproperty float nz\n" + kFace;
+    const std::vector<std::array<std::string, 3>> cases{
+        {plain, "0 0 0 9\n1 0\n0\n0 1 0\n3 0 1 2\n", "1" + longer},
+        {plain, "0 0 0\n1 0\n0\n0 1 0 9\n3 0 1 2\n", "1" + longer},
+        {plain, "0 0\n0\n1 0 0 9\n0\n1\n\n0\n3 0 1 2 9\n", "2" + longer},
+        {plain, "0 0 0 9\n1 0 0\n0 1 0 9\n3\n0 1\n2\n", "2" + longer},
+        {plain, "0 0\n0\n1 0 0 9\n0 1 0\n3 0 1 2\nx\n", behind + ", 1" + longer},
+        {normals, "0 0 0 0 0 1 9\n1 0 0\n0 0 1\n0 1 0\n0 0 1\n3 0 1 2\n", "1" + longer},
+    };
+    for (const auto& [head, body, notes] : cases) {
+        const Read found = read("a.ply", head + body);
+        expect_triangle(found.soup, body);
+        EXPECT_EQ(found.notes, notes) << body;
+        EXPECT_EQ(found.soup.has_normals, head == normals) << body;
+    }
+    // One that goes on in a line that is too long is rather too short itself.
+    EXPECT_TRUE(contains(error_of("a.ply", plain + "0 0 0 9\n1 0\n0 9\n0 1 0\n3 0 1 2\n"),
+                         "line 13: it has fewer numbers than the header promises"));
+    EXPECT_TRUE(contains(error_of("a.ply", normals + "0 0 0 0 0 1 9\n1 0 0\n0 1 0 0 0 1\n3 0 1 2\nx\n"),
+                         "line 16: it has fewer numbers than the header promises"));
+}
+
+TEST_F(PlyTest, TakesElementsOfSeveralLinesBesideOnesThatShareALine)
+{
+    const std::string quality = "property float quality\n";
+    const std::string two = std::string(kFace).replace(kFace.find("face 1"), 6, "face 2");
+    const std::string faces = "3 0 1 2 3 0 1 2\n";
+    const std::vector<std::pair<std::string, std::string>> cases{
+        // As many lines as elements, but none of them has one of its own.
+        {two, "0 0\n0\n1 0 0\n0 1 0\n" + faces},
+        {two, "0 0 0 1 0 0\n0 1 0\n3 0\n1 2\n3 0 1 2\n"},
+        {quality + two, "0 0 0\n1\n1 0 0 1\n0 1 0 1\n" + faces},
+        // More lines than elements at the beginning, and fewer behind.
+        {two, "0 0\n0\n1 0\n0\n0 1 0\n" + faces},
+        {two, "0 0 0 1 0 0\n0 1\n0\n3 0 1\n2\n3 0 1 2"},
+    };
+    for (const auto& [header, body] : cases) {
+        const Read found = read("a.ply", kAsciiHead + kVertex + header + body);
+        ASSERT_EQ(found.soup.triangles.size(), 2u) << body;
+        for (const Triangle& triangle : found.soup.triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(found.soup.vertices[triangle[k]].position, glm::vec3(k == 1, k == 2, 0)) << body;
+        EXPECT_EQ(found.notes, "") << body;
+    }
+    // A line too short before one that is too long by as much is a fault, and is named.
+    EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + kVertex + two + "0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n"),
+                         "line 12: a coordinate is missing"));
+    // Where elements would begin within lines and go on in others, lines are elements.
+    const Read short_and_long =
+        read("a.ply", kAsciiHead + kVertex + quality + kFace + "0 0 0\n1 0 0 1 9\n0 1 0 1\n3 0 1 2\n");
+    expect_triangle(short_and_long.soup, "short and long");
+    EXPECT_TRUE(contains(short_and_long.notes, "1 lines with fewer numbers") &&
+                contains(short_and_long.notes, "1 lines with more numbers"))
+        << short_and_long.notes;
+}
+
 TEST_F(PlyTest, NamesTheLineThatIsTooShort)
 {
     const std::string head = kAsciiHead + kVertex + kFace;  // 11 lines

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/io/bytes.h"
+#include "common/io/mesh_file.h"
 #include "common/io/plain_text.h"
 #include "common/io/ply_header.h"
 #include "common/io/ply_names.h"
@@ -30,6 +31,12 @@ public:
     {
         words_.set_line(header.lines + 1);
     }
+
+    /// Elements follow one another whatever lines there are.
+    void take_elements_in_order() { words_.take_records_in_order(); }
+
+    /// Whether lines were too short and others too long: numbers that one lacked may be those of another.
+    bool is_doubtful() const { return short_lines_ > 0 && words_.lines_passed_over() > 0; }
 
     void begin_elements() { words_.new_records(); }
     void begin_element(std::uint64_t left) { words_.next_record(left); }
@@ -226,6 +233,8 @@ public:
         return builder_.finish();
     }
 
+    const Source& source() const { return source_; }
+
 private:
     void read_vertices(const PlyElement& element)
     {
@@ -378,6 +387,38 @@ private:
     std::vector<std::size_t> face_sizes_;
 };
 
+/// The lines and elements of a text are counted to tell how they go together. Where some elements share lines and
+/// others take several, the counts say nothing: then it is read as elements in order, if it has exactly their numbers.
+TriangleSoup read_text(const std::filesystem::path& path, const PlyHeader& header, std::string_view body,
+                       ReadingNotes& notes)
+{
+    std::optional<TriangleSoup> soup;
+    std::optional<FileError> error;
+    ReadingNotes counted_notes = notes;
+    try {
+        PlyReader reader(path, header, TextSource(path, body, header, counted_notes), counted_notes);
+        soup = reader.read();
+        if (!reader.source().is_doubtful()) {
+            notes = std::move(counted_notes);
+            return *std::move(soup);
+        }
+    } catch (const FileError& caught) {
+        error = caught;
+    }
+    try {
+        ReadingNotes ordered_notes = notes;
+        TextSource source(path, body, header, ordered_notes);
+        source.take_elements_in_order();
+        TriangleSoup ordered = PlyReader(path, header, std::move(source), ordered_notes).read();
+        notes = std::move(ordered_notes);
+        return ordered;
+    } catch (const FileError&) {
+        if (error) throw *error;
+    }
+    notes = std::move(counted_notes);
+    return *std::move(soup);
+}
+
 }  // namespace
 
 TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes)
@@ -386,7 +427,7 @@ TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes,
     const PlyHeader header = read_ply_header(path, text, notes);
     if (header.format == PlyFormat::ascii) {
         const std::string_view body = without_padding(text.view().substr(header.size), notes);
-        return PlyReader(path, header, TextSource(path, body, header, notes), notes).read();
+        return read_text(path, header, body, notes);
     }
     return PlyReader(path, header, BinarySource(path, bytes, header), notes).read();
 }

@@ -201,11 +201,11 @@ void TextScanner::next_record(std::uint64_t left)
     skip_blanks();
     if (!at_line_end() && word_taken_) {
         if (!records_have_lines_) records_have_lines_ = lines_left() >= left;
+        if (wrapped_from_ && (*records_have_lines_ || records_in_order_)) {
+            line_ = *std::exchange(wrapped_from_, std::nullopt);
+            fail("it has fewer numbers than the header promises; complete it or export the file again");
+        }
         if (*records_have_lines_) {
-            if (wrapped_from_) {
-                line_ = *std::exchange(wrapped_from_, std::nullopt);
-                fail("it has fewer numbers than the header promises; complete it or export the file again");
-            }
             end_line();
             ++lines_passed_over_;
         } else {
@@ -213,6 +213,7 @@ void TextScanner::next_record(std::uint64_t left)
         }
     }
     skip_to_word();
+    record_begins_line_ = !word_taken_;
     records_left_ = left;
     wrapped_from_.reset();
 }
@@ -220,15 +221,19 @@ void TextScanner::next_record(std::uint64_t left)
 std::string_view TextScanner::word_of_record_lines()
 {
     const std::string_view found = word();
-    if (!found.empty() || records_have_lines_.value_or(false)) return found;
-    if (!records_have_lines_ && !wrapped_from_) {
-        // The line on which the record began ends within it.
+    if (!found.empty()) return found;
+    if (records_in_order_ && !wrapped_from_) {
+        if (!record_begins_line_) fail("the last of several records on it goes on in the next; export it again");
+        wrapped_from_ = line_;
+    }
+    if (records_have_lines_.value_or(true) && !wrapped_from_) {
+        // The line on which the record began ends within it. Lines before it may have had words too many.
         const std::uint64_t lines = lines_left() + 1;
         if (lines > records_left_)
             wrapped_from_ = line_;
-        else
+        else if (!records_have_lines_)
             records_have_lines_ = lines == records_left_;
-        if (records_have_lines_.value_or(false)) return {};
+        if (!wrapped_from_ && *records_have_lines_) return {};
         records_shared_lines_ = records_shared_lines_ || !wrapped_from_;
     }
     return word_of_any_line();
@@ -240,8 +245,15 @@ void TextScanner::skip_to_word()
     for (skip_blanks(); at_line_end() && at_ < text_.size(); skip_blanks()) skip_line_end();
 }
 
+void TextScanner::take_records_in_order()
+{
+    records_in_order_ = records_shared_lines_ = true;
+    records_have_lines_ = false;
+}
+
 void TextScanner::new_records()
 {
+    if (records_in_order_) return;
     skip_blanks();
     if (at_line_end() || !word_taken_ || records_have_lines_.value_or(true)) records_have_lines_.reset();
 }

@@ -64,6 +64,11 @@ public:
     ///                    is too short
     void next_record(std::uint64_t left);
 
+    /// Lines are not counted from here on: records follow one another up to the last word of the text. One that goes on
+    /// in a later line must begin and end with a line, or the numbers of a line that is too short would come from the
+    /// next one. Before the first record.
+    void take_records_in_order();
+
     /// Records of another kind follow: whether they share lines is looked up again, but where the line goes on with
     /// them.
     void new_records();
@@ -79,8 +84,8 @@ public:
     /// the end of the file, and of a line that is one record.
     std::string_view word_of_record_lines();
 
-    /// Whether it is known that each record of this kind has a line of its own.
-    bool records_have_lines() const { return records_have_lines_.value_or(false); }
+    /// Whether it is known that each record of this kind has a line of its own, and this one does not go on in others.
+    bool records_have_lines() const { return records_have_lines_.value_or(false) && !wrapped_from_; }
 
     /// Lines whose last words next_record() passed over.
     std::uint64_t lines_passed_over() const { return lines_passed_over_; }
@@ -139,6 +144,8 @@ private:
     std::optional<std::uint64_t> lines_;  ///< with words, in the whole text
     std::uint64_t lines_counted_ = 0;
     std::optional<bool> records_have_lines_;
+    bool records_in_order_ = false;            ///< take_records_in_order()
+    bool record_begins_line_ = true;           ///< this one
     std::uint64_t records_left_ = 0;           ///< with the one that we are in
     std::optional<std::size_t> wrapped_from_;  ///< line on which this record began if it went on in a later one
     bool records_shared_lines_ = false;        ///< somewhere
