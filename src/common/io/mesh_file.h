@@ -36,7 +36,8 @@ public:
 ///
 /// What does not matter for the surface never refuses a file: it is put right or passed over, and noted. So are
 /// spellings of it that other programs write and that have one meaning; docs/robustness.md, "Files", lists them. Text
-/// may be UTF-8, or UTF-16 with its mark.
+/// may be UTF-8, with its mark or without; that of OBJ, MTL, PLY, STL and OFF may be UTF-16 as well, told by its mark
+/// or by its first two letters. The JSON of glTF may not.
 ///
 /// Time and memory are O(file size), whatever counts the file claims.
 /// @param notes  what the reader was lenient about is added to it, if given
