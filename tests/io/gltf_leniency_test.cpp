@@ -529,6 +529,14 @@ TEST_F(GltfLeniencyTest, RequiredExtensionsThatMayChangeTheSurfaceAreRefused)
         });
         EXPECT_TRUE(contains(error, "'ANOTHER_compression', which may change its triangles")) << error;
     }
+    // One that is null is not there.
+    expect_sample(std::vector<Case>{{"null",
+                                     [&](json& d, std::string&) {
+                                         d["extensionsRequired"] = {name};
+                                         for (const char* place : {"/meshes/0", "/meshes/0/primitives/0", "/buffers/0"})
+                                             d[json::json_pointer(place)]["extensions"][name] = nullptr;
+                                     },
+                                     "are null", 3}});
     // Where it is not required, what the file holds besides it is the surface as well.
     expect_sample(std::vector<Case>{{"not required",
                                      [&](json& d, std::string&) {

@@ -49,7 +49,8 @@ void GltfExtensions::check(const GltfJson& object, const std::string& where) con
     const GltfJson* extensions = document_.object_if(object, "extensions");
     if (extensions == nullptr) return;
     for (const auto& [name, ignored] : extensions->items())
-        if (required_.contains(name) && !has(kRead, name) && !has(kHarmless, name))
+        if (required_.contains(name) && !has(kRead, name) && !has(kHarmless, name) &&
+            document_.member(*extensions, name.c_str()) != nullptr)
             document_.refuse(where + " needs the extension " + in_quotes(name) +
                              ", which may change its triangles and is not supported; export it without");
 }
