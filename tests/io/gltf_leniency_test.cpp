@@ -180,6 +180,42 @@ TEST_F(GltfLeniencyTest, Base64MayHaveLineEnds)
     expect_sample("a.gltf", document.dump(), "base64", 2);
 }
 
+TEST_F(GltfLeniencyTest, DataMayHaveTheirWordsInEitherCaseAndTheirDigitsEscaped)
+{
+    // Bytes of no accessor, for digits that are escaped: + and /.
+    std::string bytes = sample_buffer();
+    while (bytes.size() % 3 != 0) bytes += '\0';
+    bytes += "\xFB\xEF\xBE\xFF\xFF\xFFx";
+    const std::string plain = base64(bytes);
+    std::string escaped;
+    for (const char c : plain) escaped += c == '+' ? "%2B" : c == '/' ? "%2f" : c == '=' ? "%3D" : std::string(1, c);
+    ASSERT_TRUE(contains(escaped, "%2B") && contains(escaped, "%2f") && escaped.ends_with("%3D"));
+    json document = sample_document();
+    document["buffers"][0]["byteLength"] = bytes.size();
+    for (const std::string& uri : {"DATA:application/octet-stream;BASE64," + plain, "Data:;Base64," + plain,
+                                   "data:;base64," + escaped, "DATA:;BASE64," + escaped}) {
+        SCOPED_TRACE(uri);
+        document["buffers"][0]["uri"] = uri;
+        expect_sample("a.gltf", document.dump(), "", 0);
+    }
+    document["buffers"][0]["uri"] = "data:;base64," + plain.substr(0, 72) + "%0D%0A" + plain.substr(72);
+    expect_sample("a.gltf", document.dump(), "base64", 2);
+    for (const std::string wrong : {"%", "%2", "%G0", "%2A"}) {
+        document["buffers"][0]["uri"] = "data:;base64," + plain.substr(0, 4) + wrong + "A" + plain.substr(4);
+        EXPECT_TRUE(contains(error_of("a.gltf", document.dump()), "are not base64: digit 4 is none")) << wrong;
+    }
+}
+
+TEST_F(GltfLeniencyTest, ImagesInsideTheFileAreNoTexturesWhateverTheCase)
+{
+    for (const char* uri : {"data:image/png;base64,AAAA", "DATA:image/png;base64,AAAA"}) {
+        json document = sample_document();
+        document["images"][0]["uri"] = uri;
+        write("a.glb", glb(document, sample_buffer()));
+        EXPECT_EQ(read_soup(file("a.glb")).materials.at(0).texture, "") << uri;
+    }
+}
+
 TEST_F(GltfLeniencyTest, NamesOfBuffersMayHaveBackslashes)
 {
     json document = sample_document();

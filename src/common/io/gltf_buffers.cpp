@@ -11,7 +11,12 @@ namespace kerf::io {
 
 namespace {
 
-constexpr std::string_view kInside = "data:", kBase64 = ";base64,";
+constexpr std::string_view kInside = "data:", kBase64 = ";base64,";  ///< in either case
+
+bool is_same_letter(char c, char lower)
+{
+    return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == lower;
+}
 
 /// Value of a base64 digit; 64 for anything else.
 constexpr std::array<std::uint8_t, 256> kDigitValues = [] {
@@ -47,19 +52,29 @@ bool is_space(char c)
 
 }  // namespace
 
+bool is_data_uri(std::string_view uri)
+{
+    const std::string_view scheme = uri.substr(0, kInside.size());
+    return std::equal(scheme.begin(), scheme.end(), kInside.begin(), kInside.end(), is_same_letter);
+}
+
 std::string_view GltfBuffers::bytes_of(const std::string& uri, const std::string& where)
 {
     const auto known = bytes_.find(uri);
     if (known != bytes_.end()) return known->second;
-    std::string bytes = uri.starts_with(kInside) ? decode(uri, where) : read_beside(uri, where);
+    std::string bytes = is_data_uri(uri) ? decode(uri, where) : read_beside(uri, where);
     return bytes_.emplace(uri, std::move(bytes)).first->second;
 }
 
 std::string GltfBuffers::decode(std::string_view uri, const std::string& where)
 {
-    const std::size_t mark = uri.find(kBase64);
-    if (mark == std::string_view::npos) fail(path_, where + " has data that are not base64; export it again");
-    std::string_view digits = uri.substr(mark + kBase64.size());
+    const auto mark = std::search(uri.begin(), uri.end(), kBase64.begin(), kBase64.end(), is_same_letter);
+    if (mark == uri.end()) fail(path_, where + " has data that are not base64; export it again");
+    std::string_view digits = uri.substr(static_cast<std::size_t>(mark - uri.begin()) + kBase64.size());
+    // Some libraries escape +, / and =. A sign that escapes nothing is no digit.
+    std::optional<std::string> decoded;
+    if (digits.find('%') != std::string_view::npos) decoded = percent_decoded(digits);
+    if (decoded) digits = *decoded;
     while (!digits.empty() && (digits.back() == '=' || is_space(digits.back()))) digits.remove_suffix(1);
     std::string bytes;
     bytes.reserve(digits.size() / 4 * 3 + 3);

@@ -10,6 +10,9 @@
 
 namespace kerf::io {
 
+/// Whether a reference has its data in itself. Schemes are the same in either case.
+bool is_data_uri(std::string_view uri);
+
 /// The bytes that the buffers of a glTF file name: base64 inside the file, or files beside it.
 ///
 /// A buffer may only lie in the folder of the glTF file or below it: no absolute path, no "..", no address of another
@@ -19,7 +22,8 @@ class GltfBuffers
 public:
     GltfBuffers(const std::filesystem::path& path, ReadingNotes& notes) : path_(path), notes_(notes) {}
 
-    /// @param uri    as the file has it: "data:...;base64,..." or a relative path, percent-encoded
+    /// @param uri    as the file has it: "data:...;base64,...", both words in either case, or a relative path;
+    /// percent-encoded
     /// @param where  names the buffer in messages: "buffer 0"
     /// @throws FileError
     std::string_view bytes_of(const std::string& uri, const std::string& where);

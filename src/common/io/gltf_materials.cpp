@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "common/io/gltf_buffers.h"
+
 namespace kerf::io {
 
 namespace {
@@ -49,7 +51,7 @@ std::string picture_of(const GltfDocument& document, const GltfJson& use)
     const GltfJson* image = texture != nullptr ? referred(document, *texture, "source", "images") : nullptr;
     if (image == nullptr || !image->contains("uri") || !(*image)["uri"].is_string()) return {};
     const std::string uri = (*image)["uri"].get<std::string>();
-    return uri.starts_with("data:") ? std::string() : uri;
+    return is_data_uri(uri) ? std::string() : uri;
 }
 
 /// Angles run against the clock as one sees the picture, in which v runs down.
