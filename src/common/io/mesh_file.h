@@ -31,13 +31,12 @@ public:
 ///   mean of their triangles' normals, weighted by area. Where a file gives none, and for STL, `has_normals` is false.
 /// * Of glTF, what the scene shows, with EXT_mesh_gpu_instancing, KHR_mesh_quantization and KHR_texture_transform; no
 ///   Draco, no skins, no morph targets.
-/// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices are streams of their
-///   own.
+/// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices have streams as well.
 ///
 /// What does not matter for the surface never refuses a file: it is put right or passed over, and noted. So are
 /// spellings of it that other programs write and that have one meaning; docs/robustness.md, "Files", lists them. Text
-/// may be UTF-8, with its mark or without; that of OBJ, MTL, PLY, STL and OFF may be UTF-16 as well, told by its mark
-/// or by its first two letters. The JSON of glTF may not.
+/// may be UTF-8, with its mark or without; but for the JSON of glTF it may be UTF-16 as well, told by its mark or by
+/// its first two letters.
 ///
 /// Time and memory are O(file size), whatever counts the file claims.
 /// @param notes  what the reader was lenient about is added to it, if given
