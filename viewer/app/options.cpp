@@ -143,7 +143,9 @@ ParsedOptions parse_options(int argc, char** argv)
     // Scripts put their own options before the user's: the last one counts.
     for (CLI::Option* option : program.get_options())
         if (option->get_items_expected_max() == 1) option->take_last();
-    program.footer("Exit status: 0 done, 1 a file cannot be used or a GL error happened, 2 wrong use, 3 no display.");
+    program.footer(
+        "Exit status: 0 done, 1 none of the files can be used (some that cannot are messages), or another file or\n"
+        "folder that is named cannot, or a GL error happened, 2 wrong use, 3 no display.");
 
     try {
         program.parse(argc, argv);

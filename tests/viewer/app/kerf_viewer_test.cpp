@@ -450,6 +450,8 @@ TEST_F(KerfViewerTest, ThrowsWhatItCanReadAndSaysWhatItCannot)
     const Json json = Json::parse(outcome.out);
     EXPECT_EQ(json["messages"].size(), 1u);
     EXPECT_EQ(json["runs"][0]["bodies"], 1);
+    expect_unusable(kerf("--headless --frames 2 --size 32x18 broken.obj broken.obj"), "broken.obj");
+    EXPECT_NE(kerf("--help").out.find(" 1 none of the files can be used "), std::string::npos);
 }
 
 TEST_F(KerfViewerTest, AnImageThatIsMissingIsSaidAndTheModelIsDrawn)
