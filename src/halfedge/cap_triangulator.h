@@ -81,10 +81,10 @@ public:
 
     /// Leads each edge over every place that lies in it, and over one more wherever it crosses another: rounded to
     /// double, which may lead it over others beside that, and back. What comes out meets in places alone. False where
-    /// more than `most_added` are new, where two places are equal and where an edge ends at its start. May throw
-    /// std::bad_alloc, nothing else. O((n + crossings) log n) expected.
+    /// more than `most_added` are new or the routes have more than `most_points`, where two places are equal and where
+    /// an edge ends at its start. May throw std::bad_alloc, nothing else. O((n + crossings) log n + points) expected.
     virtual bool find(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges,
-                      std::size_t most_added, EdgeRoutes& routes) = 0;
+                      std::size_t most_added, std::size_t most_points, EdgeRoutes& routes) = 0;
 };
 
 /// By a constrained Delaunay triangulation (CGAL).

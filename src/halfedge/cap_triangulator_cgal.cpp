@@ -472,7 +472,7 @@ class CgalRouteFinder final : public RouteFinder
 {
 public:
     bool find(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges, std::size_t most_added,
-              EdgeRoutes& routes) override
+              std::size_t most_points, EdgeRoutes& routes) override
     {
         routes.points.clear();
         routes.starts.assign(1, 0);
@@ -482,7 +482,7 @@ public:
         if (!order_.span_the_plane(places)) return false;
         const CapArena arena;
         try {
-            return find_within(places, edges, places.size() + most_added, routes);
+            return find_within(places, edges, places.size() + most_added, most_points, routes);
         } catch (const std::bad_alloc&) {
             throw;
         } catch (const std::exception&) {
@@ -508,12 +508,12 @@ private:
     public:
         Crossing(const Kernel& kernel, Index places) : Constraints(kernel), next_(places) {}
 
-        /// Appends the vertices from a to b, but for a. False where they can't be told.
-        bool append_route(Vertex_handle a, Vertex_handle b, std::vector<Index>& route) const
+        /// Appends the vertices from a to b, but for a. False where they can't be told, or are too many.
+        bool append_route(Vertex_handle a, Vertex_handle b, std::vector<Index>& route, std::size_t most_points) const
         {
             std::vector<std::array<Vertex_handle, 2>> left{{a, b}};
             for (std::size_t most = kMostOnRoute; !left.empty(); --most) {
-                if (most == 0) return false;
+                if (most == 0 || route.size() >= most_points) return false;
                 const auto [from, to] = left.back();
                 left.pop_back();
                 const auto split = split_at_.find(key(from, to));
@@ -567,7 +567,7 @@ private:
     };
 
     bool find_within(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges,
-                     std::size_t most_vertices, EdgeRoutes& routes)
+                     std::size_t most_vertices, std::size_t most_points, EdgeRoutes& routes)
     {
         Crossing triangulation(Kernel(&routes.steps), static_cast<Index>(places.size()));
         std::vector<Crossing::Vertex_handle> vertices(places.size());
@@ -606,7 +606,7 @@ private:
         routes.added.resize(added);
         for (const auto& [from, to] : edges) {
             routes.points.push_back(from);
-            if (!triangulation.append_route(vertices[from], vertices[to], routes.points)) return false;
+            if (!triangulation.append_route(vertices[from], vertices[to], routes.points, most_points)) return false;
             routes.starts.push_back(routes.points.size());
         }
         return true;

@@ -86,7 +86,7 @@ private:
         }
         cap.clear();
         start(outline);
-        collapse_crowds(cap);
+        if (!collapse_crowds(cap)) return false;
         if (edges_.empty()) return true;  // all of it is folded together
         return lead_along_routes(most_edges(), cap) && cover_routes(cap);
     }
@@ -136,7 +136,9 @@ private:
         std::vector<std::array<Index, 2>> ends;
         for (const Edge& e : edges_) ends.push_back({number(e.from), number(e.to)});
         routes_.steps = 0;
-        const bool found = finder_->find(places, ends, most_crossings, routes_);
+        // Each edge has two ends on its route; as many edges to and fro over as many crossings would be their product.
+        const std::size_t most_points = ends.size() + 2 * most_edges();
+        const bool found = finder_->find(places, ends, most_crossings, most_points, routes_);
         inner_.steps += routes_.steps;
         if (!found) return false;
         const std::size_t n = places_.size();
@@ -263,8 +265,8 @@ private:
     }
 
     /// Leads all edges over the points that stand for their ends and over those that they pass by within rounding; what
-    /// then runs to a point and back is folded together.
-    void collapse_crowds(CapMesh& cap)
+    /// then runs to a point and back is folded together. False when that makes too many edges.
+    bool collapse_crowds(CapMesh& cap)
     {
         const std::vector<Index> standing = stand_ins(places_, order_, noise_);
         std::vector<Index> standing_for_others;
@@ -292,6 +294,7 @@ private:
                 }
                 if (to != standing[to]) last_spike = (--end)->link;
                 edges.insert(edges.end(), begin, end);
+                if (edges.size() > most_edges()) return false;
             }
             if (first_spike != kNone) connect(last_spike, first_spike, cap);
             if (edges.size() > first) starts.push_back(static_cast<Index>(first));
@@ -304,6 +307,7 @@ private:
                 cap.shared_points.push_back(i);
                 cap.shared_points.push_back(standing[i]);
             }
+        return true;
     }
 
     /// Fills `route_` with an edge's start, what stands for it, what lies beside the edge between, what stands for its
