@@ -148,6 +148,16 @@ TEST_F(OffTest, CompletesVerticesThatLackWhatTheKeywordPromisesAndNotesIt)
               "2 faces of fewer than three corners passed over");
 }
 
+TEST_F(OffTest, ReadsAsManyDimensionsAsANumberSaysIfItIsThree)
+{
+    for (const char* header :
+         {"nOFF\n3\n4 1 0\n", "nOFF 3\n4 1 0\n", "nOFF3\n4 1 0\n", "nOFF\n# dimensions\n3 4 1 0\n"}) {
+        const Read found = read("a.off", header + std::string(kSquare) + "4 0 1 2 3\n");
+        EXPECT_EQ(found.soup.triangles.size(), 2u) << header;
+        EXPECT_EQ(found.notes, "") << header;
+    }
+}
+
 TEST_F(OffTest, NotesLinesBehindTheLastFace)
 {
     const Read found = read("a.off", "OFF\n4 1 0\n" + std::string(kSquare) + "3 0 1 2 1\n# more\n3 0 2 3\n");
@@ -171,7 +181,7 @@ TEST_F(OffTest, SaysWhatIsWrong)
     EXPECT_TRUE(contains(error_of("a.off", "ply\n"), "instead of OFF"));
     for (const char* keyword : {"OF", "<html>", "NNOFF", "STSTOFF", "XOFF", "OFFF", "SOFF"})
         EXPECT_TRUE(contains(error_of("a.off", std::string(keyword) + "\n1 1 1\n"), "instead of OFF")) << keyword;
-    for (const char* keyword : {"nOFF", "4nOFF", "ST4OFF"})
+    for (const char* keyword : {"nOFF", "4nOFF", "ST4OFF", "N4OFF", "STnOFF", "nOFF4"})
         EXPECT_TRUE(contains(error_of("a.off", std::string(keyword) + "\n1 1 1\n"), "three-dimensional")) << keyword;
     EXPECT_TRUE(contains(error_of("a.off", "# x\n\n"), "nothing in it but blanks and comments"));
     EXPECT_TRUE(contains(error_of("a.off", "OFF\n4 1 0\n0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n"),

@@ -91,13 +91,23 @@ private:
         const std::size_t off = std::min(lower.find("off"), lower.size());
         const std::string_view letters = std::string_view(lower).substr(0, off);
         const std::string_view behind = word.substr(std::min(off + 3, word.size()));
-        // Four coordinates, or as many as a number says; nOFF is not NOFF.
         const bool is_off = off < lower.size() && (behind.empty() || std::isdigit(to_unsigned(behind[0])) != 0);
-        if (is_off && (letters.ends_with("4") || letters.ends_with("4n") || word.substr(0, off + 3).ends_with("nOFF")))
-            line_.fail(in_quotes(word) + " has coordinates that are not three-dimensional; export it as OFF");
-        if (!is_off || !read_letters(letters))
+        // Four coordinates, or as many as a number says, which is read if it is 3; nOFF is not NOFF.
+        const bool has_dimension = is_off && word.substr(0, off + 3).ends_with("nOFF");
+        const std::string_view known = letters.substr(0, letters.size() - (has_dimension ? 1 : 0));
+        if (is_off && (known.ends_with("4") || known.ends_with("4n"))) fail_of_dimension(word);
+        if (!is_off || !read_letters(known))
             line_.fail("it begins with " + in_quotes(word) + " instead of OFF; export it again or mend its extension");
-        return behind.empty() ? line_.word() : behind;
+        std::string_view next = behind.empty() ? line_.word() : behind;
+        if (!has_dimension) return next;
+        if (next.empty() && line_.next_line()) next = line_.word();
+        if (to_count(next, "the number of dimensions") != 3) fail_of_dimension(word);
+        return line_.word();
+    }
+
+    [[noreturn]] void fail_of_dimension(std::string_view keyword) const
+    {
+        line_.fail(in_quotes(keyword) + " has coordinates that are not three-dimensional; export it as OFF");
     }
 
     static unsigned char to_unsigned(char c) { return static_cast<unsigned char>(c); }
