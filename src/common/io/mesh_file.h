@@ -62,10 +62,11 @@ struct LoadedMesh
 /// @throws FileError
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY, STL or GLB, by extension. What is written as OBJ or PLY reads back bit for bit (positions, normals,
-/// uv, and streams in PLY; points by equal positions). OBJ and GLB keep materials, OBJ in an .mtl file beside it if
-/// they say more than a name; OBJ has the groups `surface` and `cap`. The file appears complete or not at all: it is
-/// written beside its place and renamed. Where a symbolic link has the name, the file that it leads to is replaced.
+/// Writes OBJ, PLY, STL or GLB, by extension. What is written as OBJ or PLY reads back bit for bit: positions, uv,
+/// normals of length 1, and in PLY finite values of streams that have a name without blanks; points by equal positions.
+/// OBJ and GLB keep materials, OBJ in an .mtl file beside it if they say more than a name; OBJ has the groups `surface`
+/// and `cap`. The file appears complete or not at all: it is written beside its place and renamed. Where a symbolic
+/// link has the name, the file that it leads to is replaced.
 /// Any mesh that check() accepts is written, be it proven or not.
 /// @throws FileError
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);

@@ -89,6 +89,8 @@ public:
             else if (!is_about_grouping(keyword))
                 notes_.add("statements of other kinds passed over");
         }
+        if (positions_.empty())
+            fail(path_, "there is no vertex in it; export it again, or mend its extension if it is no OBJ file");
         add_notes();
         add_colours();
         for (Material& material : builder_.soup.materials)
