@@ -23,8 +23,6 @@ struct ShapeOptions
     std::string out;
 };
 
-constexpr std::uint64_t kMostTriangles = 100'000'000;
-
 void run(const ShapeOptions& options)
 {
     std::optional<TriangleSoup> soup = shapes::make(options.name, options.triangles, options.seed);
@@ -52,7 +50,7 @@ void add_shape_command(CLI::App& program)
         ->required()
         ->check(CLI::IsMember(shapes::names()).description(""));
     command->add_option("-n,--triangles", options->triangles, "About how many triangles it should have")
-        ->transform(whole_number(1, kMostTriangles))
+        ->transform(whole_number(1, shapes::kMostTriangles))
         ->capture_default_str();
     command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")
         ->transform(whole_number())

@@ -32,6 +32,7 @@ TEST_F(KerfUse, WrongUseExitsWith2AndShowsUsage)
                                   "shape box --triangles 0 -o b.obj",
                                   "shape box --triangles -5 -o b.obj",
                                   "shape box --triangles many -o b.obj",
+                                  "shape box --triangles 16000001 -o b.obj",
                                   "shape box --seed 18446744073709551616 -o b.obj",
                                   "shape box --seed ' -1' -o b.obj",
                                   "shape box --seed 0x10000000000000000 -o b.obj",
