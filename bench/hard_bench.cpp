@@ -95,7 +95,7 @@ void register_hard_benchmarks()
         for (const TimedBackend& back_end : back_ends()) {
             const std::string method = back_end.backend->name();
             if (method != "baseline/remap" && method != "halfedge") continue;
-            constexpr std::array kOneLoop{"comb", "leaning_comb", "spiral", "tip", "touches"};
+            constexpr std::array kOneLoop{"comb", "leaning_comb", "spiral", "tip", "toothed_tip", "touches"};
             const bool is_one_loop = std::find(kOneLoop.begin(), kOneLoop.end(), name) != kOneLoop.end();
             const std::uint32_t full = name.starts_with("flat") ? 1'000'000 : is_one_loop ? 100'000 : 10'000;
             for (const std::uint32_t size : {full / 4, full}) {

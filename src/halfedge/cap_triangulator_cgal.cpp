@@ -83,6 +83,41 @@ namespace kerf::halfedge {
 
 namespace {
 
+/// Makes the triangles around a new constraint Delaunay with a stack of edges. CGAL takes edges to flip from the front
+/// of a sorted array, so that a seam that crosses m edges moves m^2 of them, which no predicate counts: teeth around a
+/// tip that the plane passes by cost a hundred times as much as others. CGAL perturbs points on a circle, so there is
+/// one result whatever the order.
+template <class Triangulation>
+class FlippingByStack : public Triangulation
+{
+public:
+    using Triangulation::Triangulation;
+
+protected:
+    using Edges = typename Triangulation::List_edges;
+
+    void triangulate_hole(typename Triangulation::List_faces& crossed, Edges& left, Edges& right) override
+    {
+        Edges added;
+        Triangulation::Ctr::triangulate_hole(crossed, left, right, added);
+        flips_.assign(added.begin(), added.end());
+        while (!flips_.empty()) {
+            // A flip may have made it another edge: all whose triangles have changed are on the stack anew.
+            auto [f, i] = flips_.back();
+            flips_.pop_back();
+            if (!this->is_flipable(f, i)) continue;
+            const typename Triangulation::Face_handle g = f->neighbor(i);
+            const int j = this->mirror_index(f, i);
+            this->flip(f, i);
+            for (const auto& [face, edge] : {std::pair(f, i), std::pair(g, j)})
+                for (const int wing : {edge, this->cw(edge)}) flips_.emplace_back(face, wing);
+        }
+    }
+
+private:
+    std::vector<typename Triangulation::Edge> flips_;
+};
+
 struct FaceInfo
 {
     static constexpr int kUnknown = std::numeric_limits<int>::min();
@@ -96,9 +131,8 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure,
-                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation = FlippingByStack<CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, DataStructure, CGAL::No_constraint_intersection_requiring_constructions_tag>>;
 using FaceHandle = Triangulation::Face_handle;
 using VertexHandle = Triangulation::Vertex_handle;
 
@@ -497,16 +531,51 @@ private:
     };
     using Vertices = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
     using Faces = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-    using Constraints =
-        CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>,
-                                                   CGAL::Exact_predicates_tag>;
+    using Constraints = FlippingByStack<CGAL::Constrained_Delaunay_triangulation_2<
+        Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>, CGAL::Exact_predicates_tag>>;
 
-    /// Knows where constraints were divided. (CGAL's Constrained_triangulation_plus_2 does, too, but can't be destroyed
-    /// once it has run out of memory.)
+    /// Knows where constraints were divided: where they cross, and where they run over a vertex. (CGAL's
+    /// Constrained_triangulation_plus_2 does, too, but can't be destroyed once it has run out of memory.)
     class Crossing final : public Constraints
     {
     public:
         Crossing(const Kernel& kernel, Index places) : Constraints(kernel), next_(places) {}
+
+        /// As insert_constraint(), but that it notes where the edge is divided.
+        void insert_edge(Vertex_handle from, Vertex_handle to)
+        {
+            std::vector<std::array<Vertex_handle, 2>> left{{from, to}};
+            while (!left.empty()) {
+                auto [a, b] = left.back();
+                left.pop_back();
+                // CGAL looks all around the first: where most edges meet in one point, that is a loop over all of them.
+                if (has_fewer_edges(b, a)) std::swap(a, b);
+                Vertex_handle v;
+                Face_handle face;
+                int edge = 0;
+                if (includes_edge(a, b, v, face, edge)) {
+                    mark_constraint(face, edge);
+                } else {
+                    List_faces crossed;
+                    List_edges on_left, on_right;
+                    if (find_intersected_faces(a, b, crossed, on_left, on_right, v)) {
+                        // Where it runs over its own end, that edge is gone by now.
+                        if (v == a || v == b) {
+                            left.push_back({a, b});
+                        } else {
+                            divide(a, b, v);
+                            left.push_back({v, b});
+                            left.push_back({a, v});
+                        }
+                        continue;
+                    }
+                    triangulate_hole(crossed, on_left, on_right);
+                }
+                if (v == b) continue;
+                divide(a, b, v);
+                left.push_back({v, b});
+            }
+        }
 
         /// Appends the vertices from a to b, but for a. False where they can't be told, or are too many.
         bool append_route(Vertex_handle a, Vertex_handle b, std::vector<Index>& route, std::size_t most_points) const
@@ -522,10 +591,10 @@ private:
                 int edge = 0;
                 if (split != split_at_.end() && split->second != from && split->second != to) {
                     middle = split->second;
-                } else if (is_edge(from, to, face, edge)) {
+                } else if (has_fewer_edges(to, from) ? is_edge(to, from, face, edge) : is_edge(from, to, face, edge)) {
                     route.push_back(to->info().value);
                     continue;
-                } else if (!includes_edge(from, to, middle, face, edge) || middle == to) {
+                } else {
                     return false;
                 }
                 left.push_back({middle, to});
@@ -538,10 +607,28 @@ private:
         Vertex_handle intersect(Face_handle face, int edge, Vertex_handle a, Vertex_handle b) override
         {
             const Vertex_handle c = face->vertex(cw(edge)), d = face->vertex(ccw(edge));
-            const Vertex_handle v = Constraints::intersect(face, edge, a, b);
-            named_key(v, v);
-            split_at_[named_key(a, b)] = v;
-            split_at_[named_key(c, d)] = v;
+            const Vertex_handle v = insert_intersection(face, edge, a, b, c, d, a->point(), b->point(), c->point(),
+                                                        d->point(), Intersection_tag());
+            if (v == c || v == d) {
+                insert_edge(c, d);
+            } else {
+                divide(c, d, v);
+                insert_edge(c, v);
+                insert_edge(v, d);
+            }
+            return v;
+        }
+
+        /// Rounding can move the point where two edges cross exactly onto a third.
+        Vertex_handle virtual_insert(const Point& place, Face_handle start) override
+        {
+            Locate_type type;
+            int edge = 0;
+            const Face_handle face = locate(place, type, edge, start);
+            if (type != Constraints::EDGE || !face->is_constrained(edge)) return insert(place, type, face, edge);
+            const Vertex_handle a = face->vertex(cw(edge)), b = face->vertex(ccw(edge));
+            const Vertex_handle v = insert(place, type, face, edge);
+            divide(a, b, v);
             return v;
         }
 
@@ -554,12 +641,22 @@ private:
             return {std::min(a->info().value, b->info().value), std::max(a->info().value, b->info().value)};
         }
 
-        /// Numbers vertices that have just been made.
-        std::array<Index, 2> named_key(Vertex_handle a, Vertex_handle b)
+        /// O(edges at the one that has fewer).
+        bool has_fewer_edges(Vertex_handle a, Vertex_handle b) const
         {
-            for (const Vertex_handle v : {a, b})
-                if (v->info().value == kNone) v->info().value = next_++;
-            return key(a, b);
+            const auto at_a = incident_vertices(a), at_b = incident_vertices(b);
+            auto of_a = at_a, of_b = at_b;
+            do {
+                if (++of_b == at_b) return false;
+            } while (++of_a != at_a);
+            return true;
+        }
+
+        /// Notes that the edge from a to b runs over v, which may have just been made.
+        void divide(Vertex_handle a, Vertex_handle b, Vertex_handle v)
+        {
+            if (v->info().value == kNone) v->info().value = next_++;
+            split_at_[key(a, b)] = v;
         }
 
         std::map<std::array<Index, 2>, Vertex_handle> split_at_;
@@ -592,7 +689,7 @@ private:
         constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
         shuffle(constraints);
         for (const auto& [a, b] : constraints) {
-            triangulation.insert_constraint(vertices[a], vertices[b]);
+            triangulation.insert_edge(vertices[a], vertices[b]);
             if (triangulation.number_of_vertices() > most_vertices) return false;
         }
         routes.added.resize(triangulation.number_of_vertices());

@@ -78,20 +78,26 @@ private:
         start(outline);
         is_crowded_.reset();
         if (const std::optional<bool> closed = lead_over_ends(cap)) return *closed;
-        // Where crossings are few it costs the least area to lead edges over just those.
-        if (outline.points.size() <= kFewPoints) {
-            cap.clear();
-            start(outline);
-            if (lead_along_routes(outline.points.size(), cap)) return cover_routes(cap);
+        start_anew(outline, cap);
+        // It costs the least area to lead edges over crossings alone, if they are few.
+        if (outline.points.size() <= kFewPoints || !is_crowded()) {
+            const std::size_t most_crossings = is_crowded() ? outline.points.size() : most_edges();
+            if (lead_along_routes(most_crossings, MovedPoints::give_up, cap)) return cover_routes(cap);
+            start_anew(outline, cap);
         }
-        cap.clear();
-        start(outline);
-        if (!collapse_crowds(cap)) return false;
+        if (!collapse_crowds(cap)) start_anew(outline, cap);
         if (edges_.empty()) return true;  // all of it is folded together
-        return lead_along_routes(most_edges(), cap) && cover_routes(cap);
+        return lead_along_routes(most_edges(), MovedPoints::leave_out, cap) && cover_routes(cap);
     }
 
-    /// Where crossing points were rounded edges may meet once more, which is looked for only if they can't be covered.
+    void start_anew(const CapOutline& outline, CapMesh& cap)
+    {
+        cap.clear();
+        start(outline);
+    }
+
+    /// Where crossing points were rounded or left out edges may meet once more. That is looked for only if they can't
+    /// be covered.
     bool cover_routes(CapMesh& cap)
     {
         for (int round = 0; round < kMostRounds; ++round) {
@@ -112,16 +118,26 @@ private:
             const bool found_all = find_meetings();
             if ((!found_all || leads_.size() > outline_.points.size()) && is_crowded()) return std::nullopt;
             // Many edges side by side are no reason to give up as long as none has been seen to meet another.
-            if (!found_all) return round == 0 && crossings_.empty() && cover_with(*constrained_, cap);
-            if (edges_.size() > most_edges()) return false;
+            if (!found_all) {
+                if (round == 0 && crossings_.empty() && cover_with(*constrained_, cap)) return true;
+                return std::nullopt;
+            }
+            if (edges_.size() > most_edges()) return std::nullopt;
             if (leads_.empty()) return cover(cap);
             lead_over(cap);
         }
-        return false;
+        return std::nullopt;
     }
 
+    /// What to do about a point where two edges cross that rounding has moved away from one of them.
+    enum class MovedPoints
+    {
+        give_up,
+        leave_out
+    };
+
     /// Leads edges over all that they meet at once.
-    bool lead_along_routes(std::size_t most_crossings, CapMesh& cap)
+    bool lead_along_routes(std::size_t most_crossings, MovedPoints moved_points, CapMesh& cap)
     {
         // Only what edges end at counts: crowds are behind other points.
         used_.clear();
@@ -156,7 +172,10 @@ private:
             route_.clear();
             for (std::size_t i = routes_.starts[e]; i < routes_.starts[e + 1]; ++i) {
                 const Index point = used_[routes_.points[i]];
-                if (!is_beside(point, edges_[e])) return false;
+                if (!is_beside(point, edges_[e])) {
+                    if (moved_points == MovedPoints::give_up) return false;
+                    continue;  // its edges cross there still
+                }
                 if (point >= n) place_crossing(edges_[e], point);
                 route_.push_back(point);
             }

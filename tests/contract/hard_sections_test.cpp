@@ -92,7 +92,7 @@ enum class Kind
 Kind kind_of(const std::string& name)
 {
     if (name.starts_with("flat")) return Kind::flat;
-    for (const char* one : {"comb", "leaning_comb", "spiral", "tip", "touches"})
+    for (const char* one : {"comb", "leaning_comb", "spiral", "tip", "toothed_tip", "touches"})
         if (name == one) return Kind::one_loop;
     return Kind::many_loops;
 }

@@ -146,7 +146,9 @@ HardSection spiral(std::uint32_t n)
     return {spiral_wall(float(kTurns), std::max(3u, n / (4 * kTurns))), across(2, 0.01)};
 }
 
-HardSection tip(std::uint32_t n)
+/// From tips at (0, 0, 1) and (0, 0, -1) to a rim; each wedge keeps to its own angle.
+template <class Rim>
+TriangleSoup double_cone(std::uint32_t n, Rim radius_and_height)
 {
     TriangleSoup soup;
     soup.has_normals = false;
@@ -156,15 +158,30 @@ HardSection tip(std::uint32_t n)
     add({0, 0, -1});
     for (std::uint32_t i = 0; i < rim; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / rim;
-        add({float(std::cos(angle)), float(std::sin(angle)), 0});
+        const auto [radius, height] = radius_and_height(i);
+        add({float(radius * std::cos(angle)), float(radius * std::sin(angle)), height});
     }
     for (std::uint32_t i = 0; i < rim; ++i) {
         const std::uint32_t a = 2 + i, b = 2 + (i + 1) % rim;
         soup.triangles.push_back({0, a, b});
         soup.triangles.push_back({1, b, a});
     }
-    const double past_the_tip = 1.0 - 0x1p-52;
-    return {std::move(soup), *Plane::through({0, 0, past_the_tip}, {-0.94371573, -0.19737820, -0.26540999})};
+    return soup;
+}
+
+constexpr double kPastTheTip = 1.0 - 0x1p-52;
+
+HardSection tip(std::uint32_t n)
+{
+    return {double_cone(n, [](std::uint32_t) { return std::pair(1.0, 0.0f); }),
+            *Plane::through({0, 0, kPastTheTip}, {-0.94371573, -0.19737820, -0.26540999})};
+}
+
+HardSection toothed_tip(std::uint32_t n)
+{
+    return {double_cone(n - n % 2,
+                        [](std::uint32_t i) { return i % 2 == 0 ? std::pair(1e-3, 0.5f) : std::pair(1.0, 0.0f); }),
+            *Plane::through({0, 0, kPastTheTip}, {1.0, 0.001, 0.01})};
 }
 
 /// A comb along x, a beam above its teeth; the lower right corner of each tooth is folded over by less than the
@@ -298,6 +315,7 @@ const std::map<std::string, HardSection (*)(std::uint32_t), std::less<>>& makers
              return HardSection{comb(n), across(1, 0.1)};
          }},
         {"tip", tip},
+        {"toothed_tip", toothed_tip},
         {"touches", touches},
         {"wedges", wedges},
     };

@@ -39,6 +39,7 @@ struct HardSection
 ///   teeth          a comb that falls into n teeth: n loops of one shell
 ///   tip            a double cone of 2n triangles and a plane that passes its tip by a unit in the last place:
 ///                  thousands of cut points as good as in one place
+///   toothed_tip    the same with a rim of teeth: long edges side by side between thousands of points at the tip
 ///   touches        a comb of n points, each tooth of which has a corner that is folded over by 1e-20
 ///   wedges         n tetrahedra around one edge: as many cut points in one place
 const std::vector<std::string>& hard_section_names();
