@@ -190,7 +190,8 @@ TEST_F(PlyTest, TakesAVertexOfNoFaceThatIsNotFiniteAsBinary)
     EXPECT_EQ(found.notes, "1 vertices of no face that are not finite numbers passed over");
     std::string used = head + body.bytes();
     used[used.size() - 4] = 3;
-    EXPECT_TRUE(contains(error_of("a.ply", used), "vertex 3 has a coordinate that is not finite; give it a number"));
+    EXPECT_TRUE(
+        contains(error_of("a.ply", used), "vertex 3 has a coordinate that is not finite or too large for single"));
 }
 
 TEST_F(PlyTest, TakesIndicesAndLengthsOfEveryTypeAndTheListByEachOfItsNames)
@@ -314,6 +315,26 @@ TEST_F(PlyTest, TakesAttributesOfTextThatAreNoNumbersOrMissing)
     EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + kVertex + "property float quality\n" + kFace +
                                                "0 0 0 1 1 0 0 1\n0 1 0 3 0 1 2\n"),
                          "stands behind the last number"));
+}
+
+TEST_F(PlyTest, TakesTypesOfTextThatItDoesNotKnowAsNumbers)
+{
+    const std::string face = "element face 1\nproperty list byte index vertex_indices\nend_header\n";
+    const std::string unknown = " types of properties that PLY does not have taken as numbers";
+    const auto file = [&](const std::string& format, const std::string& xyz) {
+        return "ply\n" + format + "element vertex 3\n" + xyz + "property half q\n" + face +
+               "0 0 0 7\n1 0 0 0.5\n0 1 0 x\n3 0 1 2\n";
+    };
+    const std::string xyz = "property float x\nproperty float y\nproperty real z\n", ascii = "format ascii 1.0\n";
+    const Read found = read("a.ply", file(ascii, xyz));
+    EXPECT_EQ(found.soup.triangles, (Buffer<Triangle>{{0, 1, 2}}));
+    EXPECT_EQ(found.soup.streams.at(0).values, (Buffer<float>{7, 0.5, 0}));
+    EXPECT_TRUE(contains(found.notes, "4" + unknown)) << found.notes;
+    EXPECT_TRUE(contains(error_of("a.ply", file("format binary_little_endian 1.0\n", xyz)), "'real' is not a type"));
+    EXPECT_TRUE(contains(error_of("a.ply", file("", xyz)), "'real' is not a type"));
+    EXPECT_TRUE(contains(error_of("a.ply", file(ascii, xyz + "format binary_big_endian 1.0\n")), "a second format"));
+    // Nobody knows which of the two is meant.
+    EXPECT_TRUE(contains(error_of("a.ply", file(ascii, xyz + "property float x\n")), "more than one property 'x'"));
 }
 
 TEST_F(PlyTest, TakesItsFirstWordInCapitals)
@@ -477,8 +498,7 @@ TEST_F(PlyTest, SaysWhatIsWrong)
     EXPECT_TRUE(contains(error_of("a.ply", "ply\nend_header\n"), "does not name the format"));
     EXPECT_TRUE(
         contains(error_of("a.ply", std::string(kAsciiHead) + "property float x\n"), "before the first element"));
-    EXPECT_TRUE(
-        contains(error_of("a.ply", std::string(kAsciiHead) + "element vertex 1\nproperty quad x\n"), "not a type"));
+    EXPECT_TRUE(contains(error_of("a.ply", std::string(kAsciiHead) + "element vertex 1\nproperty\n"), "not a type"));
     EXPECT_TRUE(contains(
         error_of("a.ply", std::string(kAsciiHead) + "element vertex 1\nproperty float x\n" + face + "1\n3 0 0 0\n"),
         "no x, y and z"));

@@ -63,6 +63,11 @@ TEST_F(StlTest, ReadsTextAsOtherProgramsWriteItAndNotesWhatIsUnusual)
     const std::string unended = " solids without an end read as far as they go";
     const std::string unknown = " lines of no known kind passed over";
     const std::string divided = " keywords in two words read";
+    const std::string joined = " 'outerloop' in one word read";
+    const std::string unended_facets = " facets without 'endloop' or 'endfacet' read";
+    const auto without = [](std::string text, const std::string& word) {
+        return text.replace(text.find(word), word.size(), word == " loop" ? "loop" : "");
+    };
     const std::string line = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
     const std::string spaced =
         "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nEND LOOP\nEND FACET\n";
@@ -78,6 +83,12 @@ TEST_F(StlTest, ReadsTextAsOtherProgramsWriteItAndNotesWhatIsUnusual)
         {"# made by hand\n// and so\nsolid x\n" + one + two + "endsolid x\n", "2" + unknown},
         {one + two, "2 facets outside of solids read"},
         {"solid x\n" + one + "endsolid x\n" + two, "1 facets outside of solids read"},
+        {"solid x\n" + without(one, "endloop") + without(two, "endfacet") + "endsolid x\n", "2" + unended_facets},
+        {"solid x\n" + without(without(one, "endloop"), "endfacet") + without(two, "endloop") + "endsolid\n",
+         "2" + unended_facets},
+        {"solid x\n" + one + without(two, "endfacet") + "endsolid x\n", "1" + unended_facets},
+        {"solid x\n" + without(one, " loop") + "endsolid x\nsolid y\n" + without(two, " loop") + "endsolid y\n",
+         "2" + joined},
         {"solidx\n" + one + two + "endsolid x\n", ""},
         {"Solid x\n" + one + two + "EndSolid x\n", ""},
         {"solid a part " + line + line + "endsolid a part", ""},
@@ -172,6 +183,12 @@ TEST_F(StlTest, SaysWhatIsWrong)
     EXPECT_TRUE(contains(error_of("a.stl", "solid\nfacet normal 0 0\n"), "ends inside a facet"));
     EXPECT_TRUE(
         contains(error_of("a.stl", "solid\nfacet normal 0 0 1\nvertex 0 0 0\n"), "'vertex' stands where 'outer'"));
+    const std::string facet_head = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
+    EXPECT_TRUE(contains(error_of("a.stl", facet_head + "endfacet\n"), "'endfacet' stands where 'vertex'"));
+    EXPECT_TRUE(contains(error_of("a.stl", facet_head + "vertex 0 1 0\n"), "ends inside a facet"));
+    EXPECT_TRUE(contains(error_of("a.stl", facet_head + "vertex 0 1 0\nendloop\n"), "ends inside a facet"));
+    EXPECT_TRUE(
+        contains(error_of("a.stl", facet_head + "vertex 0 1 0\nouter loop\n"), "'outer' stands where 'endloop'"));
     EXPECT_TRUE(contains(error_of("a.stl", "solid a\nendsolid a\n"), "no triangles"));
     EXPECT_TRUE(contains(error_of("a.stl", "solid a\nvertex 0 0 0\n"), "'vertex' stands where a facet should begin"));
     // Text that is no STL is not called a truncated binary file, however long it is.
@@ -184,7 +201,7 @@ TEST_F(StlTest, SaysWhatIsWrong)
     EXPECT_TRUE(contains(error_of("a.stl", cut), "it is truncated: its header promises 4 triangles"));
     std::string with_nan = binary(1, 1, "x");
     with_nan.replace(96, 4, "\xFF\xFF\xFF\xFF");
-    EXPECT_TRUE(contains(error_of("a.stl", with_nan), "not finite; give it a number, or take it and its faces out"));
+    EXPECT_TRUE(contains(error_of("a.stl", with_nan), "not finite or too large for single precision; give it another"));
 }
 
 TEST_F(StlTest, WritesBinaryThatKeepsPositionsAndOrder)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "common/io/read_formats.h"
@@ -11,7 +12,8 @@ namespace kerf::io {
 
 namespace {
 
-PlyType to_type(const TextScanner& line, std::string_view word)
+/// Nothing for a word that names no type.
+std::optional<PlyType> find_type(std::string_view word)
 {
     constexpr std::array<std::pair<std::string_view, PlyType>, 18> kNames{{
         {"char", PlyType::int8},
@@ -36,7 +38,18 @@ PlyType to_type(const TextScanner& line, std::string_view word)
     }};
     for (const auto& [name, type] : kNames)
         if (name == word) return type;
-    line.fail(in_quotes(word) + " is not a type of property; the types of PLY are char to double and int8 to float64");
+    return std::nullopt;
+}
+
+/// A number of a text says what it is by itself, whatever its type is called; in a binary file nobody knows its size.
+PlyType to_type(const TextScanner& line, std::string_view word, bool is_ascii, ReadingNotes& notes)
+{
+    if (const std::optional<PlyType> type = find_type(word)) return *type;
+    if (!is_ascii || word.empty())
+        line.fail(in_quotes(word) +
+                  " is not a type of property; the types of PLY are char to double and int8 to float64");
+    notes.add("types of properties that PLY does not have taken as numbers");
+    return PlyType::float64;
 }
 
 PlyFormat to_format(const TextScanner& line, std::string_view word)
@@ -48,16 +61,16 @@ PlyFormat to_format(const TextScanner& line, std::string_view word)
               " is not a format of PLY files; those are ascii, binary_little_endian and binary_big_endian 1.0");
 }
 
-PlyProperty read_property(TextScanner& line)
+PlyProperty read_property(TextScanner& line, bool is_ascii, ReadingNotes& notes)
 {
     PlyProperty property;
     std::string_view word = line.word();
     if (word == "list") {
         property.is_list = true;
-        property.count_type = to_type(line, line.word());
+        property.count_type = to_type(line, line.word(), is_ascii, notes);
         word = line.word();
     }
-    property.type = to_type(line, word);
+    property.type = to_type(line, word, is_ascii, notes);
     property.name = line.word();
     if (property.name.empty()) line.fail("a property has no name; give it one");
     return property;
@@ -134,7 +147,10 @@ PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& te
         const std::string_view keyword = line.word();
         if (keyword == "end_header") break;
         if (keyword == "format") {
-            header.format = to_format(line, line.word());
+            const PlyFormat format = to_format(line, line.word());
+            if (has_format && format != header.format)
+                line.fail("the header names a second format; take one of them out or export the file again");
+            header.format = format;
             if (text.was_converted() && header.format != PlyFormat::ascii)
                 line.fail("it is text in UTF-16, which destroys binary numbers; export it again");
             has_format = true;
@@ -149,7 +165,8 @@ PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& te
             header.elements.push_back(std::move(element));
         } else if (keyword == "property") {
             if (header.elements.empty()) line.fail("a property comes before the first element; put it behind one");
-            header.elements.back().properties.push_back(read_property(line));
+            const bool is_ascii = has_format && header.format == PlyFormat::ascii;
+            header.elements.back().properties.push_back(read_property(line, is_ascii, notes));
         } else if (keyword != "comment" && keyword != "obj_info") {
             // Before the elements it is a remark. Behind one it may be a property, and its data would be taken for
             // others.

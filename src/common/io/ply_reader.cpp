@@ -244,6 +244,10 @@ private:
                  "its header has the corners of faces among the properties of vertices; write a line 'element face "
                  "COUNT' before them, or export it again");
         if (!layout.has_position) fail(path_, "its vertices have no x, y and z; name their coordinates so");
+        for (const char* name : {"x", "y", "z"})
+            if (std::count_if(element.properties.begin(), element.properties.end(),
+                              [&](const PlyProperty& p) { return p.name == name; }) > 1)
+                fail(path_, "its vertices have more than one property '" + std::string(name) + "'; take one out");
         builder_.soup.vertices.reserve(element.count);
         for (const PlyStream& stream : layout.streams) {
             builder_.soup.streams.push_back({stream.name, stream.width, {}});

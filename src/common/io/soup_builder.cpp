@@ -116,7 +116,8 @@ void SoupBuilder::fail_at_unfit(std::uint32_t vertex) const
     const auto place = std::find_if(unfit_.begin(), unfit_.end(), [&](const Unfit& u) { return u.vertex == vertex; });
     if (place == unfit_.end())
         fail(path_, "vertex " + std::to_string(vertex) +
-                        " has a coordinate that is not finite; give it a number, or take it and its faces out");
+                        " has a coordinate that is not finite or too large for single precision; give it another, or "
+                        "take it and its faces out");
     float ignored = 0.0f;
     fail(path_, "line " + std::to_string(place->line) + ": " +
                     explain(parse_float(place->word, ignored), place->word, "a coordinate"));

@@ -66,13 +66,15 @@ bool begins_like_text(const std::filesystem::path& path, std::string_view bytes)
     return is_word(word.substr(0, 5), "solid") || is_word(word, "facet");
 }
 
+constexpr std::string_view kOuterLoop = "outerloop";  ///< without the blank that it should have
+
 /// Whether "outer loop" stands in it, as in each facet of a text. O(n).
 bool has_outer_loop(const std::filesystem::path& path, std::string_view bytes)
 {
     TextScanner words = scanner_of(path, bytes);
     bool is_behind_outer = false;
     for (std::string_view word = words.word_of_any_line(); !word.empty(); word = words.word_of_any_line()) {
-        if (is_behind_outer && is_word(word, "loop")) return true;
+        if ((is_behind_outer && is_word(word, "loop")) || is_word(word, kOuterLoop)) return true;
         is_behind_outer = is_word(word, "outer");
     }
     return false;
@@ -163,8 +165,7 @@ public:
             switch (keyword) {
                 case Keyword::facet:
                     outside_ += in_solid ? 0 : 1;
-                    read_facet();
-                    keyword = next_keyword();
+                    keyword = read_facet();
                     break;
                 case Keyword::solid:
                 case Keyword::endsolid:
@@ -185,6 +186,8 @@ public:
         notes_.add("solids without an end read as far as they go", unended_);
         notes_.add("facets outside of solids read", outside_);
         notes_.add("keywords in two words read", divided_);
+        notes_.add("'outerloop' in one word read", joined_);
+        notes_.add("facets without 'endloop' or 'endfacet' read", unended_facets_);
         notes_.add("lines of no known kind passed over", unknown_);
         notes_.add(kLongLines, long_);
         return builder_.finish();
@@ -206,6 +209,7 @@ private:
     Keyword to_keyword(std::string_view word)
     {
         if (word.empty()) return Keyword::end_of_file;
+        if (is_word(word, kOuterLoop)) return Keyword::outer;
         for (const auto& [name, keyword] : kKeywords)
             if (is_word(word, name)) return keyword;
         if (!is_word(word, "end")) return Keyword::none;
@@ -246,7 +250,8 @@ private:
         return false;
     }
 
-    void read_facet()
+    /// Returns the keyword behind it.
+    Keyword read_facet()
     {
         // "normal" and three numbers, whatever they are, and what else stands there.
         constexpr std::uint64_t kWords = 4;
@@ -259,19 +264,32 @@ private:
             if (keyword != Keyword::none) fail_at("outer");
             if (++words == kWords + 1) ++(words_.line() == line ? long_ : unknown_);
         }
-        if (next_keyword() != Keyword::loop) fail_at("loop");
+        if (is_word(word_, kOuterLoop))
+            ++joined_;
+        else if (next_keyword() != Keyword::loop)
+            fail_at("loop");
         corners_.clear();
-        for (;;) {
-            const Keyword keyword = next_keyword();
-            if (keyword == Keyword::endloop) break;
-            if (keyword != Keyword::vertex) fail_at("vertex");
+        Keyword keyword = next_keyword();
+        for (; keyword == Keyword::vertex; keyword = next_keyword()) {
             Vertex v{{}, kNoNormal, {}};
             for (int axis = 0; axis < 3; ++axis)
                 v.position[axis] = builder_.read_coordinate(words_, words_.word_of_any_line());
             corners_.push_back(builder_.add_vertex(v));
         }
+        // Where the end of a whole triangle is missing the next keyword says the same.
+        const bool ends_loop = keyword == Keyword::endloop;
+        if (!ends_loop && (corners_.size() < 3 || !ends_facet(keyword)))
+            fail_at(corners_.size() < 3 ? "vertex" : "endloop");
         builder_.add_face(corners_);
-        if (next_keyword() != Keyword::endfacet) fail_at("endfacet");
+        if (ends_loop) keyword = next_keyword();
+        if (!ends_facet(keyword)) fail_at("endfacet");
+        unended_facets_ += ends_loop && keyword == Keyword::endfacet ? 0 : 1;
+        return keyword == Keyword::endfacet ? next_keyword() : keyword;
+    }
+
+    static bool ends_facet(Keyword keyword)
+    {
+        return keyword == Keyword::endfacet || keyword == Keyword::facet || keyword == Keyword::endsolid;
     }
 
     [[noreturn]] void fail_at(const std::string& expected) const
@@ -285,7 +303,7 @@ private:
     SoupBuilder builder_;
     std::string_view word_;  ///< that a keyword was made of
     std::vector<std::uint32_t> corners_;
-    std::uint64_t unended_ = 0, outside_ = 0, divided_ = 0, unknown_ = 0, long_ = 0;
+    std::uint64_t unended_ = 0, outside_ = 0, divided_ = 0, joined_ = 0, unended_facets_ = 0, unknown_ = 0, long_ = 0;
 };
 
 }  // namespace
