@@ -67,7 +67,7 @@ TEST_F(GlbTest, RefusesWhatItsSizesDoNotAllow)
     EXPECT_TRUE(contains(error_with("/accessors/0/count", 4000000000u), "not inside its buffer view"));
     EXPECT_TRUE(contains(error_with("/accessors/0/count", -4), "makes sense"));
     EXPECT_TRUE(contains(error_with("/accessors/0/byteOffset", 8), "not inside its buffer view"));
-    EXPECT_TRUE(contains(error_with("/accessors/0/componentType", 5130), "does not know"));
+    EXPECT_TRUE(contains(error_with("/accessors/0/componentType", 5130), "no type that glTF knows"));
     EXPECT_TRUE(contains(error_with("/accessors/0/type", "VEC2"), "not three numbers"));
     EXPECT_TRUE(contains(error_with("/meshes/0/primitives/0/indices", 1), "not one number"));
     EXPECT_TRUE(contains(error_with("/bufferViews/0/byteOffset", 60), "not inside its buffer"));

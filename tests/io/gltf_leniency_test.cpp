@@ -483,6 +483,7 @@ TEST_F(GltfLeniencyTest, LengthsMayPassTheEndByPadding)
         {"a buffer", [](json& d, std::string&) { d["buffers"][0]["byteLength"] = 94; }, "by padding"},
         {"a buffer view", [](json& d, std::string&) { d["bufferViews"][2]["byteLength"] = 14; }, "by padding"},
         {"no length", [](json& d, std::string&) { d["buffers"][0].erase("byteLength"); }, ""},
+        {"length 0", [](json& d, std::string&) { d["buffers"][0]["byteLength"] = 0; }, "said to have no bytes"},
         {"a long stride",
          [](json& d, std::string& b) {
              std::string wide;
@@ -655,9 +656,19 @@ TEST_F(GltfLeniencyTest, WhatStandsBehindTheEndIsCounted)
     shorter[8] = 50;
     shorter[9] = 0;
     expect_sample("a.glb", shorter, "chunks that pass the end that the header gives read", 2);
+    std::string longer = good;
+    longer.replace(8, 4, "\xFF\xFF\xFF\xFF");
+    expect_sample("a.glb", longer, "larger than the file, whose chunks are whole", 1);
     json document = sample_document();
     document["buffers"][0]["uri"] = "data:;base64," + base64(sample_buffer());
     expect_sample("a.gltf", document.dump() + std::string("\0x", 2), behind, 2);
+}
+
+TEST_F(GltfLeniencyTest, FilesThatWereCutOffAreTruncatedWhereverThatWas)
+{
+    const std::string good = glb(sample_document(), sample_buffer());
+    for (std::size_t size = 12; size < good.size(); ++size)
+        EXPECT_TRUE(contains(error_of("a.glb", good.substr(0, size)), "truncated")) << size;
 }
 
 TEST_F(GltfLeniencyTest, CompressedViewsAreReadFromTheirUncompressedCopies)

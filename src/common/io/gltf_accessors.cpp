@@ -125,7 +125,7 @@ GltfAccessor GltfAccessors::make(const GltfJson& source, const std::string& wher
         return type != nullptr && type->is_string() && type->get_ref<const std::string&>() == known.first;
     });
     if (width == kWidths.end() || size_of(accessor.component) == 0)
-        document_.refuse(where + " has a type that glTF does not know");
+        document_.refuse(where + " has no type that glTF knows");
     accessor.width = width->second;
     const GltfJson* normalized = document_.member(source, "normalized");
     accessor.is_normalized = normalized != nullptr && normalized->is_boolean() && normalized->get<bool>();
@@ -215,7 +215,12 @@ std::string_view GltfAccessors::make_buffer(std::uint64_t index, const std::stri
     const std::string where = "buffer " + std::to_string(index);
     extensions_.check(source, where);
     const std::string_view bytes = bytes_of_buffer(source, index, where);
-    const std::uint64_t size = document_.number_if(source, "byteLength", where).value_or(bytes.size());
+    std::uint64_t size = document_.number_if(source, "byteLength", where).value_or(bytes.size());
+    // No buffer is empty: the length was never filled in.
+    if (size == 0 && !bytes.empty()) {
+        document_.notes().add("buffers said to have no bytes read as they are");
+        size = bytes.size();
+    }
     if (size > bytes.size() + kPadding)
         document_.refuse("it is truncated: " + where + " should have " + std::to_string(size) + " bytes, but has " +
                          std::to_string(bytes.size()));

@@ -26,9 +26,10 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
     const auto number = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, Endian::little); };
     if (number(4) != 2)
         fail(path, "it is GLB version " + std::to_string(number(4)) + ", not 2; export it again as glTF 2.0");
-    if (number(8) > bytes.size())
+    const auto fail_as_truncated = [&] {
         fail(path, "it is truncated: it should have " + std::to_string(number(8)) + " bytes, but has " +
                        std::to_string(bytes.size()) + kAgain);
+    };
     const std::size_t end = bytes.size();
     const auto name_at = [&](std::size_t at) {
         return at + kChunkHeader <= end ? bytes.substr(at + 4, 4) : std::string_view();
@@ -45,6 +46,7 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
         const bool is_ours = name == kJsonChunk || name == kBinaryChunk || at < number(8);
         if (size > end - first) {
             if (!is_ours) break;
+            if (number(8) > end) fail_as_truncated();
             fail(path, std::string("it is truncated: a chunk is longer than the file") + kAgain);
         }
         if (name == kJsonChunk && parts.json.empty()) parts.json = bytes.substr(first, size);
@@ -60,6 +62,10 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
         at = is_unpadded ? behind : padded;
         end_of_chunks = std::min(at, end);
     }
+    // Chunks say themselves how long they are; but only a file that has its data has all of them.
+    const bool is_too_long = number(8) > end;
+    if (is_too_long && (end_of_chunks != end || parts.binary.empty())) fail_as_truncated();
+    notes.add("a length in the header that is larger than the file, whose chunks are whole", is_too_long ? 1 : 0);
     notes.add(kBytesBehind, end - end_of_chunks);
     return parts;
 }
