@@ -222,6 +222,8 @@ TEST_F(ObjTest, PassesOverWhatSaysNothingOfTheSurfaceAndNotesIt)
         {v + "v 1e40 0 0\n" + f, unused},
         {v + "v 1 2. 3.1+e2\n" + f, unused},
         {v + "v\n" + f, unused},
+        {v + "v 0 0 0 1\nv 0 0 0 1.0\n" + f, ""},
+        {v + "v 0 0 0 2\nv 0 0 0 x\nv 0 0 0 1 2\n" + f, "3 weights and other words behind coordinates passed over"},
         {v + "f\n" + f, "1" + few},
         {v + "f 1\nf 1 2\n" + f, "2" + few},
         {v + "f 1/0/0 2/0/0 3/0/0\n", "6" + absent},

@@ -146,7 +146,10 @@ private:
         positions_.push_back(position);
         // Behind the coordinates: nothing, a weight, or a colour (not in the description, but widespread).
         const std::array<std::string_view, 3> more{line.word(), line.word(), line.word()};
-        if (more[2].empty()) return;
+        if (more[2].empty()) {
+            weights_ += !more[0].empty() && (!more[1].empty() || TextScanner::to_attribute(more[0]) != 1.0f) ? 1 : 0;
+            return;
+        }
         colours_.resize(positions_.size(), glm::vec3(1.0f));
         for (std::size_t i = 0; i < 3; ++i) colours_.back()[static_cast<int>(i)] = TextScanner::to_attribute(more[i]);
     }
@@ -279,6 +282,7 @@ private:
         notes_.add(kBadNormals, bad_normals_);
         notes_.add(kBadUvs, bad_uvs_);
         notes_.add("references to normals and texture coordinates that are not there left out", absent_);
+        notes_.add("weights and other words behind coordinates passed over", weights_);
         notes_.add(kUnusedVertices, count_unused_unfit());
     }
 
@@ -325,7 +329,7 @@ private:
     Passed passed_;
     bool is_read_ahead_ = false;
     std::vector<Unfit> unfit_;
-    std::uint64_t bad_normals_ = 0, bad_uvs_ = 0, absent_ = 0;
+    std::uint64_t bad_normals_ = 0, bad_uvs_ = 0, absent_ = 0, weights_ = 0;
     std::vector<glm::vec3> positions_, normals_, colours_;
     std::vector<glm::vec2> uvs_;
     std::unordered_map<Corner, std::uint32_t, CornerHash> vertices_;
