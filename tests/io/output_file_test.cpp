@@ -106,9 +106,9 @@ TEST_F(OutputFileTest, RefusesEverythingAfterItWasMovedAway)
         to.withdraw();
         EXPECT_EQ(read_text(file("a.txt")), "hello");
         last.withdraw();
-        EXPECT_FALSE(std::filesystem::exists(file("a.txt")));
+        EXPECT_EQ(read_text(file("a.txt")), "old");
     }
-    EXPECT_EQ(names_in_folder(), std::vector<std::string>{});
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
 }
 
 TEST_F(OutputFileTest, LeavesTheTemporaryFileToWhereItWasMoved)
@@ -133,11 +133,33 @@ TEST_F(OutputFileTest, WithdrawsOnlyWhatItHasNamed)
     out.withdraw();
     EXPECT_EQ(read_text(file("a.txt")), "old");
     out.commit();
+    EXPECT_EQ(read_text(file("a.txt")), "new");
     out.withdraw();
-    EXPECT_EQ(names_in_folder(), std::vector<std::string>{});
+    EXPECT_EQ(read_text(file("a.txt")), "old");
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
     write("a.txt", "another's");
     out.withdraw();
     EXPECT_EQ(read_text(file("a.txt")), "another's");
+    OutputFile first(file("b.txt"));
+    first.finish();
+    first.commit();
+    first.withdraw();
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
+}
+
+TEST_F(OutputFileTest, KeepsWhatItReplacesOnlyUntilItEnds)
+{
+    write("a.txt", "old");
+    {
+        OutputFile out(file("a.txt"));
+        out.write("new");
+        out.finish();
+        out.commit();
+        EXPECT_EQ(names_in_folder().size(), 2u);
+        OutputFile moved(std::move(out));
+    }
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
+    EXPECT_EQ(read_text(file("a.txt")), "new");
 }
 
 TEST_F(OutputFileTest, IsFoundByASignalHandlerWhileItIsUnfinished)
@@ -331,6 +353,7 @@ TEST_F(OutputFileTest, WritesAllFilesOfASetOrNone)
     }
     EXPECT_TRUE(names_in_folder().empty());
     {
+        write("a.obj", "old");
         MeshFileSet files;
         files.add(file("a.obj"), mesh);
         files.add(file("b.ply"), mesh);
@@ -338,7 +361,8 @@ TEST_F(OutputFileTest, WritesAllFilesOfASetOrNone)
         std::filesystem::create_directories(file("b.ply/inside"));
         EXPECT_THROW(files.commit(), FileError);
     }
-    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"b.ply"});
+    EXPECT_EQ(names_in_folder(), (std::vector<std::string>{"a.obj", "b.ply"}));
+    EXPECT_EQ(read_text(file("a.obj")), "old");
 }
 
 /// A tetrahedron. As OBJ it has a material file.

@@ -82,12 +82,14 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)),
       place_(std::move(other.place_)),
       temporary_(std::move(other.temporary_)),
+      previous_(std::move(other.previous_)),
       unfinished_(std::move(other.unfinished_)),
+      previous_unfinished_(std::move(other.previous_unfinished_)),
       file_(std::move(other.file_)),
       state_(std::exchange(other.state_, State::gone))
 {
     // What a path is after it was moved away is not said.
-    for (fs::path* path : {&other.path_, &other.place_, &other.temporary_}) path->clear();
+    for (fs::path* path : {&other.path_, &other.place_, &other.temporary_, &other.previous_}) path->clear();
 }
 
 OutputFile::~OutputFile()
@@ -95,6 +97,7 @@ OutputFile::~OutputFile()
     file_.reset();
     std::error_code ignored;
     if (has_temporary()) fs::remove(temporary_, ignored);
+    if (!previous_.empty()) fs::remove(previous_, ignored);
 }
 
 void OutputFile::write(std::string_view bytes)
@@ -117,6 +120,7 @@ void OutputFile::finish()
 void OutputFile::commit()
 {
     expect(State::finished);
+    if (previous_.empty()) keep_previous();
     std::error_code error;
     fs::rename(temporary_, place_, error);
     if (error) fail_to_write(error.value());
@@ -127,9 +131,23 @@ void OutputFile::commit()
 void OutputFile::withdraw() noexcept
 {
     if (state_ != State::named) return;
-    std::error_code ignored;
-    fs::remove(place_, ignored);
+    std::error_code error;
+    if (!previous_.empty()) fs::rename(previous_, place_, error);
+    if (previous_.empty() || error) fs::remove(place_, error);
+    previous_.clear();
+    previous_unfinished_.reset();
     state_ = State::gone;
+}
+
+void OutputFile::keep_previous()
+{
+    const fs::path name = temporary_beside(place_);
+    UnfinishedFile unfinished = remember_unfinished(name);
+    std::error_code error;
+    fs::create_hard_link(place_, name, error);
+    if (error) return;
+    previous_ = name;
+    previous_unfinished_ = std::move(unfinished);
 }
 
 bool OutputFile::has_temporary() const noexcept

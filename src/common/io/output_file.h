@@ -49,7 +49,8 @@ public:
     /// now; it is not finished
     void commit();
 
-    /// Removes the file if commit() of this object has named it; does nothing otherwise, nor a second time.
+    /// If commit() of this object has named it, gives the name back to the file that had it before, or to none;
+    /// does nothing otherwise, nor a second time. File systems without hard links keep no file that is replaced.
     void withdraw() noexcept;
 
 private:
@@ -68,6 +69,8 @@ private:
     };
 
     bool has_temporary() const noexcept;
+    /// Gives the file that has the name, if there is one, a hidden one besides.
+    void keep_previous();
     /// @throws FileError  it is in another state
     void expect(State state) const;
     /// For a reason as errno gives it.
@@ -76,7 +79,8 @@ private:
     std::filesystem::path path_;
     std::filesystem::path place_;  ///< behind links
     std::filesystem::path temporary_;
-    UnfinishedFile unfinished_;
+    std::filesystem::path previous_;  ///< what had the name before, until this object ends; empty: nothing
+    UnfinishedFile unfinished_, previous_unfinished_;
     std::unique_ptr<std::FILE, Close> file_;  ///< while it is open; after a failure perhaps
     State state_ = State::open;
 };
