@@ -229,7 +229,7 @@ std::string report_text(const CutReport& report)
         if (report.caps_exceed_section)
             text += "  its cap has area " + rounded(side->total().cap_area) + ", which is not the section's" +
                     (report.closes_with_fan ? ": the fan does not fit\n"
-                                            : ": the section winds backwards or crosses itself too often\n");
+                                            : ": the section may wind backwards or cross itself too often\n");
     }
     text += report.backend + ": prepare " + rounded(report.prepare_ms) + " ms, cut " + rounded(report.cut_ms) + " ms";
     std::string phases;

@@ -61,6 +61,7 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
               {"nonmanifold_points", repairs.nonmanifold_points},
               {"flipped_triangles", repairs.flipped_triangles},
               {"unorientable_edges", repairs.unorientable_edges},
+              {"replaced_attributes", repairs.replaced_attributes},
               {"text", repairs.describe()}}}};
 }
 

@@ -40,6 +40,7 @@ TEST_F(KerfInfo, ReportsFactsBeforeRepairAndTheRepairs)
     EXPECT_EQ(info["duplicate_triangles"], 1);
     EXPECT_EQ(info["repairs"]["degenerate_triangles"], 1);
     EXPECT_EQ(info["repairs"]["duplicate_triangles"], 1);
+    EXPECT_EQ(info["repairs"]["replaced_attributes"], 0);
     EXPECT_NE(info["repairs"]["text"], "");
 }
 
