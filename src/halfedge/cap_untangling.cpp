@@ -121,12 +121,13 @@ private:
     {
         for (int round = 0; round < kMostRounds; ++round) {
             const bool found_all = find_meetings();
-            if ((!found_all || leads_.size() > outline_.points.size()) && is_crowded()) return std::nullopt;
-            // Many edges side by side are no reason to give up as long as none has been seen to meet another.
-            if (!found_all) {
-                if (round == 0 && crossings_.empty() && cover_with(*constrained_, cap)) return true;
-                return std::nullopt;
+            // Many edges side by side are no reason to touch them as long as none has been seen to meet another.
+            if (!found_all && round == 0 && crossings_.empty() && leads_.empty()) {
+                name_points(cap);
+                if (cover_with(*constrained_, cap)) return true;
             }
+            if (!found_all) return std::nullopt;
+            if (leads_.size() > outline_.points.size() && is_crowded()) return std::nullopt;
             if (edges_.size() > most_edges()) return std::nullopt;
             if (leads_.empty()) return cover(cap);
             lead_over(cap);

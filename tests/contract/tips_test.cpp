@@ -27,7 +27,8 @@ enum class Ring
     uneven_heights,
     uneven_radii,
     teeth,
-    raised_teeth
+    raised_teeth,
+    every_scale
 };
 
 /// A double cone of 2n triangles from the tips (0, 0, 1) and (0, 0, -1) to a ring. Each wedge keeps to its own angle,
@@ -45,6 +46,7 @@ TriangleSoup double_cone(Ring ring, std::uint32_t n, Random& random)
         if (ring == Ring::uneven_heights) height = 0.2 * random.uniform();
         if (ring == Ring::uneven_radii) radius = 0.3 + 0.7 * random.uniform();
         if (ring == Ring::teeth || ring == Ring::raised_teeth) radius = i % 2 == 0 ? 1e-3 : 1.0;
+        if (ring == Ring::every_scale && i % 2 == 0) radius = std::ldexp(1.0, -int(random.below(60)));
         if (ring == Ring::raised_teeth) height = i % 2 == 0 ? 0.5 : 0.0;
         add({float(radius * std::cos(angle)), float(radius * std::sin(angle)), float(height)});
     }
@@ -141,6 +143,28 @@ TEST_P(Tips, TakeStepsInProportionToTheirPoints)
         ASSERT_EQ(result.status, Status::cut);
         EXPECT_LE(double(result.statistics.cap_steps), kStepsForPoint * double(result.statistics.crossing_triangles));
     }
+}
+
+/// Half of each ring: each point turns left around the origin, so that no edge meets another, near as they are.
+/// Untangled, caps had 0.5 % too much area at 3000 points, and fifty times the area at 32 000.
+TEST(Stars, OfPointsAtEveryScaleCrossNothingAndAreCappedExactly)
+{
+    for (const test::NamedBackend& named : test::backends())
+        for (const std::uint32_t n : {3000u, 32'000u}) {
+            if (named.name != "halfedge") continue;  // the baseline's fan is right for no such section
+            SCOPED_TRACE(n);
+            Random random(n);
+            const IndexedMesh mesh = test::assembled(double_cone(Ring::every_scale, n, random));
+            const CutResult result = cut(named.make()->prepare(mesh).object, Plane{{0, 0, 1}, 0.5});
+            ASSERT_EQ(result.status, Status::cut);
+            EXPECT_FALSE(result.caps_exceed_section);
+            for (const auto* side : {&result.positive, &result.negative}) {
+                const IndexedMesh piece = side->front()->to_indexed_mesh();
+                EXPECT_EQ(referee::open_edges(piece), 0u);
+                const double cap = referee::cap_area_in_plane(piece, {0, 0, 1});
+                EXPECT_NEAR(cap, result.section_area, 1e-9 * result.section_area);
+            }
+        }
 }
 
 std::string name_of(const testing::TestParamInfo<Ring>& info)
