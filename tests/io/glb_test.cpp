@@ -105,8 +105,8 @@ TEST_F(GlbTest, ReadsBuffersBelowItsFolderAndNowhereElse)
     const std::string absolute = file("a.bin").string();
     for (const std::string& uri :
          {absolute, "file://" + absolute, std::string("../a.bin"), std::string("parts/../a.bin"),
-          std::string("parts/%2e%2e/a.bin"), std::string("C:\\a.bin"), std::string("..\\a.bin"), std::string(),
-          std::string("a%0.bin"), std::string("a.bin%00"), std::string("http://example.org/a.bin")}) {
+          std::string("parts/%2e%2e/a.bin"), std::string("C:\\a.bin"), std::string("..\\a.bin"), std::string("a%0.bin"),
+          std::string("a.bin%00"), std::string("http://example.org/a.bin")}) {
         document["buffers"][0]["uri"] = uri;
         EXPECT_TRUE(contains(error_of("parts/a.gltf", document.dump()), "below it")) << uri;
     }

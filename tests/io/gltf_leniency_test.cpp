@@ -477,12 +477,28 @@ TEST_F(GltfLeniencyTest, IndicesMayBeNumbersOfAnyTypeIfTheyAreWhole)
     EXPECT_TRUE(contains(error_of("a.glb", glb(document, buffer)), "names vertex -1"));
 }
 
+TEST_F(GltfLeniencyTest, VerticesOfNoFaceMayBeNoNumbers)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    json document = sample_document();
+    std::string buffer = sample_buffer();
+    primitive_of(document)["attributes"]["POSITION"] =
+        add_accessor(document, buffer, 5126, "VEC3", 6,
+                     std::vector<float>{0, 0, 0, 0.1f, 0, 0, 1, 1, 0, 0, 1, 0, nan, 0, 0, 0, nan, nan});
+    for (int copies = 0; copies < 2; ++copies) document["meshes"][0]["primitives"].push_back(primitive_of(document));
+    write("a.glb", glb(document, buffer));
+    ReadingNotes notes;
+    EXPECT_EQ(read_soup(file("a.glb"), &notes).triangles.size(), 6u);
+    EXPECT_EQ(count_of(notes, "vertices of no face that are not finite numbers"), 2u) << notes.describe();
+}
+
 TEST_F(GltfLeniencyTest, LengthsMayPassTheEndByPadding)
 {
     expect_sample(std::vector<Case>{
         {"a buffer", [](json& d, std::string&) { d["buffers"][0]["byteLength"] = 94; }, "by padding"},
         {"a buffer view", [](json& d, std::string&) { d["bufferViews"][2]["byteLength"] = 14; }, "by padding"},
         {"no length", [](json& d, std::string&) { d["buffers"][0].erase("byteLength"); }, ""},
+        {"no name", [](json& d, std::string&) { d["buffers"][0]["uri"] = ""; }, ""},
         {"length 0", [](json& d, std::string&) { d["buffers"][0]["byteLength"] = 0; }, "said to have no bytes"},
         {"a long stride",
          [](json& d, std::string& b) {

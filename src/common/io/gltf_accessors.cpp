@@ -228,10 +228,17 @@ std::string_view GltfAccessors::make_buffer(std::uint64_t index, const std::stri
     return bytes.substr(0, size);
 }
 
+/// Null for a buffer that names no file; an empty name is none.
+const GltfJson* GltfAccessors::uri_of(const GltfJson& buffer) const
+{
+    const GltfJson* uri = document_.member(buffer, "uri");
+    return uri != nullptr && uri->is_string() && uri->get_ref<const std::string&>().empty() ? nullptr : uri;
+}
+
 /// The first buffer of a GLB file is its binary chunk, unless it stands for data that are only there compressed.
 bool GltfAccessors::has_data(const GltfJson& source, std::uint64_t index) const
 {
-    return document_.member(source, "uri") != nullptr ||
+    return uri_of(source) != nullptr ||
            (index == 0 && document_.parts().is_container && !is_compressed(document_, source));
 }
 
@@ -239,7 +246,7 @@ bool GltfAccessors::has_data(const GltfJson& source, std::uint64_t index) const
 std::string_view GltfAccessors::bytes_of_buffer(const GltfJson& source, std::uint64_t index, const std::string& where)
 {
     if (!has_data(source, index)) document_.refuse(where + " has no data");
-    const GltfJson* uri = document_.member(source, "uri");
+    const GltfJson* uri = uri_of(source);
     if (uri == nullptr) return document_.parts().binary;
     if (!uri->is_string()) document_.refuse("'uri' of " + where + " is not a text");
     return files_.bytes_of(uri->get_ref<const std::string&>(), where);

@@ -113,6 +113,7 @@ private:
     void place_sparse(GltfAccessor& accessor, const GltfJson& source, const std::string& where);
     View make_view(std::uint64_t index, const std::string& asker);
     std::string_view make_buffer(std::uint64_t index, const std::string& asker);
+    const GltfJson* uri_of(const GltfJson& buffer) const;
     bool has_data(const GltfJson& source, std::uint64_t index) const;
     std::string_view bytes_of_buffer(const GltfJson& source, std::uint64_t index, const std::string& where);
 

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -292,6 +293,7 @@ private:
         constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
         std::vector<std::uint32_t> index(p.positions->count, kUnused);
         for (const std::uint32_t corner : corners_) index[corner] = 0;
+        const bool is_first = looked_through_.insert(p.positions).second;
         const bool moved = transform != glm::dmat4(1.0);
         // Normals follow the inverse transpose; up to its length, which is restored later, that is the cofactor matrix.
         const glm::dmat3 linear(transform);
@@ -299,7 +301,11 @@ private:
                                    glm::cross(linear[0], linear[1]));
         const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
         for (std::uint64_t i = 0; i < p.positions->count; ++i) {
-            if (index[i] == kUnused) continue;
+            if (index[i] == kUnused) {
+                // Where another primitive uses it the file is refused.
+                if (is_first && !is_finite(vector_at(*p.positions, i))) notes_.add(kUnusedVertices);
+                continue;
+            }
             Vertex v{{}, kNoNormal, {}};
             const glm::dvec3 place = vector_at(*p.positions, i);
             v.position = glm::vec3(moved ? glm::dvec3(transform * glm::dvec4(place, 1.0)) : place);
@@ -318,6 +324,8 @@ private:
     {
         return {accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2)};
     }
+
+    static bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
     /// NaN stays NaN: whether it matters is decided for all formats in one place.
     static glm::vec3 unit(const glm::dvec3& n)
@@ -375,6 +383,7 @@ private:
     std::vector<GltfMaterial> materials_;
     std::map<std::uint64_t, Mesh> meshes_;  ///< those that the scene shows
     SoupBuilder builder_;
+    std::set<const GltfAccessor*> looked_through_;  ///< lists of positions
     bool has_colour_ = false;
     std::size_t uv_sets_ = 1;
     std::vector<std::uint32_t> corners_;
