@@ -116,7 +116,7 @@ TEST(TextScanner, SkipsCommentsBlankLinesAndTheByteOrderMark)
 
 TEST(TextScanner, JoinsLinesAfterABackslash)
 {
-    TextScanner scanner(kPath, "f 1 2 \\\r\n 3\\\n 4\ng", {.comment = '#', .continuations = true});
+    TextScanner scanner(kPath, "f 1 2 \\\r\n 3\\\n 4\ng\\", {.comment = '#', .continuations = true});
     ASSERT_TRUE(scanner.next_line());
     for (const char* expected : {"f", "1", "2", "3", "4", ""}) EXPECT_EQ(scanner.word(), expected);
     ASSERT_TRUE(scanner.next_line());

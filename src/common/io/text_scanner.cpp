@@ -121,7 +121,7 @@ void TextScanner::skip_blanks()
             while (!at_line_end()) ++at_;
         } else if (is_continuation(at_)) {
             ++at_;
-            skip_line_end();
+            if (at_ < text_.size()) skip_line_end();
         } else {
             return;
         }
@@ -135,8 +135,8 @@ bool TextScanner::is_comment(std::size_t at) const
 
 bool TextScanner::is_continuation(std::size_t at) const
 {
-    return syntax_.continuations && text_[at] == '\\' && at + 1 < text_.size() &&
-           (text_[at + 1] == '\n' || text_[at + 1] == '\r');
+    return syntax_.continuations && text_[at] == '\\' &&
+           (at + 1 == text_.size() || text_[at + 1] == '\n' || text_[at + 1] == '\r');
 }
 
 bool TextScanner::next_line()
