@@ -147,6 +147,15 @@ TEST_F(OutputFileTest, WithdrawsOnlyWhatItHasNamed)
     EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.txt"});
 }
 
+TEST_F(OutputFileTest, RefusesNamesThatTheSystemWouldCutOff)
+{
+    const std::filesystem::path name = file(std::string("a\0.txt", 6));
+    EXPECT_THROW(OutputFile{name}, FileError);
+    write("a.obj", "v 0 0 0\n");
+    EXPECT_TRUE(contains(refusal_of([&] { read_soup(file(std::string("a.obj\0.obj", 10))); }), "no such file"));
+    EXPECT_EQ(names_in_folder(), std::vector<std::string>{"a.obj"});
+}
+
 TEST_F(OutputFileTest, KeepsWhatItReplacesOnlyUntilItEnds)
 {
     write("a.txt", "old");

@@ -76,7 +76,10 @@ std::string read_bytes(const fs::path& path)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) fail(path, "there is no such file; look at its name and folder");
+    // The system would take the name to end there.
+    const bool has_zero = path.native().find('\0') != fs::path::string_type::npos;
+    if (has_zero || status.type() == fs::file_type::not_found)
+        fail(path, "there is no such file; look at its name and folder");
     if (error) fail(path, "it cannot be read (" + error.message() + "); look at its name and folder");
     // A device or a pipe has no size to hold a claim against, and may never end.
     if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name one that is");

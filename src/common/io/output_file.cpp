@@ -52,6 +52,8 @@ fs::path place_of(const fs::path& path)
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path))
 {
+    if (path_.native().find('\0') != fs::path::string_type::npos)
+        fail(path_, "no file can have a name with a byte of 0 in it; choose another name");
     std::error_code error;
     const fs::file_status status = fs::status(path_, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
