@@ -1,6 +1,6 @@
 //   Recut/<back end>/<shape>/<triangles>    100 cuts in a chain: always the largest fragment, through its centre of
-//   mass Prepare/<back end>/<shape>/<triangles>  making a mesh ready for cutting, and the memory that it takes from
-//   then on
+//                                           mass
+//   Prepare/<back end>/<shape>/<triangles>  making a mesh ready for cutting, and the memory that it takes from then on
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>

@@ -1,7 +1,6 @@
 // How the cost of one cut grows with the mesh:
 //   Scale/<back end>/<shape>/<triangles>     the whole chain that a game needs: two closed fragments, mass properties,
-//   a bounded
-//                                            hull each, and the draw view with the bytes to upload
+//                                            a bounded hull each, and the draw view with the bytes to upload
 //   Geometry/<back end>/<shape>/<triangles>  the two closed fragments with all attributes, nothing else
 // Shapes: `asteroid` (triangles in a coherent order) and `shuffled` (the same in a random order). Random planes through
 // the middle; an iteration is one round over all of them, so that every mean is over the same cuts however often is

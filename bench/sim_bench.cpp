@@ -1,7 +1,7 @@
 // What the viewer's simulation costs on the processor:
 //   Swipe/<back end>/asteroid/<triangles>  from the hit of a swipe to the last rigid body: cut, mass properties,
-//   bounded
-//                                          hulls, bodies, momentum (drawing and uploads are measured by kerf-viewer)
+//                                          bounded hulls, bodies, momentum (drawing and uploads are measured by
+//                                          kerf-viewer)
 //   Pieces/<spread|heap>/<count>           two ticks of 1/120 s, a frame's physics: pieces in flight, and pieces that
 //                                          all lie in one another because they were cut within a quarter of a second
 //   Physics/<proxy>/<count>                the same for pieces in flight, with each kind of collision proxy

@@ -35,7 +35,6 @@ struct HardSection
 ///   rosette        n loops that have one point in common
 ///   spiral         one loop of n points that winds fifty times
 ///   stack          n tetrahedra in one another with a corner and three edges in common: cut points in three lines
-///                  lines
 ///   teeth          a comb that falls into n teeth: n loops of one shell
 ///   tip            a double cone of 2n triangles and a plane that passes its tip by a unit in the last place:
 ///                  thousands of cut points as good as in one place
