@@ -127,15 +127,15 @@ private:
                                           plane.signed_distance(vertices[t[1]].position),
                                           plane.signed_distance(vertices[t[2]].position)};
             // What classify() says, without branches: which side a triangle is on can't be predicted here.
-            const bool above = (d[0] > 0.0) | (d[1] > 0.0) | (d[2] > 0.0);
-            const bool below = (d[0] < 0.0) | (d[1] < 0.0) | (d[2] < 0.0);
+            const bool above = (unsigned{d[0] > 0.0} | unsigned{d[1] > 0.0} | unsigned{d[2] > 0.0}) != 0;
+            const bool below = (unsigned{d[0] < 0.0} | unsigned{d[1] < 0.0} | unsigned{d[2] < 0.0}) != 0;
             if (above & below) {
                 entries[slot - node.first] = kCrossingEntry + static_cast<Index>(s_.crossings.size());
                 add_crossing(slot, node.group, t, d);
                 ++crossing;
                 continue;
             }
-            const bool on = (d[0] == 0.0) | (d[1] == 0.0) | (d[2] == 0.0);
+            const bool on = (unsigned{d[0] == 0.0} | unsigned{d[1] == 0.0} | unsigned{d[2] == 0.0}) != 0;
             const Side side =
                 on ? kept_side(plane, {vertices[t[0]].position, vertices[t[1]].position, vertices[t[2]].position}, d)
                    : static_cast<Side>(above);

@@ -104,8 +104,7 @@ std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
 class StitchRun
 {
 public:
-    StitchRun(Stitcher& plan, Universe& universe, CutScratch& scratch)
-        : plan_(plan), u_(universe), mesh_(universe.mesh), s_(scratch)
+    StitchRun(Stitcher& plan, Universe& universe, CutScratch& scratch) : plan_(plan), mesh_(universe.mesh), s_(scratch)
     {
     }
 
@@ -511,7 +510,6 @@ private:
     }
 
     Stitcher& plan_;
-    Universe& u_;
     SurfaceMesh& mesh_;
     CutScratch& s_;
 };

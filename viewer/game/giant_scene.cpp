@@ -126,8 +126,14 @@ bool GiantScene::command(sim::Simulation& simulation, std::string_view verb, std
         const auto parsed = std::from_chars(argument.data(), end, triangles);
         if (parsed.ec != std::errc() || parsed.ptr != end || triangles < kFewestGiantTriangles ||
             triangles > kMostGiantTriangles) {
-            simulation.report("a giant has " + std::to_string(kFewestGiantTriangles) + " to " +
-                              std::to_string(kMostGiantTriangles) + " triangles, not '" + std::string(argument) + "'");
+            std::string message = "a giant has ";
+            message += std::to_string(kFewestGiantTriangles);
+            message += " to ";
+            message += std::to_string(kMostGiantTriangles);
+            message += " triangles, not '";
+            message += argument;
+            message += "'";
+            simulation.report(message);
             return true;
         }
         if (triangles == triangles_ && is_expected_) return true;

@@ -76,7 +76,8 @@ PolyMesh make_pineapple()
     }
     Ring lowest, top;
     for (std::size_t k = 0; k < courses.size(); ++k) {
-        const auto [polar, at_v] = courses[k];
+        const double polar = courses[k].polar;
+        const double at_v = courses[k].v;
         const double calm = std::min({1.0, 6.0 * at_v, 6.0 * (v - at_v)});
         const Ring ring = lathe.ring(
             [&](int i) {

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kBody = 1, kStalk = 2, kEnd = 3, kLeaf = 4;  ///< smoothing groups
+constexpr int kBody = 1, kStalk = 2, kEnd = 3;  ///< smoothing groups
 
 /// A body closed at its foot, open at `top` radians from the upper pole.
 Ring body(PolyMesh& mesh, Lathe& lathe, int segments, Outline outline, int bands, double top)
