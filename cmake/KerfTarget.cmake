@@ -10,7 +10,9 @@ set(KERF_ROUNDING_OPTIONS -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-s
 add_library(kerf_flags INTERFACE)
 target_compile_features(kerf_flags INTERFACE cxx_std_20)
 target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-math
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  # What GCC counts as a conversion: the signs of indices are not.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 if(KERF_WERROR)
   target_compile_options(kerf_flags INTERFACE -Werror)
 endif()
@@ -22,6 +24,12 @@ if(KERF_SANITIZE)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
 endif()
 
+# For what runs once and compiles slowly: test files, command lines. Nobody waits for them to run, all for the compiler.
+# (The library and tests/support, where the work is done, keep the optimisation of the build.)
+set(KERF_COLD_OPTIMIZATION -O1 CACHE STRING "Optimisation of test files and command lines in builds that are optimised")
+add_library(kerf_cold_flags INTERFACE)
+target_compile_options(kerf_cold_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:${KERF_COLD_OPTIMIZATION}>)
+
 # kerf_library(NAME SOURCES...): a static library kerf_NAME with the alias kerf::NAME; includes are written from src/.
 function(kerf_library name)
   add_library(kerf_${name} STATIC ${ARGN})
@@ -31,4 +39,5 @@ function(kerf_library name)
   target_compile_features(kerf_${name} PUBLIC cxx_std_20)
   target_compile_options(kerf_${name} INTERFACE ${KERF_ROUNDING_OPTIONS})
   target_link_libraries(kerf_${name} PRIVATE $<BUILD_INTERFACE:kerf_flags>)
+  kerf_precompile(kerf_${name})
 endfunction()

@@ -23,6 +23,8 @@ std::span<const Fuzzer> fuzzers()
         {"repair", fuzz_repair, 512},
 #ifdef KERF_HAS_VIEWER
         {"script", fuzz_script, 1024},
+#endif
+#ifdef KERF_HAS_VIEWER_PROGRAM
         {"viewer_options", fuzz_viewer_options, 512},
 #endif
     });
