@@ -19,6 +19,9 @@ constexpr double kSlowestSpin = 0.5, kFastestSpin = 2.0;
 /// How far below the stage's edge the centre starts, in radii: out of view with some room.
 constexpr double kStartBelow = 1.2;
 
+// Numbers are drawn in statements of their own, last coordinate first: in which order the arguments of a call are
+// evaluated is the compiler's choice, and a seed is the same throw with any compiler.
+
 double between(shapes::Random& random, double low, double high)
 {
     return low + (high - low) * random.unit();
@@ -28,7 +31,8 @@ double between(shapes::Random& random, double low, double high)
 glm::dvec3 random_axis(shapes::Random& random)
 {
     for (;;) {
-        const glm::dvec3 p(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1));
+        const double z = between(random, -1, 1), y = between(random, -1, 1), x = between(random, -1, 1);
+        const glm::dvec3 p(x, y, z);
         const double square = glm::dot(p, p);
         if (square <= 1.0 && square > 0.01) return p / std::sqrt(square);
     }
@@ -38,8 +42,8 @@ glm::dvec3 random_axis(shapes::Random& random)
 glm::dmat3 random_rotation(shapes::Random& random)
 {
     for (;;) {
-        const glm::dquat q(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1),
-                           between(random, -1, 1));
+        const double z = between(random, -1, 1), y = between(random, -1, 1), x = between(random, -1, 1);
+        const glm::dquat q(between(random, -1, 1), x, y, z);
         const double square = glm::dot(q, q);
         if (square <= 1.0 && square > 0.01) return glm::mat3_cast(q / std::sqrt(square));
     }
@@ -59,7 +63,8 @@ Flight plan_flight(std::uint64_t seed, double gravity, double radius)
 
     const double up = std::sqrt(2.0 * gravity * (flight.apex + below));
     flight.motion.velocity = {(landing - start) * gravity / (2.0 * up), up, 0.0};
-    flight.motion.spin = random_axis(random) * between(random, kSlowestSpin, kFastestSpin);
+    const double spin = between(random, kSlowestSpin, kFastestSpin);
+    flight.motion.spin = random_axis(random) * spin;
     flight.rotation = random_rotation(random);
     return flight;
 }
