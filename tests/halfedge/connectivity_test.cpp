@@ -11,6 +11,7 @@
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
+#include "support/sanitized.h"
 
 namespace kerf::halfedge {
 namespace {
@@ -110,11 +111,7 @@ void expect_a_good_chain(const IndexedMesh& mesh, int cuts)
 }
 
 // Every cut is followed by checks of everything: ten times slower with the sanitizer.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kCuts = 100;
-#else
-constexpr int kCuts = 1000;
-#endif
+constexpr int kCuts = test::kAddressSanitized ? 100 : 1000;
 
 TEST(Connectivity, SurvivesAThousandCutsInAChain)
 {

@@ -10,6 +10,7 @@
 #include "halfedge/halfedge.h"
 #include "support/allocations.h"
 #include "support/fixtures.h"
+#include "support/sanitized.h"
 #include "support/touched_memory.h"
 
 namespace kerf::halfedge {
@@ -98,9 +99,7 @@ Plane plane_with_section(const IndexedMesh& mesh, const glm::dvec3& axis, std::u
 /// What no counter of ours could hide: the pages that a small section of a large mesh touches, in whatever memory.
 TEST(Growth, ASmallSectionOfALargeMeshTouchesLittleMemory)
 {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "the sanitizer's own memory would be counted";
-#endif
+    if (test::kAddressSanitized) GTEST_SKIP() << "the sanitizer's own memory would be counted";
     // Triangles that are neighbours across the section lie in different pages; so do their vertices, half-edges and
     // nodes. Two bytes for each triangle of the mesh would be too much.
     constexpr double kTouched = 8 * 4096;  // bytes for each crossing triangle

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "common/cpu_stopwatch.h"
+#include "support/sanitized.h"
 #include "viewer/app/painter.h"
 #include "viewer/app/run_report.h"
 #include "viewer/render/gl_test.h"
@@ -18,12 +19,6 @@
 namespace kerf::test {
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kIsMeasured = false;
-#else
-constexpr bool kIsMeasured = true;
-#endif
 
 double median(std::vector<double> values)
 {
@@ -86,7 +81,7 @@ protected:
 // The figures are printed; what is gated is a ratio within one run, which does not depend on the machine.
 TEST_F(CutCostTest, AMillionTrianglesFromSwipeToUploadCostAFractionOfTheBaselines)
 {
-    if (!kIsMeasured) GTEST_SKIP() << "sanitizers change what things cost";
+    if (kAddressSanitized) GTEST_SKIP() << "sanitizers change what things cost";
     double around_ours = 0.0, around_theirs = 0.0;
     const std::vector<double> ours = costs_of_cuts("halfedge", 20, around_ours),
                               theirs = costs_of_cuts("baseline/remap", 20, around_theirs);
@@ -104,7 +99,7 @@ TEST_F(CutCostTest, AMillionTrianglesFromSwipeToUploadCostAFractionOfTheBaseline
 // is not what submitting costs.
 TEST_F(GlTest, ThreeHundredPiecesAreSimulatedAndSubmittedWithinAFrame)
 {
-    if (!kIsMeasured) GTEST_SKIP() << "sanitizers change what things cost";
+    if (kAddressSanitized) GTEST_SKIP() << "sanitizers change what things cost";
     constexpr int kRows = 10, kColumns = 16;
     sim::Settings settings;
     settings.backend = "halfedge";
