@@ -79,22 +79,28 @@ TEST(Cost, FromTheHitToTheLastBodyMemoryAndBytesFollowTheSection)
     }
 }
 
-// The exact price of a fixed script: three strokes across an asteroid, which fall to pieces. A change that allocates or
-// uploads more, or less, is to be seen here, and its numbers are to be put in on purpose.
+// The price of a fixed script: three strokes across an asteroid, which fall to pieces. A change that uploads more, or
+// less, is to be seen here, and its number is to be put in on purpose. How often memory is asked for is the standard
+// library's and Bullet's business, too: it has a limit.
 
 struct Price
 {
-    std::uint64_t allocations = 0, uploaded = 0;
+    std::uint64_t allocations = 0, uploaded = 0, crossing = 0;
 
     friend bool operator==(const Price&, const Price&) = default;
     friend std::ostream& operator<<(std::ostream& out, const Price& p)
     {
-        return out << "{" << p.allocations << ", " << p.uploaded << "}";
+        return out << p.allocations << " allocations, " << p.uploaded << " bytes, " << p.crossing << " crossing";
     }
 };
 
 /// Of all cuts together.
-const std::map<std::string, Price> kPrices{{"halfedge", {960, 167132}}, {"baseline/hash", {14954, 776928}}};
+struct Limit
+{
+    double allocations;      ///< for each crossing triangle, at most
+    std::uint64_t uploaded;  ///< bytes, exactly
+};
+const std::map<std::string, Limit> kLimits{{"halfedge", {2.0, 167132}}, {"baseline/hash", {16.0, 776928}}};
 
 std::vector<Price> prices_of_three_strokes(const std::string& backend)
 {
@@ -122,24 +128,28 @@ std::vector<Price> prices_of_three_strokes(const std::string& backend)
                 piece->object().mark_uploaded();
             }
             EXPECT_EQ(uploaded, record.statistics.bytes_to_upload);
-            prices.push_back({allocations, uploaded});
+            prices.push_back({allocations, uploaded, record.statistics.crossing_triangles});
         }
     }
     return prices;
 }
 
-TEST(Cost, AllocationsAndBytesOfAScriptAreTheseExactly)
+TEST(Cost, AScriptUploadsTheseBytesAndAsksForMemoryInProportionToItsSections)
 {
-    const auto sum_of = [](const std::vector<Price>& prices) {
-        Price sum;
-        for (const Price& p : prices) sum = {sum.allocations + p.allocations, sum.uploaded + p.uploaded};
-        return sum;
-    };
     for (const std::string backend : {"halfedge", "baseline/hash"}) {
+        SCOPED_TRACE(backend);
         const std::vector<Price> prices = prices_of_three_strokes(backend);
         EXPECT_EQ(prices.size(), 7u);
         EXPECT_EQ(prices, prices_of_three_strokes(backend)) << "every run costs the same";
-        EXPECT_EQ(sum_of(prices), kPrices.at(backend)) << backend;
+        Price sum;
+        for (const Price& p : prices) {
+            sum.allocations += p.allocations;
+            sum.uploaded += p.uploaded;
+            sum.crossing += p.crossing;
+        }
+        const Limit& limit = kLimits.at(backend);
+        EXPECT_EQ(sum.uploaded, limit.uploaded);
+        EXPECT_LE(double(sum.allocations), limit.allocations * double(sum.crossing)) << sum;
     }
 }
 
