@@ -1,10 +1,10 @@
-# Headers of others that most files include, compiled once: they are half of what the compiler reads.
+# Headers of others that most files include, compiled once.
 #
 # Not those that a few files need: GCC instantiates in each file what a compiled header has asked for (CLI11: 8 s, JSON:
 # 1 s), used or not.
 #
 # Off by default: a file that forgets an include compiles all the same if the header is among these. The presets in which
-# the code is only run turn it on; those in which it is checked (`clang`, `tidy`) do not.
+# the code is only run turn it on; those in which it is checked (`clang`) do not.
 option(KERF_PRECOMPILE "Compile the headers of the standard library, GLM and GoogleTest once for all targets" OFF)
 
 set(KERF_PRECOMPILED_HEADERS
