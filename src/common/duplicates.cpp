@@ -7,6 +7,7 @@
 
 #include "common/disjoint_sets.h"
 #include "common/half_edge_pairs.h"
+#include "common/none.h"
 #include "common/sheets.h"
 
 namespace kerf {
@@ -64,7 +65,6 @@ private:
     /// Fills `sides_`, by layer from the last to the first and then by edge, and `balance_`.
     void list_sides(std::uint32_t point_count, std::span<const Triangle> corners)
     {
-        constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
         Buffer<std::uint8_t> is_met(point_count, 0);
         for (const Repeat& repeat : repeats_)
             for (const std::uint32_t point : corners[repeat.triangle]) is_met[point] = 1;

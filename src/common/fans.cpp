@@ -5,11 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "common/none.h"
+
 namespace kerf {
 
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Collects the corners of a fan one by one: counter-clockwise, then, if the fan is open, clockwise.
 class FanWalk

@@ -6,12 +6,12 @@
 #include <tuple>
 
 #include "common/cut_geometry.h"
+#include "common/none.h"
 
 namespace kerf {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t kSeveral = kNone - 1;
 
 /// The only edge at each point, or kSeveral, or kNone.

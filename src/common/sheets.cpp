@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/half_edge_pairs.h"
+#include "common/none.h"
 
 namespace kerf {
 
@@ -36,7 +37,6 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     /// Looks at sides of patches, for each side that there is, before the search ends. A few are enough, but where
     /// thousands of triangles meet in one edge, or where nothing can close what is open.
     static constexpr std::size_t kMostLooks = 256;

@@ -2,11 +2,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/none.h"
+
 namespace kerf {
 
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 Shells label(const LinkedSurface& surface)
 {

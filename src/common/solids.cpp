@@ -8,14 +8,13 @@
 
 #include "common/mass_properties.h"
 #include "common/nesting.h"
+#include "common/none.h"
 #include "common/plane.h"
 #include "common/ray_crossing.h"
 
 namespace kerf {
 
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 class SolidFinder
 {

@@ -5,13 +5,12 @@
 #include <optional>
 #include <unordered_map>
 
+#include "common/none.h"
 #include "common/smooth_normals.h"
 
 namespace kerf {
 
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Squared length by which a normal may differ from 1 before it is made unit: files give six digits or so, and a normal
 /// that is good enough must come back with the same bits.

@@ -14,7 +14,7 @@ namespace kerf::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr unsigned kFloat = 5126, kUnsignedInt = 5125;
 constexpr unsigned kArrayBuffer = 34962, kElementArrayBuffer = 34963;
@@ -50,7 +50,7 @@ public:
         add_materials();
         local_.assign(mesh_.vertices.size(), kUnused);
         for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap}) {
-            Json primitives = primitives_of(kind);
+            OrderedJson primitives = primitives_of(kind);
             if (primitives.empty()) continue;
             const char* name = kind == TriangleKind::surface ? "surface" : "cap";
             roots_.push_back(nodes_.size());
@@ -66,14 +66,14 @@ private:
         for (const Material& source : mesh_.materials) {
             const glm::vec4 c = glm::vec4(source.colour);
             const auto channel = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
-            Json surface{{"baseColorFactor", {channel(c.r), channel(c.g), channel(c.b), channel(c.a)}},
-                         {"metallicFactor", 0.0}};
+            OrderedJson surface{{"baseColorFactor", {channel(c.r), channel(c.g), channel(c.b), channel(c.a)}},
+                                {"metallicFactor", 0.0}};
             if (!source.texture.empty()) {
                 surface["baseColorTexture"] = {{"index", textures_.size()}};
                 textures_.push_back({{"source", images_.size()}});
                 images_.push_back({{"uri", uri_of(source.texture)}});
             }
-            Json material;
+            OrderedJson material;
             if (!source.name.empty()) material["name"] = source.name;
             material["pbrMetallicRoughness"] = std::move(surface);
             if (channel(c.a) < 1.0f) material["alphaMode"] = "BLEND";
@@ -83,12 +83,12 @@ private:
 
     /// One primitive for each material, with its own vertices in order of use. Takes what the groups of this kind take,
     /// and not all vertices anew for each of many materials.
-    Json primitives_of(TriangleKind kind)
+    OrderedJson primitives_of(TriangleKind kind)
     {
         std::vector<std::vector<const TriangleGroup*>> groups(mesh_.materials.size());
         for (const TriangleGroup& group : mesh_.groups)
             if (group.kind == kind) groups[group.material].push_back(&group);
-        Json primitives = Json::array();
+        OrderedJson primitives = OrderedJson::array();
         for (std::uint32_t material = 0; material < groups.size(); ++material) {
             for (const TriangleGroup* group : groups[material]) collect(*group);
             if (!indices_.empty()) primitives.push_back(primitive(material));
@@ -111,9 +111,9 @@ private:
             }
     }
 
-    Json primitive(std::uint32_t material)
+    OrderedJson primitive(std::uint32_t material)
     {
-        Json attributes;
+        OrderedJson attributes;
         attributes["POSITION"] = add_positions();
         attributes["NORMAL"] = add_floats(3, [&](std::uint32_t v, int i) { return mesh_.vertices[v].normal[i]; });
         // The origin of glTF's images is the upper left corner.
@@ -126,7 +126,7 @@ private:
                 attributes["COLOR_0"] = add_floats(static_cast<int>(stream.width), [&](std::uint32_t v, int i) {
                     return stream.values[v * stream.width + static_cast<std::uint32_t>(i)];
                 });
-        Json result{{"attributes", std::move(attributes)}};
+        OrderedJson result{{"attributes", std::move(attributes)}};
         const std::size_t first = binary_.size();
         for (const std::uint32_t index : indices_) store_little(binary_, index);
         result["indices"] = add_accessor(first, kElementArrayBuffer, kUnsignedInt, indices_.size(), "SCALAR");
@@ -167,14 +167,14 @@ private:
         return accessors_.size() - 1;
     }
 
-    Json document() const
+    OrderedJson document() const
     {
-        Json document;
+        OrderedJson document;
         document["asset"] = {{"version", "2.0"}, {"generator", "Kerf"}};
         document["scene"] = 0;
-        document["scenes"] = Json::array({{{"nodes", roots_}}});
+        document["scenes"] = OrderedJson::array({{{"nodes", roots_}}});
         // The format forbids lists that are empty.
-        const auto add = [&](const char* name, const Json& list) {
+        const auto add = [&](const char* name, const OrderedJson& list) {
             if (!list.empty()) document[name] = list;
         };
         add("nodes", nodes_);
@@ -184,13 +184,13 @@ private:
         add("images", images_);
         add("accessors", accessors_);
         add("bufferViews", views_);
-        document["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
+        document["buffers"] = OrderedJson::array({{{"byteLength", binary_.size()}}});
         return document;
     }
 
     void write_container(OutputFile& file) const
     {
-        std::string json = document().dump(-1, ' ', false, Json::error_handler_t::replace);
+        std::string json = document().dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
         json.resize((json.size() + 3) / 4 * 4, ' ');
         constexpr std::size_t kHeaders = 12 + 8 + 8;
         if (kHeaders + json.size() + binary_.size() > std::numeric_limits<std::uint32_t>::max())
@@ -209,8 +209,9 @@ private:
     static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
     const IndexedMesh& mesh_;
-    Json roots_ = Json::array(), nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(),
-         textures_ = Json::array(), images_ = Json::array(), accessors_ = Json::array(), views_ = Json::array();
+    OrderedJson roots_ = OrderedJson::array(), nodes_ = OrderedJson::array(), meshes_ = OrderedJson::array(),
+                materials_ = OrderedJson::array(), textures_ = OrderedJson::array(), images_ = OrderedJson::array(),
+                accessors_ = OrderedJson::array(), views_ = OrderedJson::array();
     std::string binary_;
     std::vector<std::uint32_t> used_;     ///< vertices of the current primitive
     std::vector<std::uint32_t> indices_;  ///< of the current primitive

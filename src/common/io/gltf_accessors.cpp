@@ -18,7 +18,7 @@ constexpr std::uint64_t kWidest = 16;
 
 /// Sparse accessors may share their bytes, but not without end: they may have as many values in all as the file has
 /// bytes, or this many.
-constexpr std::uint64_t kAlwaysAllowed = 1 << 20;
+constexpr std::uint64_t kSparseAllowed = 1 << 20;
 
 /// 0 for a type that glTF does not know.
 std::uint64_t size_of(GltfComponent type)
@@ -170,7 +170,7 @@ void GltfAccessors::place_sparse(GltfAccessor& accessor, const GltfJson& source,
     place(values, part("values"), where);
     sparse_values_ += values.count;
     const std::uint64_t size = document_.parts().json.size() + document_.parts().binary.size() + bytes_beside();
-    if (sparse_values_ > std::max(kAlwaysAllowed, size))
+    if (sparse_values_ > std::max(kSparseAllowed, size))
         document_.refuse("its sparse accessors have more values in all than it has bytes; export it without them");
     accessor.sparse_.reserve(values.count);
     for (std::uint64_t i = 0; i < values.count; ++i) {

@@ -34,7 +34,7 @@ constexpr std::size_t kMostUvSets = 8;
 
 /// Every node copies the vertices of its mesh, and accessors may be zeros that no byte stands for: this many times the
 /// file's own size are allowed, so that a small file cannot ask for all memory.
-constexpr std::uint64_t kMostCopies = 64, kAlwaysAllowed = 1 << 20;
+constexpr std::uint64_t kMostCopies = 64, kCopiesAllowed = 1 << 20;
 
 /// More work than any file may ask for, and small enough that sums of it don't overflow.
 constexpr std::uint64_t kUnbounded = std::uint64_t{1} << 60;
@@ -202,7 +202,7 @@ private:
     /// Holds what the file asks for against its size before anything is copied.
     void check_work(const std::vector<GltfPlacement>& placements) const
     {
-        const std::uint64_t most = std::max(kAlwaysAllowed, kMostCopies * (size_ + accessors_.bytes_beside()));
+        const std::uint64_t most = std::max(kCopiesAllowed, kMostCopies * (size_ + accessors_.bytes_beside()));
         std::uint64_t left = most;
         for (const GltfPlacement& placement : placements) {
             const std::uint64_t work = meshes_.at(placement.mesh).work + 1;

@@ -14,7 +14,7 @@ namespace kerf::io {
 
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
 
 std::string name_of(std::size_t node)
 {
@@ -88,7 +88,7 @@ private:
         transforms_.assign(nodes_.size(), std::nullopt);
         std::vector<std::size_t> stack;
         for (auto start = starts.rbegin(); start != starts.rend(); ++start)
-            if (parents_[*start] == kNone) stack.push_back(*start);
+            if (parents_[*start] == kNoNode) stack.push_back(*start);
         std::size_t visited = 0;
         while (!stack.empty()) {
             const std::size_t node = stack.back();
@@ -107,7 +107,7 @@ private:
     /// Fills `parents_` and `children_` for all nodes at and below the ones where the walk starts.
     void find_families(const std::vector<std::size_t>& starts)
     {
-        parents_.assign(nodes_.size(), kNone);
+        parents_.assign(nodes_.size(), kNoNode);
         children_.assign(nodes_.size(), {});
         reached_ = 0;
         std::vector<bool> is_reached(nodes_.size(), false);
@@ -121,7 +121,7 @@ private:
             if (!nodes_[node].is_object()) document_.refuse(name_of(node) + " is not an object");
             children_[node] = named(document_.indices(nodes_[node], "children", name_of(node)), name_of(node));
             for (const std::size_t child : children_[node]) {
-                if (parents_[child] != kNone)
+                if (parents_[child] != kNoNode)
                     document_.refuse(name_of(child) + " has two parents, " + name_of(parents_[child]) + " and " +
                                      name_of(node));
                 parents_[child] = node;
@@ -149,12 +149,12 @@ private:
     const glm::dmat4& transform_of(std::size_t node)
     {
         std::vector<std::size_t> path{node};
-        while (!transforms_[path.back()] && parents_[path.back()] != kNone) path.push_back(parents_[path.back()]);
+        while (!transforms_[path.back()] && parents_[path.back()] != kNoNode) path.push_back(parents_[path.back()]);
         for (auto place = path.rbegin(); place != path.rend(); ++place) {
             if (transforms_[*place]) continue;
             const std::size_t parent = parents_[*place];
             const glm::dmat4 own = own_transform(*place);
-            transforms_[*place] = parent == kNone ? own : *transforms_[parent] * own;
+            transforms_[*place] = parent == kNoNode ? own : *transforms_[parent] * own;
         }
         return *transforms_[node];
     }

@@ -11,8 +11,6 @@ namespace kerf::io {
 
 namespace {
 
-using Json = nlohmann::json;
-
 /// Text that strict parsers take, and what was done for it.
 struct Mended
 {
@@ -111,23 +109,23 @@ Mended mend(std::string_view text)
 }
 
 /// The document, or the place of the first fault.
-std::optional<std::size_t> parse(std::string_view text, Json& document)
+std::optional<std::size_t> parse(std::string_view text, nlohmann::json& document)
 {
     try {
-        document = Json::parse(text);
+        document = nlohmann::json::parse(text);
         return std::nullopt;
-    } catch (const Json::parse_error& error) {
+    } catch (const nlohmann::json::parse_error& error) {
         return error.byte;
-    } catch (const Json::exception&) {
+    } catch (const nlohmann::json::exception&) {
         return 0;  // a number too large for a double: the parser does not say which
     }
 }
 
 }  // namespace
 
-Json parse_lenient_json(std::string_view text, ReadingNotes& notes)
+nlohmann::json parse_lenient_json(std::string_view text, ReadingNotes& notes)
 {
-    Json document;
+    nlohmann::json document;
     // A byte of 0 outside of texts is the end for the parser.
     const auto note_end = [&](std::string_view parsed) {
         const std::size_t end = std::min(parsed.find('\0'), parsed.size());

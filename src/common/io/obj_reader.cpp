@@ -19,12 +19,12 @@ namespace kerf::io {
 
 namespace {
 
-constexpr std::int64_t kNone = -1;
+constexpr std::int64_t kAbsent = -1;
 
-/// What a corner of a face names: positions in the lists of v, vt and vn, or kNone.
+/// What a corner of a face names: positions in the lists of v, vt and vn, or kAbsent.
 struct Corner
 {
-    std::int64_t v = kNone, vt = kNone, vn = kNone;
+    std::int64_t v = kAbsent, vt = kAbsent, vn = kAbsent;
     bool operator==(const Corner&) const = default;
 };
 
@@ -200,7 +200,7 @@ private:
     std::int64_t read_vertex_index(std::string_view word)
     {
         const std::int64_t index = line_.to_integer(word, "the index of a vertex");
-        if (const std::int64_t place = find(index, passed_.v, positions_); place != kNone) return place;
+        if (const std::int64_t place = find(index, passed_.v, positions_); place != kAbsent) return place;
         const std::string name = "vertex " + std::to_string(index) + " is out of range: ";
         if (index > 0)
             line_.fail(name + "there are " + std::to_string(positions_.size()) +
@@ -209,14 +209,14 @@ private:
                    "; mend the face or take it out");
     }
 
-    /// The same for what the surface does not need: kNone for what is not there.
+    /// The same for what the surface does not need: kAbsent for what is not there.
     template <class List>
     std::int64_t read_attribute_index(std::string_view word, std::size_t passed, const List& list)
     {
-        if (word.empty()) return kNone;
+        if (word.empty()) return kAbsent;
         const std::optional<std::int64_t> index = line_.integer_if(word);
-        const std::int64_t place = index ? find(*index, passed, list) : kNone;
-        absent_ += place == kNone ? 1 : 0;
+        const std::int64_t place = index ? find(*index, passed, list) : kAbsent;
+        absent_ += place == kAbsent ? 1 : 0;
         return place;
     }
 
@@ -224,10 +224,10 @@ private:
     std::int64_t find(std::int64_t index, std::size_t passed, const List& list)
     {
         const auto count = static_cast<std::int64_t>(passed);
-        if (index < 0) return index >= -count ? count + index : kNone;
+        if (index < 0) return index >= -count ? count + index : kAbsent;
         if (index > static_cast<std::int64_t>(list.size())) read_ahead();
-        // 0 becomes kNone.
-        return index <= static_cast<std::int64_t>(list.size()) ? index - 1 : kNone;
+        // 0 becomes kAbsent.
+        return index <= static_cast<std::int64_t>(list.size()) ? index - 1 : kAbsent;
     }
 
     std::uint32_t vertex_of(const Corner& corner)
@@ -236,8 +236,8 @@ private:
         if (!is_new) return found->second;
         Vertex v;
         v.position = positions_[static_cast<std::size_t>(corner.v)];
-        v.uv = corner.vt == kNone ? glm::vec2(0.0f) : uvs_[static_cast<std::size_t>(corner.vt)];
-        v.normal = corner.vn == kNone ? kNoNormal : normals_[static_cast<std::size_t>(corner.vn)];
+        v.uv = corner.vt == kAbsent ? glm::vec2(0.0f) : uvs_[static_cast<std::size_t>(corner.vt)];
+        v.normal = corner.vn == kAbsent ? kNoNormal : normals_[static_cast<std::size_t>(corner.vn)];
         position_of_vertex_.push_back(static_cast<std::size_t>(corner.v));
         found->second = builder_.add_vertex(v);
         if (!std::isfinite(v.position.x + v.position.y + v.position.z)) note_use_of_unfit(corner.v, found->second);
