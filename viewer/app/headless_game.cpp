@@ -1,6 +1,5 @@
 #include "viewer/app/headless_game.h"
 
-#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/app/game_show.h"
+#include "viewer/app/hexadecimal.h"
 #include "viewer/app/run_length.h"
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
@@ -21,13 +21,6 @@ namespace kerf::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string hexadecimal(std::uint64_t word)
-{
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(word));
-    return text.data();
-}
 
 Json report_of(const sim::Simulation& simulation)
 {

@@ -1,8 +1,6 @@
 #include "viewer/app/run_report.h"
 
-#include <array>
-#include <cstdio>
-
+#include "viewer/app/hexadecimal.h"
 #include "viewer/game/game_report.h"
 #include "viewer/game/giant_scene.h"
 
@@ -11,13 +9,6 @@ namespace kerf::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string hexadecimal(std::uint64_t word)
-{
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(word));
-    return text.data();
-}
 
 Json json_of(const TimeSummary& s)
 {

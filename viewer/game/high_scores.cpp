@@ -9,9 +9,7 @@
 namespace kerf::game {
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr const char* kFormat = "kerf-scores";
+constexpr const char* kScoresFormat = "kerf-scores";
 constexpr int kVersion = 1;
 
 std::string now_as_text()
@@ -24,29 +22,30 @@ std::string now_as_text()
     return text.data();
 }
 
-bool holds_text(const Json& json, const char* key)
+bool holds_text(const nlohmann::json& json, const char* key)
 {
     return json.contains(key) && json[key].is_string();
 }
 
-bool holds_count(const Json& json, const char* key)
+bool holds_count(const nlohmann::json& json, const char* key)
 {
     return json.contains(key) && json[key].is_number_unsigned() &&
            json[key].get<std::uint64_t>() <= std::uint64_t(std::numeric_limits<std::int64_t>::max());
 }
 
-bool is_score(const Json& json)
+bool is_score(const nlohmann::json& json)
 {
     return json.is_object() && holds_count(json, "score") && holds_text(json, "date") && holds_text(json, "backend") &&
            json.contains("seed") && json["seed"].is_number_unsigned() && holds_count(json, "fruit") &&
            holds_count(json, "longest_combo");
 }
 
-std::string objection_to(const Json& json)
+std::string objection_to_scores(const nlohmann::json& json)
 {
-    if (!json.is_object() || json.value("format", Json()) != kFormat) return "it holds no scores of Kerf";
-    if (json.value("version", Json()) != kVersion) return "its version is not known";
-    const Json modes = json.value("modes", Json());
+    if (!json.is_object() || json.value("format", nlohmann::json()) != kScoresFormat)
+        return "it holds no scores of Kerf";
+    if (json.value("version", nlohmann::json()) != kVersion) return "its version is not known";
+    const nlohmann::json modes = json.value("modes", nlohmann::json());
     if (!modes.is_object()) return "it has no modes";
     for (const auto& [name, scores] : modes.items())
         if (!scores.is_array() || !std::all_of(scores.begin(), scores.end(), is_score))
@@ -54,7 +53,7 @@ std::string objection_to(const Json& json)
     return {};
 }
 
-HighScore score_from(const Json& json)
+HighScore score_from(const nlohmann::json& json)
 {
     HighScore score;
     json["score"].get_to(score.score);
@@ -66,7 +65,7 @@ HighScore score_from(const Json& json)
     return score;
 }
 
-Json json_of(const HighScore& score)
+nlohmann::json json_of(const HighScore& score)
 {
     return {{"score", score.score}, {"date", score.date},   {"backend", score.backend},
             {"seed", score.seed},   {"fruit", score.fruit}, {"longest_combo", score.longest_combo}};
@@ -93,7 +92,7 @@ HighScores::HighScores(std::filesystem::path folder)
 void HighScores::read()
 {
     if (path_.empty()) return;
-    StoredJson stored = load_json(path_, objection_to, kVersion);
+    StoredJson stored = load_json(path_, objection_to_scores, kVersion);
     may_write_ = stored.is_free;
     if (!stored.message.empty()) message_ = std::move(stored.message);
     if (stored.value.is_null()) return;
@@ -102,7 +101,7 @@ void HighScores::read()
         const std::string name(name_of(mode));
         if (!stored.value["modes"].contains(name)) continue;
         std::vector<HighScore>& scores = scores_[mode];
-        for (const Json& json : stored.value["modes"][name]) scores.push_back(score_from(json));
+        for (const nlohmann::json& json : stored.value["modes"][name]) scores.push_back(score_from(json));
         std::stable_sort(scores.begin(), scores.end(), is_better);
         if (scores.size() > kKept) scores.resize(kKept);
     }
@@ -111,13 +110,14 @@ void HighScores::read()
 void HighScores::write()
 {
     if (path_.empty() || !may_write_) return;
-    Json modes = Json::object();
+    nlohmann::json modes = nlohmann::json::object();
     for (const auto& [mode, scores] : scores_) {
-        Json list = Json::array();
+        nlohmann::json list = nlohmann::json::array();
         for (const HighScore& score : scores) list.push_back(json_of(score));
         modes[std::string(name_of(mode))] = std::move(list);
     }
-    std::string message = save_json(path_, {{"format", kFormat}, {"version", kVersion}, {"modes", std::move(modes)}});
+    std::string message =
+        save_json(path_, {{"format", kScoresFormat}, {"version", kVersion}, {"modes", std::move(modes)}});
     if (!message.empty()) message_ = std::move(message);
 }
 

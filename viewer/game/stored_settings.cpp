@@ -7,13 +7,13 @@
 namespace kerf::game {
 namespace {
 
-using Json = nlohmann::json;
+constexpr const char* kSettingsFormat = "kerf-settings";
 
-constexpr const char* kFormat = "kerf-settings";
-
-std::string objection_to(const Json& json)
+std::string objection_to_settings(const nlohmann::json& json)
 {
-    return json.is_object() && json.value("format", Json()) == kFormat ? "" : "it holds no settings of Kerf";
+    return json.is_object() && json.value("format", nlohmann::json()) == kSettingsFormat
+               ? ""
+               : "it holds no settings of Kerf";
 }
 
 std::filesystem::path file_in(const std::filesystem::path& folder)
@@ -21,24 +21,24 @@ std::filesystem::path file_in(const std::filesystem::path& folder)
     return folder / "settings.json";
 }
 
-void read(const Json& json, const char* key, bool& value)
+void read(const nlohmann::json& json, const char* key, bool& value)
 {
     if (json.contains(key) && json[key].is_boolean()) json[key].get_to(value);
 }
 
-void read(const Json& json, const char* key, std::string& value)
+void read(const nlohmann::json& json, const char* key, std::string& value)
 {
     if (json.contains(key) && json[key].is_string()) json[key].get_to(value);
 }
 
-void read(const Json& json, const char* key, double& value, double least, double most)
+void read(const nlohmann::json& json, const char* key, double& value, double least, double most)
 {
     if (!json.contains(key) || !json[key].is_number()) return;
     const double number = json[key].get<double>();
     if (number >= least && number <= most) value = number;
 }
 
-void read(const Json& json, const char* key, std::int64_t& value, std::int64_t least, std::int64_t most)
+void read(const nlohmann::json& json, const char* key, std::int64_t& value, std::int64_t least, std::int64_t most)
 {
     if (!json.contains(key) || !json[key].is_number_integer()) return;
     const auto number = json[key].get<std::int64_t>();
@@ -51,7 +51,7 @@ LoadedSettings load_settings(const std::filesystem::path& folder)
 {
     LoadedSettings loaded;
     if (folder.empty()) return loaded;
-    const StoredJson stored = load_json(file_in(folder), objection_to);
+    const StoredJson stored = load_json(file_in(folder), objection_to_settings);
     loaded.message = stored.message;
     if (stored.value.is_null()) return loaded;
     StoredSettings& settings = loaded.settings;
@@ -72,10 +72,10 @@ std::string save_settings(const std::filesystem::path& folder, const StoredSetti
     const FileLock lock(file_in(folder), gives_up);
     if (lock.is_held_elsewhere())
         return file_in(folder).string() + " is held by another program: the settings are not stored";
-    StoredJson stored = load_json(file_in(folder), objection_to);
+    StoredJson stored = load_json(file_in(folder), objection_to_settings);
     if (!stored.is_free) return stored.message;
-    Json json = stored.value.is_null() ? Json::object() : std::move(stored.value);
-    json["format"] = kFormat;
+    nlohmann::json json = stored.value.is_null() ? nlohmann::json::object() : std::move(stored.value);
+    json["format"] = kSettingsFormat;
     json["volume"] = settings.volume;
     json["mute"] = settings.mute;
     json["backend"] = settings.backend;
