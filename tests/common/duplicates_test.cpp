@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <initializer_list>
 #include <map>
 #include <random>
 #include <set>
@@ -17,15 +18,16 @@ using List = std::vector<TriangleFault>;
 using enum TriangleFault;
 
 /// A tetrahedron with its faces outside.
-std::vector<Triangle> tetrahedron(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+std::vector<Triangle> tetrahedron_of(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
 {
     return {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
 }
 
-std::vector<Triangle> operator+(std::vector<Triangle> a, const std::vector<Triangle>& b)
+std::vector<Triangle> together(std::initializer_list<std::vector<Triangle>> parts)
 {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
+    std::vector<Triangle> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
 }
 
 List faults_of(const std::vector<Triangle>& corners)
@@ -40,41 +42,41 @@ TEST(Duplicates, OfATriangleOnItsOwnAreDropped)
 
 TEST(Duplicates, OfOneFaceOfAClosedSurfaceAreDropped)
 {
-    EXPECT_EQ(faults_of(tetrahedron(0, 1, 2, 3) + std::vector<Triangle>{{3, 1, 2}}),
+    EXPECT_EQ(faults_of(together({tetrahedron_of(0, 1, 2, 3), {{3, 1, 2}}})),
               (List{none, none, none, none, duplicate}));
 }
 
 TEST(Duplicates, OfAWholeShellAreDropped)
 {
-    const auto shell = tetrahedron(0, 1, 2, 3);
+    const auto shell = tetrahedron_of(0, 1, 2, 3);
     List expected(12, duplicate);
     std::fill_n(expected.begin(), 4, none);
-    EXPECT_EQ(faults_of(shell + shell + shell), expected);
+    EXPECT_EQ(faults_of(together({shell, shell, shell})), expected);
 }
 
 // dup.obj: each tetrahedron needs a base of its own.
 TEST(Duplicates, ThatAreTheFaceOfAnotherSolidStay)
 {
-    const auto one = tetrahedron(0, 1, 2, 3), two = tetrahedron(0, 1, 2, 4);
-    EXPECT_EQ(faults_of(one + two), (List{none, none, none, none, coinciding, none, none, none}));
-    EXPECT_EQ(faults_of(one + two + tetrahedron(0, 1, 2, 5)),
+    const auto one = tetrahedron_of(0, 1, 2, 3), two = tetrahedron_of(0, 1, 2, 4);
+    EXPECT_EQ(faults_of(together({one, two})), (List{none, none, none, none, coinciding, none, none, none}));
+    EXPECT_EQ(faults_of(together({one, two, tetrahedron_of(0, 1, 2, 5)})),
               (List{none, none, none, none, coinciding, none, none, none, coinciding, none, none, none}));
 }
 
 TEST(Duplicates, AreDroppedDownToThoseThatAreNeeded)
 {
-    const auto solids = tetrahedron(0, 1, 2, 3) + tetrahedron(0, 1, 2, 4);
-    EXPECT_EQ(faults_of(solids + std::vector<Triangle>{{2, 1, 0}}),
+    const auto solids = together({tetrahedron_of(0, 1, 2, 3), tetrahedron_of(0, 1, 2, 4)});
+    EXPECT_EQ(faults_of(together({solids, {{2, 1, 0}}})),
               (List{none, none, none, none, coinciding, none, none, none, duplicate}));
     // A shell that is there twice, of which another solid has one face, too.
-    EXPECT_EQ(faults_of(tetrahedron(0, 1, 2, 3) + solids),
+    EXPECT_EQ(faults_of(together({tetrahedron_of(0, 1, 2, 3), solids})),
               (List{none, none, none, none, duplicate, duplicate, duplicate, duplicate, coinciding, none, none, none}));
 }
 
 TEST(Duplicates, OfAnOpenSheetAreDropped)
 {
     const std::vector<Triangle> sheet{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}};
-    EXPECT_EQ(faults_of(sheet + sheet), (List{none, none, none, duplicate, duplicate, duplicate}));
+    EXPECT_EQ(faults_of(together({sheet, sheet})), (List{none, none, none, duplicate, duplicate, duplicate}));
 }
 
 TEST(Duplicates, AreNotWhatRunsTheOtherWay)
@@ -90,7 +92,7 @@ TEST(Duplicates, AreNotDegenerateTriangles)
 
 TEST(Duplicates, AreLookedForWhenTrianglesAreTurnedBack)
 {
-    auto shells = tetrahedron(0, 1, 2, 3) + tetrahedron(0, 1, 2, 3);
+    auto shells = together({tetrahedron_of(0, 1, 2, 3), tetrahedron_of(0, 1, 2, 3)});
     std::swap(shells[5][1], shells[5][2]);
     const Faults faults = find_faults(16, shells);
     EXPECT_EQ(faults.of, (List{none, none, none, none, duplicate, duplicate, duplicate, duplicate}));
@@ -101,19 +103,20 @@ TEST(Duplicates, AreLookedForWhenTrianglesAreTurnedBack)
 // Turned over, the wall would close one edge of the repeat, which then stays open at its two others.
 TEST(Duplicates, AreDroppedWhereAWallStandsAtTheirEdge)
 {
-    const auto shell = tetrahedron(0, 1, 2, 3);
+    const auto shell = tetrahedron_of(0, 1, 2, 3);
     const Triangle wall{1, 2, 4}, turned{shell[0][0], shell[0][2], shell[0][1]};
     const List expected{none, none, none, none, duplicate, none};
-    EXPECT_EQ(faults_of(shell + std::vector<Triangle>{shell[2], wall}), expected);
+    EXPECT_EQ(faults_of(together({shell, {shell[2], wall}})), expected);
     // Another triangle that is turned over changes nothing of it.
     EXPECT_EQ(faults_of({turned, shell[1], shell[2], shell[3], shell[2], wall}), expected);
 }
 
 TEST(Duplicates, TurnNothingOverWhereTheyAreBalanced)
 {
-    for (const auto& corners : {tetrahedron(0, 1, 2, 3) + tetrahedron(0, 1, 2, 4),
-                                tetrahedron(0, 1, 2, 3) + tetrahedron(0, 1, 2, 3) + tetrahedron(0, 2, 1, 3),
-                                std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {2, 1, 3}, {2, 1, 3}}})
+    for (const auto& corners :
+         {together({tetrahedron_of(0, 1, 2, 3), tetrahedron_of(0, 1, 2, 4)}),
+          together({tetrahedron_of(0, 1, 2, 3), tetrahedron_of(0, 1, 2, 3), tetrahedron_of(0, 2, 1, 3)}),
+          std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {2, 1, 3}, {2, 1, 3}}})
         EXPECT_TRUE(find_faults(16, corners).turned_over.empty());
 }
 
@@ -148,10 +151,10 @@ std::vector<Triangle> any_triangles(std::mt19937& random)
                 corners.push_back({a, b, c});
                 break;
             case 1:
-                corners = std::move(corners) + tetrahedron(a, b, c, point());
+                corners = together({corners, tetrahedron_of(a, b, c, point())});
                 break;
             default:
-                corners = corners + corners;
+                corners = together({corners, corners});
         }
         if (corners.size() > 100) break;
     }

@@ -13,8 +13,6 @@
 namespace kerf {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Generated shapes are whole already: only the fields that mass_properties() reads are filled in.
 IndexedMesh mesh_of(const TriangleSoup& soup)
 {
@@ -85,7 +83,7 @@ TEST(MassProperties, OffDiagonalsFollowTheAxes)
 
 TEST(MassProperties, OfSpheresApproachTheClosedForms)
 {
-    const double r = 1.5, volume = 4.0 / 3.0 * kPi * r * r * r, inertia = 0.4 * volume * r * r;
+    const double r = 1.5, volume = 4.0 / 3.0 * std::numbers::pi * r * r * r, inertia = 0.4 * volume * r * r;
     double last = 1.0;
     for (const std::uint32_t frequency : {10u, 20u, 40u, 80u}) {
         const MassProperties mass = mass_properties(mesh_of(shapes::icosphere(1.5f, frequency)));
@@ -101,9 +99,9 @@ TEST(MassProperties, OfAHollowSphereLeaveTheCavityOut)
 {
     const TriangleSoup hollow = shapes::sphere_in_sphere(1.0f, 0.5f, 80);
     const MassProperties mass = mass_properties(mesh_of(moved(hollow, {1, 2, 3})));
-    EXPECT_NEAR(mass.volume, 4.0 / 3.0 * kPi * (1.0 - 0.125), 2e-3);
+    EXPECT_NEAR(mass.volume, 4.0 / 3.0 * std::numbers::pi * (1.0 - 0.125), 2e-3);
     EXPECT_NEAR(glm::length(mass.centre - glm::dvec3(1, 2, 3)), 0.0, 1e-6);
-    expect_near(mass.inertia, glm::dmat3(8.0 / 15.0 * kPi * (1.0 - 0.03125)), 2e-3);
+    expect_near(mass.inertia, glm::dmat3(8.0 / 15.0 * std::numbers::pi * (1.0 - 0.03125)), 2e-3);
 }
 
 TEST(MassProperties, OfAnInsideOutMeshAreNegative)

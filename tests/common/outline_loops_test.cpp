@@ -15,7 +15,7 @@ namespace kerf {
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
-using Points = std::vector<std::vector<std::uint32_t>>;
+using PointsOfLoops = std::vector<std::vector<std::uint32_t>>;
 
 const Plane kPlane{{0, 0, 1}, 0.0};
 
@@ -42,9 +42,9 @@ DividedOutline divide(const std::vector<Edge>& edges, const std::vector<std::uin
 }
 
 /// The points that each path comes by, the smallest one first where it is closed; sorted.
-Points all_points(const DividedOutline& divided, const std::vector<Edge>& edges)
+PointsOfLoops all_points(const DividedOutline& divided, const std::vector<Edge>& edges)
 {
-    Points all;
+    PointsOfLoops all;
     for (const OutlinePath& path : divided.paths) {
         std::vector<std::uint32_t>& points = all.emplace_back();
         for (std::size_t i = 0; i < path.count; ++i) points.push_back(edges[divided.edges[path.first + i]][0]);
@@ -67,21 +67,21 @@ TEST(DivideOutline, ALoopComesOutInOrder)
     const std::vector<Edge> edges{{2, 3}, {0, 1}, {3, 0}, {1, 2}};
     const DividedOutline divided = divide(edges);
     EXPECT_EQ(closed_paths(divided), 1);
-    EXPECT_EQ(all_points(divided, edges), (Points{{0, 1, 2, 3}}));
+    EXPECT_EQ(all_points(divided, edges), (PointsOfLoops{{0, 1, 2, 3}}));
 }
 
 TEST(DivideOutline, TwoLoopsThatShareAPointComeApart)
 {
     const std::vector<Edge> edges{{1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}, {0, 1}};
     const DividedOutline divided = divide(edges);
-    EXPECT_EQ(all_points(divided, edges), (Points{{0, 1, 2}, {0, 3, 4}}));
+    EXPECT_EQ(all_points(divided, edges), (PointsOfLoops{{0, 1, 2}, {0, 3, 4}}));
     EXPECT_EQ(closed_paths(divided), 2);
 }
 
 TEST(DivideOutline, AFigureEightOfTwoEdgeLoopsComesApart)
 {
     const std::vector<Edge> edges{{1, 0}, {0, 2}, {2, 0}, {0, 1}};
-    EXPECT_EQ(all_points(divide(edges), edges), (Points{{0, 1}, {0, 2}}));
+    EXPECT_EQ(all_points(divide(edges), edges), (PointsOfLoops{{0, 1}, {0, 2}}));
 }
 
 TEST(DivideOutline, AChainBeginsWhereNothingLeadsTo)
@@ -89,29 +89,29 @@ TEST(DivideOutline, AChainBeginsWhereNothingLeadsTo)
     const std::vector<Edge> edges{{1, 2}, {2, 3}, {0, 1}};
     const DividedOutline divided = divide(edges);
     EXPECT_EQ(closed_paths(divided), 0);
-    EXPECT_EQ(all_points(divided, edges), (Points{{0, 1, 2, 3}}));
+    EXPECT_EQ(all_points(divided, edges), (PointsOfLoops{{0, 1, 2, 3}}));
 }
 
 TEST(DivideOutline, AChainThroughAPointOfALoopLeavesTheLoopWhole)
 {
     const std::vector<Edge> edges{{0, 1}, {1, 2}, {2, 0}, {5, 0}, {0, 6}};
     const DividedOutline divided = divide(edges);
-    EXPECT_EQ(all_points(divided, edges), (Points{{0, 1, 2}, {5, 0, 6}}));
+    EXPECT_EQ(all_points(divided, edges), (PointsOfLoops{{0, 1, 2}, {5, 0, 6}}));
     EXPECT_EQ(closed_paths(divided), 1);
 }
 
 TEST(DivideOutline, SeveralChainsFromOnePoint)
 {
     const std::vector<Edge> edges{{0, 1}, {0, 2}, {0, 3}};
-    EXPECT_EQ(all_points(divide(edges), edges), (Points{{0, 1}, {0, 2}, {0, 3}}));
+    EXPECT_EQ(all_points(divide(edges), edges), (PointsOfLoops{{0, 1}, {0, 2}, {0, 3}}));
 }
 
 TEST(DivideOutline, OnlyEdgesOfOneTagFollowOneAnother)
 {
     // At the shared point 0 either continuation fits; the tags say which.
     const std::vector<Edge> edges{{1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}, {0, 1}};
-    EXPECT_EQ(all_points(divide(edges, {7, 7, 9, 9, 9, 7}), edges), (Points{{0, 1, 2}, {0, 3, 4}}));
-    EXPECT_EQ(all_points(divide(edges, {7, 7, 7, 7, 9, 7}), edges), (Points{{0, 1, 2}, {0, 3, 4}, {4, 0}}));
+    EXPECT_EQ(all_points(divide(edges, {7, 7, 9, 9, 9, 7}), edges), (PointsOfLoops{{0, 1, 2}, {0, 3, 4}}));
+    EXPECT_EQ(all_points(divide(edges, {7, 7, 7, 7, 9, 7}), edges), (PointsOfLoops{{0, 1, 2}, {0, 3, 4}, {4, 0}}));
 }
 
 TEST(DivideOutline, APathTakesTheEdgeThatLeadsToTheLeastPointAndOfThoseTheOneOfTheLeastSource)

@@ -15,8 +15,6 @@ namespace {
 using test::surface_facts;
 using test::SurfaceFacts;
 
-constexpr double kPi = std::numbers::pi;
-
 std::uint64_t hash_of(const TriangleSoup& soup)
 {
     std::uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a
@@ -120,7 +118,7 @@ TEST(Icosphere, ApproachesTheSphere)
         expect_well_made(soup, 1, 2);
         for (const Vertex& v : soup.vertices) ASSERT_NEAR(glm::length(glm::dvec3(v.position)), 2.0, 3e-7);
     }
-    EXPECT_NEAR(surface_facts(shapes::icosphere(2.0f, 100)).volume, 32.0 * kPi / 3.0, 0.01);
+    EXPECT_NEAR(surface_facts(shapes::icosphere(2.0f, 100)).volume, 32.0 * std::numbers::pi / 3.0, 0.01);
     EXPECT_NEAR(surface_facts(shapes::icosphere(1.0f, 1)).area,
                 20.0 * std::sqrt(3.0) / 4.0 * 1.05146222424 * 1.05146222424, 1e-5);
 }
@@ -149,7 +147,7 @@ TEST(Box, IsExact)
 TEST(Lathe, MakesCylindersConesToriPipesAndBowls)
 {
     // What an inscribed polygon with n corners leaves of a circle's area.
-    const auto polygon = [](double n) { return n / 2.0 * std::sin(2.0 * kPi / n); };
+    const auto polygon = [](double n) { return n / 2.0 * std::sin(2.0 * std::numbers::pi / n); };
 
     const TriangleSoup cylinder = shapes::cylinder(0.5f, 2.0f, 30, 4);
     EXPECT_EQ(cylinder.triangles.size(), 2u * 30 * 5);
@@ -164,7 +162,7 @@ TEST(Lathe, MakesCylindersConesToriPipesAndBowls)
 
     const TriangleSoup torus = shapes::torus(2.0f, 0.5f, 200, 100);
     EXPECT_EQ(torus.triangles.size(), 2u * 200 * 100);
-    EXPECT_NEAR(surface_facts(torus).volume, 2.0 * kPi * kPi * 2.0 * 0.25, 0.02);
+    EXPECT_NEAR(surface_facts(torus).volume, 2.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.25, 0.02);
     expect_well_made(torus, 1, 0);
 
     const TriangleSoup pipe = shapes::pipe(0.5f, 0.25f, 2.0f, 30, 3);
@@ -174,7 +172,7 @@ TEST(Lathe, MakesCylindersConesToriPipesAndBowls)
 
     const TriangleSoup bowl = shapes::bowl(1.0f, 0.2f, 120, 60);
     EXPECT_EQ(bowl.triangles.size(), 4u * 120 * 60);
-    EXPECT_NEAR(surface_facts(bowl).volume, 2.0 / 3.0 * kPi * (1.0 - 0.8 * 0.8 * 0.8), 0.003);
+    EXPECT_NEAR(surface_facts(bowl).volume, 2.0 / 3.0 * std::numbers::pi * (1.0 - 0.8 * 0.8 * 0.8), 0.003);
     expect_well_made(bowl, 1, 2);
 }
 
@@ -208,8 +206,8 @@ TEST(SpiralWall, HasConstantThickness)
     double length = 0.0;
     constexpr int kSteps = 10000;
     for (int i = 0; i < kSteps; ++i) {
-        const double step = 6.0 * kPi / kSteps, angle = (i + 0.5) * step;
-        length += step * std::hypot(0.2 + 0.2 * angle / (2.0 * kPi), 0.2 / (2.0 * kPi));
+        const double step = 6.0 * std::numbers::pi / kSteps, angle = (i + 0.5) * step;
+        length += step * std::hypot(0.2 + 0.2 * angle / (2.0 * std::numbers::pi), 0.2 / (2.0 * std::numbers::pi));
     }
     EXPECT_NEAR(surface_facts(soup).volume, 0.08 * 0.5 * length, 0.005 * length * 0.04);
 }
@@ -241,18 +239,18 @@ TEST(NestedSpheres, AlternateInsideAndOutside)
     const TriangleSoup hollow = shapes::sphere_in_sphere(1.0f, 0.5f, 30);
     EXPECT_EQ(hollow.triangles.size(), 40u * 30 * 30);
     expect_well_made(hollow, 2, 2);
-    EXPECT_NEAR(surface_facts(hollow).volume, 4.0 / 3.0 * kPi * (1.0 - 0.125), 0.01);
+    EXPECT_NEAR(surface_facts(hollow).volume, 4.0 / 3.0 * std::numbers::pi * (1.0 - 0.125), 0.01);
 
     const TriangleSoup ball_inside = shapes::nested_spheres(std::array{1.0f, 0.8f, 0.5f}, 30);
     expect_well_made(ball_inside, 3, 2);
-    EXPECT_NEAR(surface_facts(ball_inside).volume, 4.0 / 3.0 * kPi * (1.0 - 0.512 + 0.125), 0.01);
+    EXPECT_NEAR(surface_facts(ball_inside).volume, 4.0 / 3.0 * std::numbers::pi * (1.0 - 0.512 + 0.125), 0.01);
 }
 
 TEST(OverlappingSpheres, AreTwoWholeSpheres)
 {
     const TriangleSoup soup = shapes::overlapping_spheres(1.0f, 0.7f, 30);
     expect_well_made(soup, 2, 2);
-    EXPECT_NEAR(surface_facts(soup).volume, 8.0 / 3.0 * kPi, 0.02);
+    EXPECT_NEAR(surface_facts(soup).volume, 8.0 / 3.0 * std::numbers::pi, 0.02);
     Box box;
     for (const Vertex& v : soup.vertices) box.add(v.position);
     EXPECT_NEAR(box.hi.x - box.lo.x, 2.7f, 0.01f);

@@ -40,13 +40,6 @@ std::optional<Verdict> judge(const CgalMesh& whole, const Plane& plane)
     return verdict;
 }
 
-double volume_of(const std::vector<std::unique_ptr<Cuttable>>& side)
-{
-    double sum = 0;
-    for (const auto& fragment : side) sum += referee::volume(fragment->to_indexed_mesh());
-    return sum;
-}
-
 double surface_of(const std::vector<std::unique_ptr<Cuttable>>& side)
 {
     double sum = 0;
@@ -104,8 +97,8 @@ void compare(const NamedMesh& shape, std::uint32_t planes_each, std::uint64_t se
             // such chains there is no volume.
             const CutResult result = cut(objects[i]->clone(), plane.plane);
             ASSERT_EQ(result.status, Status::cut);
-            EXPECT_NEAR(volume_of(result.positive), verdict->volume_positive, kTolerance * volume);
-            EXPECT_NEAR(volume_of(result.negative), verdict->volume_negative, kTolerance * volume);
+            EXPECT_NEAR(referee::volume(result.positive), verdict->volume_positive, kTolerance * volume);
+            EXPECT_NEAR(referee::volume(result.negative), verdict->volume_negative, kTolerance * volume);
             EXPECT_NEAR(result.section_area, verdict->section_area, kTolerance * area + slack);
             EXPECT_NEAR(surface_of(result.positive) + result.section_area, verdict->area_positive,
                         kTolerance * area + 2 * slack);

@@ -160,14 +160,6 @@ TEST_P(CoincidingTriangles, SomeOfThemTurnedOverLeaveClosedHalves)
     EXPECT_GT(seen_.cuts, 400u);
 }
 
-std::vector<std::vector<referee::SurfaceTriangle>> pieces_of(const std::vector<std::unique_ptr<Cuttable>>& side)
-{
-    std::vector<std::vector<referee::SurfaceTriangle>> pieces;
-    for (const auto& piece : side) pieces.push_back(referee::canonical_surface(piece->to_indexed_mesh()));
-    std::sort(pieces.begin(), pieces.end());
-    return pieces;
-}
-
 // In one of them no piece has an edge of the section for itself, and what is flat went to one or another.
 TEST_P(CoincidingTriangles, ComeApartAlikeForEveryBackEnd)
 {
@@ -183,8 +175,8 @@ TEST_P(CoincidingTriangles, ComeApartAlikeForEveryBackEnd)
             const CutResult expected = cut(first->prepare(mesh).object, plane, apart),
                             result = cut(own->prepare(mesh).object, plane, apart);
             ASSERT_EQ(result.status, expected.status);
-            ASSERT_EQ(pieces_of(result.positive), pieces_of(expected.positive));
-            ASSERT_EQ(pieces_of(result.negative), pieces_of(expected.negative));
+            ASSERT_EQ(referee::canonical_pieces(result.positive), referee::canonical_pieces(expected.positive));
+            ASSERT_EQ(referee::canonical_pieces(result.negative), referee::canonical_pieces(expected.negative));
         }
     }
 }

@@ -18,9 +18,6 @@ using test::closed_shapes;
 using test::NamedMesh;
 using test::NamedPlane;
 
-/// Volumes and areas of the parts add up to the whole's within this share of it (issue and design: 1e-6).
-constexpr double kSumTolerance = 1e-6;
-
 class CutContract : public testing::TestWithParam<test::NamedBackend>
 {
 protected:
@@ -42,13 +39,6 @@ using Fragments = std::vector<std::unique_ptr<Cuttable>>;
 Plane plane_through(const glm::dvec3& point, const glm::dvec3& normal)
 {
     return *Plane::through(point, normal);
-}
-
-double volume_of(const Fragments& fragments)
-{
-    double sum = 0;
-    for (const auto& f : fragments) sum += referee::volume(f->to_indexed_mesh());
-    return sum;
 }
 
 /// Everything that holds for each fragment of a cut through a closed mesh.
@@ -85,11 +75,11 @@ void expect_good_cut(std::unique_ptr<Cuttable> object, const IndexedMesh& whole,
     ASSERT_EQ(result.negative.size(), 1u);
     expect_sound(result.positive, plane, true, noise);
     expect_sound(result.negative, plane, false, noise);
-    EXPECT_NEAR(volume_of(result.positive) + volume_of(result.negative), volume,
-                kSumTolerance * std::abs(referee::volume(original)));
+    EXPECT_NEAR(referee::volume(result.positive) + referee::volume(result.negative), volume,
+                referee::kSumTolerance * std::abs(referee::volume(original)));
     const double surface_after = referee::area(result.positive[0]->to_indexed_mesh(), TriangleKind::surface) +
                                  referee::area(result.negative[0]->to_indexed_mesh(), TriangleKind::surface);
-    EXPECT_NEAR(surface_after, surface, kSumTolerance * referee::area(original));
+    EXPECT_NEAR(surface_after, surface, referee::kSumTolerance * referee::area(original));
 }
 
 TEST_P(CutContract, SidesAreClosedAndAddUpForEveryShapeAndPlane)
@@ -126,7 +116,7 @@ TEST_P(CutContract, PiecesCanBeCutAgain)
                     for (auto& fragment : *side) next.push_back(std::move(fragment));
             }
             objects = std::move(next);
-            EXPECT_NEAR(volume_of(objects), whole, kSumTolerance * whole);
+            EXPECT_NEAR(referee::volume(objects), whole, referee::kSumTolerance * whole);
         }
     }
 }
@@ -336,7 +326,8 @@ TEST_P(CutContract, AFaceInThePlaneStaysOnTheSideOfItsSolid)
     const CutResult result = cut(prepare(mesh), plane_through({0, 0, z}, {0, 0, 1}));
     ASSERT_EQ(result.status, Status::cut);
     const double whole = referee::volume(mesh);
-    EXPECT_NEAR(volume_of(result.positive) + volume_of(result.negative), whole, kSumTolerance * whole);
+    EXPECT_NEAR(referee::volume(result.positive) + referee::volume(result.negative), whole,
+                referee::kSumTolerance * whole);
     for (const auto* side : {&result.positive, &result.negative}) {
         const bool is_positive = side == &result.positive;
         const IndexedMesh part = side->front()->to_indexed_mesh();
@@ -453,7 +444,7 @@ TEST_P(CutContract, OpenMeshesKeepTheirSidesAndSaySo)
                               plane_noise(shape.mesh.bounds().largest_coordinate()));
                     sum += referee::area(mesh, TriangleKind::surface);
                 }
-            EXPECT_NEAR(sum, surface, kSumTolerance * surface);
+            EXPECT_NEAR(sum, surface, referee::kSumTolerance * surface);
         }
         EXPECT_TRUE(some_open) << shape.name;
     }
@@ -498,7 +489,8 @@ TEST_P(CutContract, SidesFallApartIntoTheirPieces)
         const double noise = plane_noise(mesh.bounds().largest_coordinate()), whole = referee::volume(mesh);
         expect_sound(result.positive, plane, true, noise);
         expect_sound(result.negative, plane, false, noise);
-        EXPECT_NEAR(volume_of(result.positive) + volume_of(result.negative), whole, kSumTolerance * whole);
+        EXPECT_NEAR(referee::volume(result.positive) + referee::volume(result.negative), whole,
+                    referee::kSumTolerance * whole);
     }
 }
 

@@ -29,9 +29,6 @@ using test::some_plane;
 
 using Fragments = std::vector<std::unique_ptr<Cuttable>>;
 
-/// Sums over the parts agree with the whole within this share of it.
-constexpr double kSumTolerance = 1e-6;
-
 class CutProperties : public testing::TestWithParam<test::NamedBackend>
 {
 protected:
@@ -52,13 +49,6 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(All, CutProperties, testing::ValuesIn(test::backends()),
                          [](const auto& back_end) { return back_end.param.name; });
-
-double volume_of(const Fragments& fragments)
-{
-    double sum = 0;
-    for (const auto& f : fragments) sum += referee::volume(f->to_indexed_mesh());
-    return sum;
-}
 
 std::vector<std::vector<std::uint32_t>> bytes_of(const Fragments& fragments)
 {
@@ -94,12 +84,12 @@ TEST_P(CutProperties, SidesAreClosedAndAddUp)
         assert_sound(result.negative, c.plane, false, c.noise());
         const double area = referee::area(c.mesh);
         const double volume = referee::volume(c.mesh);
-        RC_ASSERT(std::abs(volume_of(result.positive) + volume_of(result.negative) - volume) <=
-                  kSumTolerance * std::abs(volume) + c.noise() * area);
+        RC_ASSERT(std::abs(referee::volume(result.positive) + referee::volume(result.negative) - volume) <=
+                  referee::kSumTolerance * std::abs(volume) + c.noise() * area);
         double surface = 0;
         for (const Fragments* side : {&result.positive, &result.negative})
             for (const auto& f : *side) surface += referee::area(f->to_indexed_mesh(), TriangleKind::surface);
-        RC_ASSERT(std::abs(surface - area) <= kSumTolerance * area);
+        RC_ASSERT(std::abs(surface - area) <= referee::kSumTolerance * area);
     }));
 }
 
@@ -138,7 +128,7 @@ TEST_P(CutProperties, CapsCoverTheSectionOnce)
         options.split_components = below(2) == 1;
         const CutResult result = cut_of(c, options);
         if (result.status == Status::missed) return;
-        const double slack = kSumTolerance * referee::area(c.mesh);
+        const double slack = referee::kSumTolerance * referee::area(c.mesh);
         const double covered = result.section_area;
         RC_ASSERT(covered >= -slack);
         for (const bool is_positive : {false, true}) {
@@ -190,10 +180,10 @@ TEST_P(CutProperties, AMotionOfMeshAndPlaneChangesNoVolume)
 
         const CutResult one = cut_of(c), other = cut_of(moved);
         const double volume = referee::volume(c.mesh), area = referee::area(c.mesh);
-        const double slack = kSumTolerance * std::abs(volume) + 2 * (c.noise() + moved.noise()) * area;
+        const double slack = referee::kSumTolerance * std::abs(volume) + 2 * (c.noise() + moved.noise()) * area;
         // What a plane misses lies on one side of it, or within its noise.
         const auto volume_behind = [](const CutResult& result, const Case& of) {
-            if (result.status != Status::missed) return volume_of(result.negative);
+            if (result.status != Status::missed) return referee::volume(result.negative);
             return of.plane.signed_distance(glm::vec3(of.mesh.bounds().centre())) < 0 ? referee::volume(of.mesh) : 0.0;
         };
         RC_ASSERT(std::abs(volume_behind(one, c) - volume_behind(other, moved)) <= slack);
@@ -299,8 +289,8 @@ TEST_P(CutProperties, FragmentsOfAChainOfCutsAddUpToTheWhole)
             }
             objects = std::move(next);
             const double volume = referee::volume(c.mesh);
-            RC_ASSERT(std::abs(volume_of(objects) - volume) <=
-                      kSumTolerance * std::abs(volume) + c.noise() * referee::area(c.mesh));
+            RC_ASSERT(std::abs(referee::volume(objects) - volume) <=
+                      referee::kSumTolerance * std::abs(volume) + c.noise() * referee::area(c.mesh));
         }
     }));
 }
@@ -439,8 +429,8 @@ TEST_P(CutProperties, PiecesAreClosedAndKeepTogetherWhatHangsTogether)
         assert_sound(pieces.positive, c.plane, true, c.noise());
         assert_sound(pieces.negative, c.plane, false, c.noise());
         const double volume = referee::volume(c.mesh);
-        RC_ASSERT(std::abs(volume_of(pieces.positive) + volume_of(pieces.negative) - volume) <=
-                  kSumTolerance * std::abs(volume) + c.noise() * referee::area(c.mesh));
+        RC_ASSERT(std::abs(referee::volume(pieces.positive) + referee::volume(pieces.negative) - volume) <=
+                  referee::kSumTolerance * std::abs(volume) + c.noise() * referee::area(c.mesh));
         for (const auto& [whole, parts] :
              {std::pair{&sides.positive, &pieces.positive}, {&sides.negative, &pieces.negative}}) {
             const auto homes = surfaces_of(*parts);

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSumTolerance = 1e-6;
-
 std::vector<fs::path> mesh_files()
 {
     std::vector<fs::path> files;
@@ -116,9 +114,9 @@ TEST_P(RealMesh, IsCutIntoSidesThatAreClosedAndAddUp)
                 EXPECT_NEAR(referee::area(part, TriangleKind::cap), result.section_area, 1e-6 * surface);
             }
         }
-        EXPECT_NEAR(surfaces, surface, kSumTolerance * surface);
+        EXPECT_NEAR(surfaces, surface, referee::kSumTolerance * surface);
         if (is_closed) {
-            EXPECT_NEAR(volumes, volume, kSumTolerance * std::abs(volume));
+            EXPECT_NEAR(volumes, volume, referee::kSumTolerance * std::abs(volume));
         }
     }
     EXPECT_GT(cuts, 3u);

@@ -56,14 +56,6 @@ IndexedMesh lattice_solids(test::Random& random)
 
 using Pieces = std::vector<std::vector<referee::SurfaceTriangle>>;
 
-Pieces pieces_of(const std::vector<std::unique_ptr<Cuttable>>& side)
-{
-    Pieces pieces;
-    for (const auto& fragment : side) pieces.push_back(referee::canonical_surface(fragment->to_indexed_mesh()));
-    std::sort(pieces.begin(), pieces.end());
-    return pieces;
-}
-
 CutResult apart(const Backend& backend, const IndexedMesh& mesh, const Plane& plane)
 {
     CutOptions options;
@@ -85,12 +77,13 @@ TEST_P(TouchingSolids, ComeApartAlikeForEveryBackEndAndEitherWayOfThePlane)
             const CutResult expected = apart(*first, mesh, plane), result = apart(*own, mesh, plane);
             ASSERT_EQ(result.status, expected.status);
             if (result.status == Status::missed) continue;
-            const Pieces positive = pieces_of(result.positive), negative = pieces_of(result.negative);
-            ASSERT_EQ(positive, pieces_of(expected.positive));
-            ASSERT_EQ(negative, pieces_of(expected.negative));
+            const Pieces positive = referee::canonical_pieces(result.positive),
+                         negative = referee::canonical_pieces(result.negative);
+            ASSERT_EQ(positive, referee::canonical_pieces(expected.positive));
+            ASSERT_EQ(negative, referee::canonical_pieces(expected.negative));
             const CutResult flipped = apart(*own, mesh, plane.flipped());
-            ASSERT_EQ(pieces_of(flipped.positive), negative);
-            ASSERT_EQ(pieces_of(flipped.negative), positive);
+            ASSERT_EQ(referee::canonical_pieces(flipped.positive), negative);
+            ASSERT_EQ(referee::canonical_pieces(flipped.negative), positive);
             ++cuts;
             several += positive.size() > 1 || negative.size() > 1;
         }
@@ -127,8 +120,8 @@ TEST_P(TouchingSolids, ACavityThatTouchesWhatIsAroundItGoesNoOtherWay)
     const Plane plane{{-0.89500272825870575, 0.21745961718119075, 0.38946300376914289}, -0.83735403794376384};
     const CutResult result = apart(*GetParam().make(), mesh, plane),
                     expected = apart(*test::backends().front().make(), mesh, plane);
-    EXPECT_EQ(pieces_of(result.positive), pieces_of(expected.positive));
-    EXPECT_EQ(pieces_of(result.negative), pieces_of(expected.negative));
+    EXPECT_EQ(referee::canonical_pieces(result.positive), referee::canonical_pieces(expected.positive));
+    EXPECT_EQ(referee::canonical_pieces(result.negative), referee::canonical_pieces(expected.negative));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TouchingSolids, testing::ValuesIn(test::backends()),

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "common/shapes.h"
-#include "halfedge/check_universe.h"
-#include "halfedge/fragment.h"
+#include "halfedge/consistency.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -15,12 +14,6 @@ namespace kerf::halfedge {
 namespace {
 
 using Fragments = std::vector<std::unique_ptr<Cuttable>>;
-
-std::string faults(const Cuttable& object)
-{
-    const auto& fragment = dynamic_cast<const Fragment&>(object);
-    return check_universe(fragment.universe(), fragment.shells());
-}
 
 /// A shape whose y coordinates are so large that cut points have no digits left between whole numbers: many of them
 /// fall on vertices and on each other.

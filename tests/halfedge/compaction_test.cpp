@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/shapes.h"
-#include "halfedge/check_universe.h"
+#include "halfedge/consistency.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
@@ -11,12 +11,6 @@
 
 namespace kerf::halfedge {
 namespace {
-
-std::string faults(const Cuttable& object)
-{
-    const auto& fragment = dynamic_cast<const Fragment&>(object);
-    return check_universe(fragment.universe(), fragment.shells());
-}
 
 /// The larger side after a few cuts through the middle.
 std::unique_ptr<Cuttable> cut_a_few_times(const IndexedMesh& mesh, int cuts)

@@ -6,8 +6,7 @@
 
 #include "common/io/mesh_file.h"
 #include "common/shapes.h"
-#include "halfedge/check_universe.h"
-#include "halfedge/fragment.h"
+#include "halfedge/consistency.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -21,12 +20,6 @@ using Fragments = std::vector<std::unique_ptr<Cuttable>>;
 std::unique_ptr<Cuttable> prepared(const IndexedMesh& mesh)
 {
     return std::move(make_backend()->prepare(mesh).object);
-}
-
-std::string faults(const Cuttable& object)
-{
-    const auto& fragment = dynamic_cast<const Fragment&>(object);
-    return check_universe(fragment.universe(), fragment.shells());
 }
 
 void expect_consistent(const CutResult& result)

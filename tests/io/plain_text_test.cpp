@@ -71,15 +71,15 @@ TEST(PlainText, EndsBeforeWhatFillsUpTheFile)
 using TextOfFiles = MeshFileTest;
 
 /// The same triangle as text of each format.
-struct Sample
+struct TextSample
 {
     std::string name;
     std::string text;
 };
 
-const std::vector<Sample>& triangles()
+const std::vector<TextSample>& triangles()
 {
-    static const std::vector<Sample> samples{
+    static const std::vector<TextSample> samples{
         {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
         {"a.ply",

@@ -135,7 +135,7 @@ TEST_F(PlyTest, ReadsBackBitForBitWhatItWrote)
 const std::string kVertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kFace = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
-void expect_triangle(const TriangleSoup& soup, const std::string& what)
+void expect_this_triangle(const TriangleSoup& soup, const std::string& what)
 {
     ASSERT_EQ(soup.triangles, (Buffer<Triangle>{{0, 1, 2}})) << what;
     EXPECT_EQ(soup.vertices[1].position, glm::vec3(1, 0, 0)) << what;
@@ -162,7 +162,7 @@ TEST_F(PlyTest, TakesAttributesThatAreNotFiniteAsTextAndAsBinary)
         }
         const Read text = read("a.ply", kAsciiHead + head + kFace + "0 0 0 " + zeros + "\n1 0 0 " + bad + "\n0 1 0 " +
                                             zeros + "\n3 0 1 2\n");
-        expect_triangle(text.soup, names);
+        expect_this_triangle(text.soup, names);
         EXPECT_EQ(text.notes, notes) << names << " " << bad;
 
         Binary body(Endian::little);
@@ -173,7 +173,7 @@ TEST_F(PlyTest, TakesAttributesThatAreNotFiniteAsTextAndAsBinary)
         }
         body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
         const Read binary = read("a.ply", "ply\nformat binary_little_endian 1.0\n" + head + kFace + body.bytes());
-        expect_triangle(binary.soup, names);
+        expect_this_triangle(binary.soup, names);
         EXPECT_TRUE(contains(binary.notes, notes.substr(2))) << names << ": " << binary.notes;
     }
 }
@@ -186,7 +186,7 @@ TEST_F(PlyTest, TakesAVertexOfNoFaceThatIsNotFiniteAsBinary)
     std::string head = "ply\nformat binary_little_endian 1.0\n" + kVertex + kFace;
     head.replace(head.find("vertex 3"), 8, "vertex 4");
     const Read found = read("a.ply", head + body.bytes());
-    expect_triangle(found.soup, "unused");
+    expect_this_triangle(found.soup, "unused");
     EXPECT_EQ(found.notes, "1 vertices of no face that are not finite numbers passed over");
     std::string used = head + body.bytes();
     used[used.size() - 4] = 3;
@@ -203,10 +203,10 @@ TEST_F(PlyTest, TakesIndicesAndLengthsOfEveryTypeAndTheListByEachOfItsNames)
                 "element face 1\nproperty list " + std::string(type) + " " + type + " " + name + "\nend_header\n";
             const std::string what = face;
             const Read text = read("a.ply", kAsciiHead + kVertex + face + points + "3 0 1 2\n");
-            expect_triangle(text.soup, what);
+            expect_this_triangle(text.soup, what);
             EXPECT_EQ(text.notes, "");
             const Read floats = read("a.ply", kAsciiHead + kVertex + face + points + "3.0 0.0 1e0 2\n");
-            expect_triangle(floats.soup, what);
+            expect_this_triangle(floats.soup, what);
             EXPECT_EQ(floats.notes, "3 integers written with a point or an exponent read");
 
             for (const Endian order : {Endian::little, Endian::big}) {
@@ -223,7 +223,7 @@ TEST_F(PlyTest, TakesIndicesAndLengthsOfEveryTypeAndTheListByEachOfItsNames)
                 const std::string head =
                     "ply\nformat binary_" + std::string(order == Endian::little ? "little" : "big") + "_endian 1.0\n";
                 const Read binary = read("a.ply", head + kVertex + face + body.bytes());
-                expect_triangle(binary.soup, what);
+                expect_this_triangle(binary.soup, what);
                 const bool is_float = type == std::string_view("float") || type == std::string_view("double");
                 EXPECT_EQ(binary.notes, is_float ? "4 integers stored as floating point read" : "");
             }
@@ -255,7 +255,7 @@ TEST_F(PlyTest, ReadsSixtyFourBitNumbersOfVertices)
 {
     const TriangleSoup soup = soup_of("a.ply", kAsciiHead + kVertex + "property int64 a\nproperty uint64 b\n" + kFace +
                                                    "0 0 0 -5 18446744073709551615\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n");
-    expect_triangle(soup, "text");
+    expect_this_triangle(soup, "text");
     EXPECT_EQ(soup.streams.at(0).values[0], -5.0f);
     Binary body(Endian::big);
     for (int i = 0; i < 3; ++i)
@@ -263,7 +263,7 @@ TEST_F(PlyTest, ReadsSixtyFourBitNumbersOfVertices)
     body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
     const TriangleSoup binary = soup_of("a.ply", "ply\nformat binary_big_endian 1.0\n" + kVertex +
                                                      "property int64 a\nproperty uint64 b\n" + kFace + body.bytes());
-    expect_triangle(binary, "binary");
+    expect_this_triangle(binary, "binary");
     EXPECT_EQ(binary.streams.at(0).values[0], -5.0f);
     EXPECT_EQ(binary.streams.at(1).values[0], 18446744073709551616.0f) << "not cut off at the largest signed integer";
 }
@@ -273,10 +273,10 @@ TEST_F(PlyTest, PassesOverFurtherNumbersAtTheEndsOfLines)
     const std::string longer = " lines with more numbers than they need read without them";
     const std::string head = kAsciiHead + kVertex + kFace;
     const Read every = read("a.ply", head + "0 0 0 9\n1 0 0 9 9\n0 1 0 # x\n\n3 0 1 2 255 0 0\n");
-    expect_triangle(every.soup, "every line");
+    expect_this_triangle(every.soup, "every line");
     EXPECT_EQ(every.notes, "4" + longer);
     const Read one = read("a.ply", head + "0 0 0\n1 0 0 9\n0 1 0\n3 0 1 2");
-    expect_triangle(one.soup, "one line");
+    expect_this_triangle(one.soup, "one line");
     EXPECT_EQ(one.notes, "1" + longer);
 }
 
@@ -302,14 +302,14 @@ TEST_F(PlyTest, TakesAttributesOfTextThatAreNoNumbersOrMissing)
     for (const auto& [properties, data, notes] : cases) {
         const Read found = read("a.ply", kAsciiHead + kVertex + properties + kFace + "0 0 0 " + data + "\n1 0 0 " +
                                              data + "\n0 1 0 " + data + "\n3 0 1 2\n");
-        expect_triangle(found.soup, properties + data);
+        expect_this_triangle(found.soup, properties + data);
         EXPECT_EQ(found.notes, notes) << properties << data;
     }
     const std::string face =
         "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float "
         "texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0\n";
     const Read found = read("a.ply", kAsciiHead + kVertex + face);
-    expect_triangle(found.soup, "texcoord");
+    expect_this_triangle(found.soup, "texcoord");
     EXPECT_EQ(found.notes, "1" + shorter);
     // Where lines are no elements, a number that is missing is one of those that follow.
     EXPECT_TRUE(contains(error_of("a.ply", kAsciiHead + kVertex + "property float quality\n" + kFace +
@@ -340,7 +340,7 @@ TEST_F(PlyTest, TakesTypesOfTextThatItDoesNotKnowAsNumbers)
 TEST_F(PlyTest, TakesItsFirstWordInCapitals)
 {
     const Read found = read("a.ply", "PLY\nformat ascii 1.0\n" + kVertex + kFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    expect_triangle(found.soup, "capitals");
+    expect_this_triangle(found.soup, "capitals");
     EXPECT_EQ(found.notes, "1 header that begins with PLY in capitals read");
 }
 
@@ -349,7 +349,7 @@ TEST_F(PlyTest, TakesElementsThatShareLinesOrTakeSeveral)
     for (const char* body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0 0 1 0 0 0 1 0\n3 0 1 2\n", "0 0 0 1 0 0\n0 1 0 3\n0 1 2",
                              "0 0\n0\n1 0 0\n0\n\n1 0\n3\n0 1 2\n", "0\r\n0\r\n0 1 0 0 0 1 0 3 0 1 2"}) {
         const Read found = read("a.ply", kAsciiHead + kVertex + kFace + body);
-        expect_triangle(found.soup, body);
+        expect_this_triangle(found.soup, body);
         EXPECT_EQ(found.notes, "") << body;
     }
 }
@@ -371,7 +371,7 @@ TEST_F(PlyTest, TakesElementsOfSeveralLinesBesideLinesThatAreTooLong)
     };
     for (const auto& [head, body, notes] : cases) {
         const Read found = read("a.ply", head + body);
-        expect_triangle(found.soup, body);
+        expect_this_triangle(found.soup, body);
         EXPECT_EQ(found.notes, notes) << body;
         EXPECT_EQ(found.soup.has_normals, head == normals) << body;
     }
@@ -410,7 +410,7 @@ TEST_F(PlyTest, TakesElementsOfSeveralLinesBesideOnesThatShareALine)
     // Where elements would begin within lines and go on in others, lines are elements.
     const Read short_and_long =
         read("a.ply", kAsciiHead + kVertex + quality + kFace + "0 0 0\n1 0 0 1 9\n0 1 0 1\n3 0 1 2\n");
-    expect_triangle(short_and_long.soup, "short and long");
+    expect_this_triangle(short_and_long.soup, "short and long");
     EXPECT_TRUE(contains(short_and_long.notes, "1 lines with fewer numbers") &&
                 contains(short_and_long.notes, "1 lines with more numbers"))
         << short_and_long.notes;
@@ -441,7 +441,7 @@ TEST_F(PlyTest, NamesTheLineThatIsTooShort)
 TEST_F(PlyTest, NotesLinesBehindTheLastFace)
 {
     const Read found = read("a.ply", kAsciiHead + kVertex + kFace + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n\n3 0 2 1\nx\n");
-    expect_triangle(found.soup, "more");
+    expect_this_triangle(found.soup, "more");
     EXPECT_EQ(found.notes, "2 lines behind the last one that is expected passed over");
 }
 
@@ -456,7 +456,7 @@ TEST_F(PlyTest, ReadsBinaryNumbersBehindEveryLineEnd)
         body << std::bit_cast<float>(0x0A000000u);
         for (int i = 1; i < 9; ++i) body << float(i == 3 || i == 7);
         body << std::uint8_t{3} << std::int32_t{0} << std::int32_t{1} << std::int32_t{2};
-        expect_triangle(soup_of("a.ply", head + body.bytes()), end);
+        expect_this_triangle(soup_of("a.ply", head + body.bytes()), end);
     }
 }
 
@@ -475,7 +475,7 @@ TEST_F(PlyTest, PassesOverFacesThatBoundNothingAndListsOfVertices)
     const Read found = read("a.ply", kAsciiHead + kVertex + "property list uchar float weights\n" +
                                          "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
                                          "0 0 0 2 1 1\n1 0 0 0\n0 1 0 1 7\n0\n1 0\n2 0 1\n3 0 1 2\n");
-    expect_triangle(found.soup, "lists");
+    expect_this_triangle(found.soup, "lists");
     EXPECT_EQ(found.notes, "3 faces of fewer than three corners passed over");
 }
 

@@ -18,7 +18,7 @@
 namespace kerf::io {
 namespace {
 
-float parsed(const std::string& text)
+float number_of(const std::string& text)
 {
     float value = 12345.0f;
     EXPECT_EQ(parse_float(text, value), NumberError::none) << text;
@@ -35,27 +35,27 @@ TEST(ParseFloat, RoundsCorrectlyWhereADoubleInBetweenWouldNot)
 {
     // Just above the middle of two floats, by less than a double can tell: through a double it would round down to
     // even.
-    EXPECT_EQ(parsed("1.000000059604644775390625000000000001"), std::nextafter(1.0f, 2.0f));
-    EXPECT_EQ(parsed("1.000000059604644775390625"), 1.0f);
+    EXPECT_EQ(number_of("1.000000059604644775390625000000000001"), std::nextafter(1.0f, 2.0f));
+    EXPECT_EQ(number_of("1.000000059604644775390625"), 1.0f);
 }
 
 TEST(ParseFloat, TakesEveryWayToWriteANumber)
 {
-    EXPECT_EQ(parsed("+1.5"), 1.5f);
-    EXPECT_EQ(parsed("-.5"), -0.5f);
-    EXPECT_EQ(parsed("5."), 5.0f);
-    EXPECT_EQ(parsed("1E+3"), 1000.0f);
-    EXPECT_EQ(parsed("3.274081e-033"), 3.274081e-33f);
-    EXPECT_EQ(parsed("1.5D+02"), 150.0f) << "Fortran";
-    EXPECT_EQ(parsed("-1.5d-2"), -0.015f);
-    EXPECT_TRUE(std::signbit(parsed("-0")));
+    EXPECT_EQ(number_of("+1.5"), 1.5f);
+    EXPECT_EQ(number_of("-.5"), -0.5f);
+    EXPECT_EQ(number_of("5."), 5.0f);
+    EXPECT_EQ(number_of("1E+3"), 1000.0f);
+    EXPECT_EQ(number_of("3.274081e-033"), 3.274081e-33f);
+    EXPECT_EQ(number_of("1.5D+02"), 150.0f) << "Fortran";
+    EXPECT_EQ(number_of("-1.5d-2"), -0.015f);
+    EXPECT_TRUE(std::signbit(number_of("-0")));
 }
 
 TEST(ParseFloat, CallsZeroWhatIsTooSmall)
 {
-    EXPECT_EQ(parsed("1e-60"), 0.0f);
-    EXPECT_EQ(parsed("1e-600"), 0.0f);
-    EXPECT_EQ(parsed("0." + std::string(500, '0') + "1"), 0.0f);
+    EXPECT_EQ(number_of("1e-60"), 0.0f);
+    EXPECT_EQ(number_of("1e-600"), 0.0f);
+    EXPECT_EQ(number_of("0." + std::string(500, '0') + "1"), 0.0f);
 }
 
 TEST(ParseFloat, RefusesWhatIsTooLargeOrNotFinite)

@@ -22,4 +22,12 @@ const std::vector<NamedBackend>& backends()
     return all;
 }
 
+std::vector<NamedBackend> one_of_each_kind()
+{
+    std::vector<NamedBackend> chosen;
+    for (const NamedBackend& backend : backends())
+        if (backend.name == "halfedge" || backend.name == "baseline_hash") chosen.push_back(backend);
+    return chosen;
+}
+
 }  // namespace kerf::test

@@ -26,4 +26,8 @@ inline void PrintTo(const NamedBackend& backend, std::ostream* out)
 /// Every back end and every vertex lookup: the contract tests run over all of them.
 const std::vector<NamedBackend>& backends();
 
+/// One vertex lookup of the baseline, and the half-edge back end if it is built: enough where only surfaces matter, which
+/// are equal bit for bit.
+std::vector<NamedBackend> one_of_each_kind();
+
 }  // namespace kerf::test

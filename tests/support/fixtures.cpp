@@ -14,6 +14,14 @@ IndexedMesh assembled(TriangleSoup soup)
     return *std::move(result.mesh);
 }
 
+TriangleSoup joined(TriangleSoup a, const TriangleSoup& b)
+{
+    const auto offset = static_cast<std::uint32_t>(a.vertices.size());
+    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+    for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+    return a;
+}
+
 namespace {
 
 /// A colour for each vertex, so that streams are there to be interpolated.
@@ -40,14 +48,6 @@ TriangleSoup moved(TriangleSoup soup, const glm::vec3& by)
 {
     for (Vertex& v : soup.vertices) v.position += by;
     return soup;
-}
-
-TriangleSoup joined(TriangleSoup a, const TriangleSoup& b)
-{
-    const auto offset = static_cast<std::uint32_t>(a.vertices.size());
-    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-    return a;
 }
 
 std::vector<NamedMesh> make_closed_shapes()

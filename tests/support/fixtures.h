@@ -20,6 +20,9 @@ struct NamedMesh
 /// assemble() for input that is known to be good; throws std::runtime_error otherwise.
 IndexedMesh assembled(TriangleSoup soup);
 
+/// Both, where they are.
+TriangleSoup joined(TriangleSoup a, const TriangleSoup& b);
+
 /// Small closed shapes: convex, concave, with tunnels, hollow, of several shells, with seams and with streams.
 const std::vector<NamedMesh>& closed_shapes();
 

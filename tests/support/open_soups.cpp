@@ -145,15 +145,6 @@ TriangleSoup shape_without_a_third(Random& random, std::uint32_t triangles)
     return soup;
 }
 
-/// Two of the others, in one another.
-TriangleSoup joined(TriangleSoup a, const TriangleSoup& b)
-{
-    const auto offset = static_cast<std::uint32_t>(a.vertices.size());
-    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-    return a;
-}
-
 }  // namespace
 
 NamedSoup open_soup(std::uint64_t seed, std::uint32_t triangles)

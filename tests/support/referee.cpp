@@ -133,6 +133,13 @@ double volume(const IndexedMesh& mesh)
     return static_cast<double>(six / 6);
 }
 
+double volume(const std::vector<std::unique_ptr<Cuttable>>& fragments)
+{
+    double sum = 0;
+    for (const auto& fragment : fragments) sum += volume(fragment->to_indexed_mesh());
+    return sum;
+}
+
 double area(const IndexedMesh& mesh)
 {
     long double sum = 0;
@@ -284,6 +291,14 @@ std::vector<SurfaceTriangle> canonical_surface(const std::vector<std::unique_ptr
     }
     std::sort(all.begin(), all.end());
     return all;
+}
+
+std::vector<std::vector<SurfaceTriangle>> canonical_pieces(const std::vector<std::unique_ptr<Cuttable>>& fragments)
+{
+    std::vector<std::vector<SurfaceTriangle>> pieces;
+    for (const auto& fragment : fragments) pieces.push_back(canonical_surface(fragment->to_indexed_mesh()));
+    std::sort(pieces.begin(), pieces.end());
+    return pieces;
 }
 
 std::vector<std::uint32_t> bytes_of(const IndexedMesh& mesh)

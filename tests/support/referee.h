@@ -27,8 +27,13 @@ std::size_t open_edges_by_position(const IndexedMesh& mesh);
 /// Triangles two corners of which are at one position.
 std::size_t triangles_with_equal_corners(const IndexedMesh& mesh);
 
+/// Volumes and areas of the parts add up to the whole's within this share of it.
+inline constexpr double kSumTolerance = 1e-6;
+
 /// Sum of the signed tetrahedra over the first vertex, in long double.
 double volume(const IndexedMesh& mesh);
+/// Of all fragments together.
+double volume(const std::vector<std::unique_ptr<Cuttable>>& fragments);
 
 /// Sum of triangle areas of one kind, or of all.
 double area(const IndexedMesh& mesh);
@@ -67,5 +72,7 @@ std::vector<std::uint32_t> bytes_of(const IndexedMesh& mesh);
 
 /// Joins meshes into one, side by side, for sums over the pieces of a side.
 std::vector<SurfaceTriangle> canonical_surface(const std::vector<std::unique_ptr<Cuttable>>& fragments);
+/// The surface of each fragment, in order: what a side fell into, whichever came first.
+std::vector<std::vector<SurfaceTriangle>> canonical_pieces(const std::vector<std::unique_ptr<Cuttable>>& fragments);
 
 }  // namespace kerf::referee

@@ -38,7 +38,7 @@ SurfaceDifference difference(const IndexedMesh& a, const IndexedMesh& b)
     return compare_surfaces(SurfaceKeys(a), SurfaceKeys(b));
 }
 
-void flip_last_bit(float& value)
+void change_last_bit(float& value)
 {
     value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) ^ 1u);
 }
@@ -104,7 +104,7 @@ TEST(SurfaceKeys, OneBitOfOneAttributeOfOneCornerMakesSurfacesDiffer)
         IndexedMesh other = renumbered(mesh);
         EXPECT_TRUE(difference(mesh, other).none());
         other = mesh;
-        flip_last_bit(attribute(other));
+        change_last_bit(attribute(other));
         const SurfaceDifference found = difference(mesh, renumbered(other));
         EXPECT_EQ(found.only_first, users) << name;
         EXPECT_EQ(found.only_second, users) << name;
@@ -163,7 +163,7 @@ TEST(SurfaceKeys, CapsDoNotCount)
     other.groups.back().kind = TriangleKind::cap;
     EXPECT_EQ(SurfaceKeys(other).sorted().size(), all - mesh.groups.back().count);
     mesh.groups.back().kind = TriangleKind::cap;
-    flip_last_bit(other.vertices[other.triangles.back()[0]].uv.x);
+    change_last_bit(other.vertices[other.triangles.back()[0]].uv.x);
     EXPECT_EQ(difference(mesh, other).only_first,
               static_cast<std::uint64_t>(std::count_if(
                   mesh.triangles.begin(), mesh.triangles.end() - mesh.groups.back().count, [&](const Triangle& t) {

@@ -9,7 +9,7 @@
 namespace kerf::game {
 namespace {
 
-HighScore score(std::int64_t points)
+HighScore high_score(std::int64_t points)
 {
     return {points, "2026-11-21T15:08:00Z", "halfedge", 1, points / 2, 3};
 }
@@ -32,7 +32,7 @@ TEST_F(UserFilesTest, AreThereInTheNextProgram)
 {
     {
         UserFiles files(folder_);
-        EXPECT_EQ(files.add(GameMode::zen, score(40)), 0u);
+        EXPECT_EQ(files.add(GameMode::zen, high_score(40)), 0u);
         EXPECT_EQ(files.best(GameMode::zen), 40) << "known at once";
         StoredSettings settings;
         for (int i = 0; i <= 10; ++i) {
@@ -52,7 +52,7 @@ TEST_F(UserFilesTest, NeverWaitForAnotherProgramAndWriteWhenItIsDone)
         StoredSettings quiet;
         quiet.mute = true;
         // If these waited, they would wait forever: nobody else lets the locks go.
-        EXPECT_EQ(files.add(GameMode::zen, score(40)), 0u);
+        EXPECT_EQ(files.add(GameMode::zen, high_score(40)), 0u);
         files.store(quiet);
         EXPECT_FALSE(exists("scores.json"));
         ::close(scores);
@@ -67,7 +67,7 @@ TEST_F(UserFilesTest, EndThoughAnotherProgramNeverLetsGo)
     const int scores = hold("scores.json.lock");
     {
         UserFiles files(folder_);
-        files.add(GameMode::zen, score(40));
+        files.add(GameMode::zen, high_score(40));
     }
     EXPECT_FALSE(exists("scores.json"));
     ::close(scores);
@@ -77,8 +77,8 @@ TEST_F(UserFilesTest, AddToWhatAnotherProgramStoredMeanwhile)
 {
     {
         UserFiles files(folder_);
-        HighScores(folder_).add(GameMode::zen, score(50));
-        EXPECT_EQ(files.add(GameMode::zen, score(40)), 0u);
+        HighScores(folder_).add(GameMode::zen, high_score(50));
+        EXPECT_EQ(files.add(GameMode::zen, high_score(40)), 0u);
     }
     EXPECT_EQ(HighScores(folder_).of(GameMode::zen).size(), 2u);
 }
@@ -99,7 +99,7 @@ TEST_F(UserFilesTest, SayWhatWentWrong)
 TEST_F(UserFilesTest, WorkWithoutAFolder)
 {
     UserFiles files({});
-    EXPECT_EQ(files.add(GameMode::zen, score(10)), 0u);
+    EXPECT_EQ(files.add(GameMode::zen, high_score(10)), 0u);
     files.store({});
     EXPECT_EQ(files.best(GameMode::zen), 10);
     EXPECT_EQ(files.take_message(), "");

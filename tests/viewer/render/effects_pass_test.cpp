@@ -16,8 +16,6 @@ using render::FlyingSprite;
 using render::Picture;
 using render::StainSprite;
 
-constexpr int kWidth = 160, kHeight = 120;
-
 class EffectsPassTest : public GlTest
 {
 protected:

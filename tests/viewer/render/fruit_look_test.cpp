@@ -28,23 +28,12 @@ using render::DrawOptions;
 using render::Picture;
 using render::PixelFacts;
 
-constexpr int kWidth = 160, kHeight = 120;
-
 const std::vector<std::string> kFruit{"watermelon", "apple",     "orange", "lemon",  "kiwi",   "banana",
                                       "coconut",    "pineapple", "bomb",   "freeze", "frenzy", "double"};
 
 io::LoadedMesh fruit(const std::string& name)
 {
     return io::read_mesh(KERF_DATA_DIR "/fruit/" + name + ".glb");
-}
-
-/// One method of each back end is enough here: their surfaces are equal bit for bit.
-std::vector<NamedBackend> both_back_ends()
-{
-    std::vector<NamedBackend> chosen;
-    for (const NamedBackend& backend : backends())
-        if (backend.name == "halfedge" || backend.name == "baseline_hash") chosen.push_back(backend);
-    return chosen;
 }
 
 /// Towards the eye and the light, somewhat aside; and 60 degrees off the eye, away from the light.
@@ -84,11 +73,6 @@ Plane any_plane(shapes::Random& random)
         if (square > 1.0 || square < 0.01) continue;
         return *Plane::through(0.12 * glm::dvec3(number(), number(), number()), normal);
     }
-}
-
-double luminance(const std::uint8_t* pixel)
-{
-    return (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]) / 255.0;
 }
 
 /// What is seen of the caps of a picture.
@@ -241,12 +225,12 @@ TEST_P(FruitCap, IsFixedToTheFruitHoweverItTumbles)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, FruitCap, ::testing::ValuesIn(both_back_ends()),
+INSTANTIATE_TEST_SUITE_P(BackEnds, FruitCap, ::testing::ValuesIn(one_of_each_kind()),
                          [](const auto& param) { return param.param.name; });
 
 TEST_F(FruitLook, FleshIsTheSameFromBothBackEnds)
 {
-    const std::vector<NamedBackend> both = both_back_ends();
+    const std::vector<NamedBackend> both = one_of_each_kind();
     if (both.size() < 2) GTEST_SKIP() << "one back end in this build";
     const Plane plane = *Plane::through(glm::dvec3(0.0, 0.05, 0.02), glm::dvec3(0.3, 0.9, 0.2));
     // Convex sections: a fan covers them as a triangulation does.
@@ -272,7 +256,7 @@ TEST_F(FruitLook, ShowsTheSkinOnlyAtTheEdgeOfACut)
 {
     // The shaders repeat the outlines that the meshes have: were they different, the rind would be too wide or missing.
     const Plane across = *Plane::through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
-    const NamedBackend backend = both_back_ends().front();
+    const NamedBackend backend = one_of_each_kind().front();
     const View seen = view(opened(*backend.make(), fruit("watermelon"), across));
     // pattern_scale is 1 / diagonal: back to metres.
     const Box box = fruit("watermelon").mesh->bounds();
@@ -305,7 +289,7 @@ TEST_F(FruitLook, HasNoDashedRimWhereACutIsSeenEdgeOn)
     options.lights.shadow = 0.0f;
     const Plane across = *Plane::through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
     for (const float lift : {0.06f, 0.1f, 0.14f}) {
-        std::vector<StagedPiece> pieces = opened(*both_back_ends().front().make(), fruit("lemon"), across);
+        std::vector<StagedPiece> pieces = opened(*one_of_each_kind().front().make(), fruit("lemon"), across);
         // The half stands upright, its button out of sight.
         const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), lift, glm::vec3(1.0f, 0.0f, 0.0f)) *
                                   glm::mat4(glm::transpose(glm::mat3(facing(glm::vec3(across.normal)))));

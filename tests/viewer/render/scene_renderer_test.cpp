@@ -27,17 +27,6 @@ using render::Lighting;
 using render::Picture;
 using render::PixelFacts;
 
-constexpr int kWidth = 160, kHeight = 120;
-
-/// One method of each back end is enough here: their surfaces are equal bit for bit.
-std::vector<NamedBackend> both_back_ends()
-{
-    std::vector<NamedBackend> chosen;
-    for (const NamedBackend& backend : backends())
-        if (backend.name == "halfedge" || backend.name == "baseline_hash") chosen.push_back(backend);
-    return chosen;
-}
-
 class SceneRendererTest : public GlTest, public ::testing::WithParamInterface<NamedBackend>
 {
 protected:
@@ -122,11 +111,6 @@ bool is_inner(const std::vector<int>& kinds, int x, int y)
         for (int dx = -1; dx <= 1; ++dx)
             if (at(x + dx, y + dy) != at(x, y)) return false;
     return true;
-}
-
-double luminance(const std::uint8_t* pixel)
-{
-    return (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]) / 255.0;
 }
 
 double median(std::vector<double> values)
@@ -262,7 +246,7 @@ TEST_P(SceneRendererTest, DrawsOnlyIntoItsArea)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, SceneRendererTest, ::testing::ValuesIn(both_back_ends()),
+INSTANTIATE_TEST_SUITE_P(BackEnds, SceneRendererTest, ::testing::ValuesIn(one_of_each_kind()),
                          [](const auto& param) { return param.param.name; });
 
 }  // namespace kerf::test

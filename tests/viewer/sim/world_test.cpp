@@ -11,7 +11,7 @@
 namespace kerf::sim {
 namespace {
 
-IndexedMesh brick()
+IndexedMesh unit_box()
 {
     return *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
 }
@@ -22,7 +22,7 @@ std::unique_ptr<Body> sibling(ObjectId id, const glm::dvec3& centre, std::uint64
     Identity identity;
     identity.id = id;
     if (cut > 0) identity.recent_cuts.push_back({cut, until});
-    std::unique_ptr<Cuttable> object = std::move(model->prepare(brick()).object);
+    std::unique_ptr<Cuttable> object = std::move(model->prepare(unit_box()).object);
     MeshPose pose;
     pose.translation = centre;
     const Solid solid = solid_of(object->mass_properties(), object->bounds(), 1.0);
@@ -32,7 +32,7 @@ std::unique_ptr<Body> sibling(ObjectId id, const glm::dvec3& centre, std::uint64
 TEST(World, FallsByGravityInTicks)
 {
     World world(9.81);
-    Body& body = world.add(test::body_of(brick(), 1, {0, 0, 0}, {{0, 3, 0}, {}}));
+    Body& body = world.add(test::body_of(unit_box(), 1, {0, 0, 0}, {{0, 3, 0}, {}}));
     for (int i = 0; i < kTicksPerSecond; ++i) world.step();
     EXPECT_EQ(world.now(), kTicksPerSecond);
     EXPECT_NEAR(body.motion().velocity.y, 3.0 - 9.81, 1e-3);
@@ -43,7 +43,7 @@ TEST(World, FallsByGravityInTicks)
 TEST(World, BodiesAreInTheOrderOfTheirIdsWhateverOrderTheyCameIn)
 {
     World world;
-    for (const ObjectId id : {3u, 1u, 2u}) world.add(test::body_of(brick(), id, {3.0 * double(id), 0, 0}));
+    for (const ObjectId id : {3u, 1u, 2u}) world.add(test::body_of(unit_box(), id, {3.0 * double(id), 0, 0}));
     ASSERT_EQ(world.bodies().size(), 3u);
     for (ObjectId id = 1; id <= 3; ++id) EXPECT_EQ(world.bodies()[std::size_t(id - 1)]->id(), id);
     EXPECT_EQ(world.find(2)->id(), 2u);
@@ -81,10 +81,10 @@ TEST(World, StrangersCollideAtOnce)
 TEST(World, WhatEntersTouchesNothingUntilAllOfItIsOnTheStage)
 {
     World world(0.0);
-    Body& entering = world.add(test::body_of(brick(), 1, {0, -kStageHalfHeight - 1.5, 0}, {{0, 6, 0}, {}}));
+    Body& entering = world.add(test::body_of(unit_box(), 1, {0, -kStageHalfHeight - 1.5, 0}, {{0, 6, 0}, {}}));
     entering.set_entering(true);
-    world.add(test::body_of(brick(), 2, {0, -kStageHalfHeight, 0}));  // in the way, half out of sight
-    world.add(test::body_of(brick(), 3, {0, 0, 0}));                  // in the way, on the stage
+    world.add(test::body_of(unit_box(), 2, {0, -kStageHalfHeight, 0}));  // in the way, half out of sight
+    world.add(test::body_of(unit_box(), 3, {0, 0, 0}));                  // in the way, on the stage
     while (entering.is_entering()) {
         ASSERT_LT(world.now(), kTicksPerSecond);
         world.step();
@@ -110,7 +110,7 @@ TEST(World, OverlapsAreResolvedWithoutAnExplosion)
 TEST(World, ACollisionKeepsMomentum)
 {
     World world(0.0);
-    world.add(test::body_of(brick(), 1, {-2, 0, 0}, {{4, 0.3, 0}, {0, 1, 0}}));
+    world.add(test::body_of(unit_box(), 1, {-2, 0, 0}, {{4, 0.3, 0}, {0, 1, 0}}));
     world.add(test::body_of(*test::shape("asteroid"), 2, {2, 0.4, 0}, {{-3, 0, 0.1}, {1, 0, 0}}));
     const auto total = [&] {
         glm::dvec3 sum(0.0);
@@ -143,7 +143,7 @@ TEST(World, FreesWhatLeftTheStageForGood)
         {{0, std::nan(""), 0}, {0, 0, 0}, true},                                  // lost
     };
     ObjectId id = 0;
-    for (const auto& c : cases) world.add(test::body_of(brick(), ++id, c.centre, {c.velocity, {}}));
+    for (const auto& c : cases) world.add(test::body_of(unit_box(), ++id, c.centre, {c.velocity, {}}));
     std::vector<ObjectId> expected, gone;
     for (std::size_t i = 0; i < std::size(cases); ++i)
         if (cases[i].gone) expected.push_back(i + 1);
