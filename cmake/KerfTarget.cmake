@@ -10,7 +10,9 @@ set(KERF_ROUNDING_OPTIONS -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-s
 add_library(kerf_flags INTERFACE)
 target_compile_features(kerf_flags INTERFACE cxx_std_20)
 target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-math
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  -Wall -Wextra -Wpedantic -Wconversion
+  # In a unity build the files of a target would shadow one another's constants.
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   # What GCC counts as a conversion: the signs of indices are not.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 if(KERF_WERROR)

@@ -9,11 +9,11 @@
 #include <limits>
 #include <random>
 
-#include "common/coinciding_solids.h"
+#include "support/coinciding_solids.h"
 #include "common/mesh_facts.h"
 #include "common/shapes.h"
-#include "common/small_meshes.h"
-#include "common/surface_referee.h"
+#include "support/small_meshes.h"
+#include "support/surface_referee.h"
 
 namespace kerf {
 namespace {

@@ -7,7 +7,7 @@
 #include "common/assemble.h"
 #include "common/mesh_facts.h"
 #include "common/shapes.h"
-#include "common/small_meshes.h"
+#include "support/small_meshes.h"
 
 namespace kerf {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/shapes.h"
-#include "common/small_meshes.h"
+#include "support/small_meshes.h"
 
 namespace kerf {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "common/box.h"
-#include "common/surface_facts.h"
+#include "support/surface_facts.h"
 
 namespace kerf {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "common/cut.h"
 #include "common/io/mesh_file.h"
-#include "contract/cgal_clip.h"
+#include "support/cgal_clip.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
 

@@ -13,8 +13,8 @@
 #include "common/cut.h"
 #include "common/cut_geometry.h"
 #include "common/io/mesh_file.h"
-#include "contract/cgal_clip.h"
-#include "contract/ray_winding.h"
+#include "support/cgal_clip.h"
+#include "support/ray_winding.h"
 #include "support/fixtures.h"
 
 namespace kerf {

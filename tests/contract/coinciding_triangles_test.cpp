@@ -10,7 +10,7 @@
 #include <memory>
 #include <random>
 
-#include "common/coinciding_solids.h"
+#include "support/coinciding_solids.h"
 #include "common/io/mesh_file.h"
 #include "common/mesh_facts.h"
 #include "common/shapes.h"

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "common/cut.h"
-#include "common/small_meshes.h"
+#include "support/small_meshes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/prisms.h"

@@ -12,7 +12,7 @@
 
 #include "common/cut.h"
 #include "common/shapes.h"
-#include "contract/random_case.h"
+#include "support/random_case.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

@@ -17,7 +17,11 @@
 // neither on the order of its triangles nor on the side from which the plane is seen.
 
 #ifndef KERF_OPEN_SOUPS
+#ifdef KERF_BRIEF_TESTS
+#define KERF_OPEN_SOUPS 100
+#else
 #define KERF_OPEN_SOUPS 2000  // at a time; times KERF_OPEN_SOUP_RUNS
+#endif
 #define KERF_OPEN_SOUP_RUNS 1
 #endif
 

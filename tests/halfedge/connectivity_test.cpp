@@ -10,7 +10,7 @@
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
-#include "support/sanitized.h"
+#include "support/brief.h"
 
 namespace kerf::halfedge {
 namespace {
@@ -103,8 +103,8 @@ void expect_a_good_chain(const IndexedMesh& mesh, int cuts)
     }
 }
 
-// Every cut is followed by checks of everything: ten times slower with the sanitizer.
-constexpr int kCuts = test::kAddressSanitized ? 100 : 1000;
+// Every cut is followed by checks of everything.
+constexpr int kCuts = test::kBrief ? 100 : 1000;
 
 TEST(Connectivity, SurvivesAThousandCutsInAChain)
 {

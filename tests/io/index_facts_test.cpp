@@ -7,7 +7,7 @@
 #include "common/assemble.h"
 #include "common/io/mesh_file.h"
 #include "common/mesh_facts.h"
-#include "common/surface_referee.h"
+#include "support/surface_referee.h"
 
 // measure() and assemble() on real meshes, against facts that other programs found (../shared/meshes/INDEX.md).
 

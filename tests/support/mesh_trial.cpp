@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "common/surface_referee.h"
+#include "support/surface_referee.h"
 #include "support/referee.h"
 
 namespace kerf::test {

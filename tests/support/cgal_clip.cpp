@@ -1,4 +1,4 @@
-#include "contract/cgal_clip.h"
+#include "support/cgal_clip.h"
 
 #include <CGAL/Polygon_mesh_processing/clip.h>
 

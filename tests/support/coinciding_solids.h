@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "common/small_meshes.h"
+#include "support/small_meshes.h"
 
 namespace kerf::small_meshes {
 

@@ -1,4 +1,4 @@
-#include "contract/ray_winding.h"
+#include "support/ray_winding.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -1,4 +1,4 @@
-#include "contract/random_case.h"
+#include "support/random_case.h"
 
 #include <rapidcheck.h>
 
