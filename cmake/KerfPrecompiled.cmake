@@ -22,8 +22,10 @@ function(kerf_precompiled_headers name)
 endfunction()
 
 if(KERF_PRECOMPILE)
-  # ccache can only look into a header that was compiled before with this option.
-  target_compile_options(kerf_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  # ccache can only look into a header that was compiled before with these options.
+  target_compile_options(kerf_flags INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+    "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
   kerf_precompiled_headers(kerf_precompiled HEADERS ${KERF_PRECOMPILED_HEADERS} LIBS glm::glm)
   if(KERF_BUILD_TESTS)
     kerf_precompiled_headers(kerf_precompiled_tests
