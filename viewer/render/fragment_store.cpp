@@ -119,7 +119,7 @@ DrawnFragment FragmentStore::add(Cuttable& object, Room room)
     if (has_moved) describe_vertices(*buffers);
     object.mark_uploaded();
 
-    DrawnFragment drawn{buffers, batches_of(view, looks_), everything_of(view), 0};
+    DrawnFragment drawn{buffers, batches_of(view, looks_), everything_of(view), 0, object.bounds()};
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
 }

@@ -44,6 +44,7 @@ struct DrawnFragment
     std::vector<DrawBatch> batches;
     IndexRuns everything;  ///< whatever the material: for shadows
     std::uint64_t triangles = 0;
+    Box bounds;  ///< mesh coordinates
 };
 
 /// How much larger than its content a buffer starts.
