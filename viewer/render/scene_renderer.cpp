@@ -1,7 +1,8 @@
 #include "viewer/render/scene_renderer.h"
 
 #include <glm/gtc/type_ptr.hpp>
-#include <utility>
+#include <glm/matrix.hpp>
+#include <vector>
 
 namespace kerf::render {
 
@@ -10,40 +11,19 @@ namespace {
 /// Around the middle of the stage: everything that throws a shadow onto what a 16:9 window sees of the wall.
 constexpr float kShadowRadius = 12.5f;
 
-/// The shadow map has unit 0.
-constexpr GLint kImageUnit = 1;
-
-ShaderProgram surface_program(const ShaderFiles& fragment_files)
+PictureTarget target_of(const SceneRenderer::Area& area)
 {
-    return ShaderProgram({"frame.glsl", "surface.vert"}, fragment_files);
+    GLint framebuffer = 0, samples = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_SAMPLES, &samples);
+    return {static_cast<GLuint>(framebuffer), samples, area.x, area.y, area.width, area.height};
 }
 
 }  // namespace
 
-void cull_for(const DrawnObject& object)
-{
-    // What is seen of an open mesh's back is drawn, too.
-    if (object.is_closed)
-        glEnable(GL_CULL_FACE);
-    else
-        glDisable(GL_CULL_FACE);
-}
-
-SceneRenderer::SurfaceProgram::SurfaceProgram(ShaderProgram linked)
-    : program(std::move(linked)),
-      model(program.uniform("model")),
-      pattern_scale(program.uniform("pattern_scale")),
-      look_index(program.uniform("look_index")),
-      is_cap(program.uniform("is_cap"))
-{
-    program.use();
-    glUniform1i(program.uniform("shadow_map"), 0);
-    if (const GLint image = program.uniform("image"); image >= 0) glUniform1i(image, kImageUnit);
-}
-
 SceneRenderer::SceneRenderer(const LookTable& looks)
     : looks_(looks),
-      lambert_(surface_program({"frame.glsl", "tone.glsl", "shadow.glsl", "surface_look.glsl", "lambert.frag"})),
+      programs_(looks),
       depth_({"depth.vert"}, {"depth.frag"}),
       wire_({"frame.glsl", "wire.vert"}, {"wire.frag"}, {"frame.glsl", "wire.geom"})
 {
@@ -53,8 +33,7 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
                          const Area& area)
 {
     statistics_ = {};
-    GLint target = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    const PictureTarget target = target_of(area);
     const Lights& lights = options.lights;
     const glm::mat4 shadow_projection = ShadowMap::projection(lights.to_light, kShadowRadius);
 
@@ -64,7 +43,7 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glDisable(GL_BLEND);
     draw_shadows(objects, shadow_projection);
 
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(area.x, area.y, area.width, area.height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(area.x, area.y, area.width, area.height);
@@ -81,12 +60,16 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     frame.sky_colour = {lights.sky, 0.0f};
     frame.ground_colour = {lights.ground, 0.0f};
     frame.viewport = {area.width, area.height, lights.exposure, 0.0f};
+    frame.to_world = glm::inverse(frame.view_projection);
+    frame.picture = {area.x, area.y, target.samples, 0.0f};
     uniforms_.set(frame);
     looks_.bind();
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, shadow_map_.texture());
 
-    draw_surfaces(objects, options.lighting);
+    draw_surfaces(objects, frame.view_projection, options, target);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(area.x, area.y, area.width, area.height);
     // The wall last: what stands before it is not shaded twice.
     if (options.wall) wall_.draw();
     if (options.wireframe) draw_edges(objects);
@@ -96,12 +79,11 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glDisable(GL_SCISSOR_TEST);
 }
 
-void SceneRenderer::draw_runs(const IndexRuns& runs)
+void SceneRenderer::warm_up(Pattern pattern)
 {
-    glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.offsets.data(),
-                        static_cast<GLsizei>(runs.counts.size()));
-    ++statistics_.calls;
-    statistics_.ranges += runs.counts.size();
+    programs_.find(Lighting::textured, pattern, PointSource::triangle);
+    if (deferred_.is_offered() && shades_from_geometry_buffer(pattern, TriangleKind::surface))
+        programs_.find(Lighting::textured, pattern, PointSource::geometry_buffer);
 }
 
 void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection)
@@ -116,51 +98,46 @@ void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
         cull_for(object);
-        draw_runs(object.fragment->everything);
+        draw_runs(object.fragment->everything, statistics_);
     }
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-const SceneRenderer::SurfaceProgram& SceneRenderer::textured(Pattern pattern)
+void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, const glm::mat4& view_projection,
+                                  const DrawOptions& options, const PictureTarget& target)
 {
-    const std::span<const std::string_view> own = shaders_of(pattern);
-    const auto known = textured_.find(own.data());
-    if (known != textured_.end()) return known->second;
-    ShaderFiles files{"frame.glsl", "tone.glsl", "shadow.glsl", "noise.glsl", "surface_look.glsl"};
-    files.insert(files.end(), own.begin(), own.end());
-    files.push_back("textured.frag");
-    return textured_.emplace(own.data(), SurfaceProgram(surface_program(files))).first->second;
+    std::vector<PlacedDraw> deferred;
+    std::vector<SurfaceDraw> others;
+    for (const DrawnObject& object : objects) {
+        const ScreenRectangle part =
+            screen_rectangle(object.fragment->bounds, view_projection * object.model, target.width, target.height);
+        if (part.is_empty()) continue;
+        for (const DrawBatch& batch : object.fragment->batches) {
+            const PlacedDraw draw{{&object, &batch}, part};
+            const bool is_deferred = options.deferred && deferred.size() < DeferredPass::kMostDraws &&
+                                     deferred_.suits(draw, looks_.look(batch.look).pattern, options.lighting, target);
+            if (is_deferred)
+                deferred.push_back(draw);
+            else
+                others.push_back(draw.surface);
+        }
+    }
+    if (!deferred.empty()) {
+        deferred_.fill(deferred, target, statistics_);
+        deferred_.shade(deferred, options.lighting, target, programs_);
+    }
+    draw_at_once(others, options.lighting);
 }
 
-void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, Lighting lighting)
+void SceneRenderer::draw_at_once(std::span<const SurfaceDraw> draws, Lighting lighting)
 {
-    const SurfaceProgram* in_use = nullptr;
-    std::uint32_t bound_image = 0;
-    for (const DrawnObject& object : objects) {
-        glBindVertexArray(object.fragment->buffers->vertex_array.id());
-        cull_for(object);
-        bool is_placed = false;
-        for (const DrawBatch& batch : object.fragment->batches) {
-            const SurfaceProgram& surface =
-                lighting == Lighting::lambert ? lambert_ : textured(looks_.look(batch.look).pattern);
-            if (&surface != in_use) surface.program.use();
-            if (&surface != in_use || !is_placed) {
-                glUniformMatrix4fv(surface.model, 1, GL_FALSE, glm::value_ptr(object.model));
-                glUniform1f(surface.pattern_scale, object.pattern_scale);
-            }
-            in_use = &surface;
-            is_placed = true;
-            if (const std::uint32_t image = looks_.look(batch.look).image; image != 0 && image != bound_image) {
-                glActiveTexture(GL_TEXTURE0 + kImageUnit);
-                glBindTexture(GL_TEXTURE_2D, looks_.images().texture(image));
-                glActiveTexture(GL_TEXTURE0);
-                bound_image = image;
-            }
-            glUniform1i(surface.look_index, static_cast<GLint>(batch.look));
-            glUniform1i(surface.is_cap, batch.kind == TriangleKind::cap ? 1 : 0);
-            draw_runs(batch.runs);
-        }
+    programs_.begin();
+    for (const SurfaceDraw& draw : draws) {
+        glBindVertexArray(draw.object->fragment->buffers->vertex_array.id());
+        cull_for(*draw.object);
+        programs_.use(draw, lighting, PointSource::triangle);
+        draw_runs(draw.batch->runs, statistics_);
     }
     glDisable(GL_CULL_FACE);
 }
@@ -185,7 +162,7 @@ void SceneRenderer::draw_edges(std::span<const DrawnObject> objects)
                 glUniform4f(colour, 1.0f, 0.93f, 0.72f, 0.95f);
             else
                 glUniform4f(colour, 0.01f, 0.012f, 0.015f, 0.6f);
-            draw_runs(batch.runs);
+            draw_runs(batch.runs, statistics_);
         }
     }
     glDisable(GL_BLEND);

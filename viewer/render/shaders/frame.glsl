@@ -9,4 +9,6 @@ layout(std140) uniform Frame
     vec4 sky_colour;         // ambient light from above
     vec4 ground_colour;      // ambient light from below
     vec4 viewport;           // width, height in pixels; exposure; time in seconds
+    mat4 to_world;           // view_projection undone
+    vec4 picture;            // lower left corner on the target in pixels; samples a pixel
 } frame;

@@ -10,7 +10,6 @@ invariant gl_Position;
 out vec3 world_position;
 out vec3 world_normal;
 out vec3 pattern_position;
-out vec3 pattern_normal;
 out vec2 pattern_uv;
 
 void main()
@@ -20,7 +19,6 @@ void main()
     // Objects are turned, moved and scaled alike in all directions: normals turn with them.
     world_normal = mat3(model) * normal;
     pattern_position = position * pattern_scale;
-    pattern_normal = normal;
     pattern_uv = uv;
     gl_Position = frame.view_projection * world;
 }

@@ -1,22 +1,14 @@
-in vec3 world_position;
-in vec3 world_normal;
-in vec3 pattern_position;
-in vec3 pattern_normal;
-in vec2 pattern_uv;
-
-uniform mat4 model;
+uniform mat4 model;  // mesh coordinates to world
 uniform bool is_cap;
-
-out vec4 colour;
 
 // A bump's slope from the differences to the neighbouring pixels (Mikkelsen, "Bump mapping unparametrized surfaces on
 // the GPU", 2010).
-vec3 bumped(vec3 n, float height, vec3 gradient)
+vec3 bumped(vec3 n, SurfacePoint point, float height, vec3 gradient)
 {
-    vec3 dx = dFdx(world_position), dy = dFdy(world_position);
-    vec3 r1 = cross(dy, n), r2 = cross(n, dx);
-    float det = dot(dx, r1);
-    vec3 slope = sign(det) * (dFdx(height) * r1 + dFdy(height) * r2);
+    vec3 r1 = cross(point.world_dy, n), r2 = cross(n, point.world_dx);
+    float det = dot(point.world_dx, r1);
+    vec2 steps = steps_of(height);
+    vec3 slope = sign(det) * (steps.x * r1 + steps.y * r2);
     // The differences are those of two by two pixels: a step between two such blocks is seen, one within a block is a
     // cliff. Limited, an edge is not dotted black and white.
     const float kSteepest = 1.3;
@@ -28,36 +20,34 @@ vec3 bumped(vec3 n, float height, vec3 gradient)
 
 // Place.pixel of a cut. Seen aslant a pixel is long there: taken for its length, as fwidth() takes it, the segments of an
 // orange would be one brown.
-float pixel_of(vec3 object)
+float pixel_of(vec3 dx, vec3 dy)
 {
-    vec3 dx = dFdx(object), dy = dFdy(object);
     float sum = dot(dx, dx) + dot(dy, dy), area = length(cross(dx, dy));
     // The axes of a pixel's outline on the cut: singular values.
     float longer = sqrt(0.5 * (sum + sqrt(max(sum * sum - 4.0 * area * area, 0.0))));
     float shorter = area / max(longer, 1e-20);
-    return min(length(fwidth(object)), max(1.42 * shorter, 0.5 * longer));
+    return min(length(abs(dx) + abs(dy)), max(1.42 * shorter, 0.5 * longer));
 }
 
-void main()
+// What a point sends to the eye.
+vec3 light_from(SurfacePoint point)
 {
     Look look = looks[look_index];
-    vec3 object = pattern_position / pattern_scale;
-    float pixel = is_cap ? pixel_of(object) : length(fwidth(object));
-    Place place = Place(object, pattern_position, pattern_uv, pixel, is_cap);
+    float pixel = is_cap ? pixel_of(point.mesh_dx, point.mesh_dy) : length(abs(point.mesh_dx) + abs(point.mesh_dy));
+    Place place = Place(point.mesh, point.pattern, point.uv, pixel, is_cap);
     Surface s = Surface(look.colour.rgb, 0.0, vec3(0.0), look.finish.x, look.finish.y, look.finish.z,
                         look.colour.rgb, 0.0, 0.0, vec3(0.0));
     describe(look, place, s);
 
-    vec3 n = normalize(gl_FrontFacing ? world_normal : -world_normal);
-    vec3 flat_n = n;
-    n = bumped(n, s.height * length(model[0].xyz), mat3(model) * s.slope / length(model[0].xyz));
+    vec3 flat_n = point.normal;
+    vec3 n = bumped(flat_n, point, s.height * length(model[0].xyz), mat3(model) * s.slope / length(model[0].xyz));
 
-    vec3 v = normalize(frame.eye.xyz - world_position);
+    vec3 v = normalize(frame.eye.xyz - point.world);
     vec3 l = frame.to_light.xyz;
     vec3 h = normalize(l + v);
     float nl = dot(n, l), nv = max(dot(n, v), 1e-3), nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
     float lit = max(nl, 0.0);
-    float arriving = lit > 0.0 ? light_at(world_position, flat_n, 1.2) : 0.0;
+    float arriving = lit > 0.0 ? light_at(point.world, flat_n, 1.2) : 0.0;
 
     // Microfacets (Trowbridge-Reitz) with the usual approximations for shadowing and Fresnel.
     float a = s.roughness * s.roughness, a2 = a * a;
@@ -97,7 +87,7 @@ void main()
         const float kFilm2 = 0.0009;  // roughness 0.17, to the fourth power
         float film_d = kFilm2 / (3.14159 * pow(film_nh * film_nh * (kFilm2 - 1.0) + 1.0, 2.0) + 1e-5);
         // A flat cut that happens to mirror the light would be a sheet of glare: juice stands on it in patches.
-        float patches = smoothstep(0.50, 0.66, noise(pattern_position * 17.0));
+        float patches = smoothstep(0.50, 0.66, noise(point.pattern * 17.0));
         light += s.wet * frame.light_colour.rgb * arriving * lit * min(0.003 * film_d, 0.006 + 0.030 * patches);
         float film_edge = 0.02 + (is_cap ? 0.16 : 0.45) * pow(1.0 - film_nv, 5.0);
         float film_ceiling = smoothstep(-0.25, 0.6, reflect(-v, film).y);
@@ -106,6 +96,5 @@ void main()
 
     // Hair and cloth shine where they are seen edge on.
     light += s.fuzz * s.albedo * pow(1.0 - nv, 3.0) * (frame.sky_colour.rgb + 0.5 * arriving * frame.light_colour.rgb);
-    light += s.glow;
-    colour = vec4(toned(light), 1.0);
+    return light + s.glow;
 }

@@ -1,0 +1,1 @@
+#extension GL_ARB_sample_shading : require
