@@ -5,7 +5,7 @@ import statistics
 from dataclasses import dataclass
 from typing import Sequence
 
-from run_bench import fitted_exponent
+from report.repetitions import Counters
 
 FITTED_FROM = 9_000  # triangles; smaller meshes are dominated by the fixed cost of a cut. Shapes miss their size by a little
 
@@ -23,12 +23,23 @@ class Exponent:
         return f"{self.value:.2f}" + (f" ± {self.half_width:.2f}" if self.half_width is not None else "")
 
 
+def slope_and_error(points: Sequence[tuple[float, float]]) -> tuple[float, float]:
+    """Slope of log(time) over log(size) by least squares, and its standard error."""
+    x = [math.log(size) for size, _ in points]
+    y = [math.log(value) for _, value in points]
+    n, mx, my = len(x), statistics.mean(x), statistics.mean(y)
+    sxx = sum((a - mx) ** 2 for a in x)
+    slope = sum((a - mx) * (b - my) for a, b in zip(x, y)) / sxx
+    residual = sum((b - my - slope * (a - mx)) ** 2 for a, b in zip(x, y))
+    return slope, math.sqrt(residual / max(n - 2, 1) / sxx)
+
+
 def exponent(points: Sequence[tuple[float, float]]) -> Exponent | None:
     """By least squares in logarithms; None for fewer than two sizes."""
     usable = [(size, value) for size, value in points if size > 0 and value > 0]
     if len({size for size, _ in usable}) < 2:
         return None
-    slope, error = fitted_exponent(usable)
+    slope, error = slope_and_error(usable)
     factor = math.exp(statistics.mean(math.log(value) - slope * math.log(size) for size, value in usable))
     degrees = len(usable) - 2
     if degrees < 1:
@@ -79,3 +90,20 @@ def cuts_to_pay_back(prepare: float, other_prepare: float, cut: float, other_cut
     if cut >= other_cut:
         return None
     return max(prepare - other_prepare, 0.0) / (other_cut - cut)
+
+
+def crossover(cells: dict[tuple[str, int], Counters], slower: str, faster: str) -> float | None:
+    """Triangles from which on `faster` takes less time than `slower`, by interpolation between sizes; None if it never
+    does."""
+    sizes = sorted(size for backend, size in cells if backend == faster and (slower, size) in cells)
+    ratios = [(cells[(faster, size)]["triangles"][0],
+               cells[(faster, size)]["real_time"][0] / cells[(slower, size)]["real_time"][0]) for size in sizes]
+    result = None
+    for (n0, r0), (n1, r1) in reversed(list(zip(ratios, ratios[1:]))):
+        if r1 >= 1:
+            return result
+        if r0 >= 1:
+            share = math.log(r0) / (math.log(r0) - math.log(r1))
+            return math.exp(math.log(n0) + share * (math.log(n1) - math.log(n0)))
+        result = n0
+    return result

@@ -6,9 +6,7 @@ from typing import Any, Iterator
 
 from report import files
 from report.names import ASTEROID, BACKENDS, GALLERY, Kind
-from run_bench import collect
-
-Counters = dict[str, tuple[float, float, float]]  # counter -> median, lowest, highest of the repetitions
+from report.repetitions import Counters, collect
 
 
 @dataclass(frozen=True)
@@ -46,7 +44,7 @@ class Measurements:
     stages: list[dict[str, Any]] = field(default_factory=list)  # the stages' files, without their results
 
     def growth(self, kind: str, shape: str) -> dict[tuple[str, int], Counters]:
-        """`Scale` or `Geometry` benchmarks of a shape, by back end and nominal size (as run_bench.crossover wants it)."""
+        """`Scale` or `Geometry` benchmarks of a shape, by back end and nominal size (as fits.crossover wants it)."""
         cells = {}
         for name, counters in self.bench.items():
             parts = name.split("/")
@@ -104,7 +102,7 @@ def load(stage_files: list[Path]) -> Measurements:
         else:
             model = model_name(stage["command"][1])
             all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in result["runs"][1:]]  # the first warms up
-    all_of_them.bench = collect({"benchmarks": benchmarks})
+    all_of_them.bench = collect(benchmarks)
     return all_of_them
 
 

@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from report.caps import worst_fans
-from report.names import ASTEROID, BACKENDS, GALLERY, Kind
-from report.measurements import Measurements
-from run_bench import SIZES, report_rows
+from report.judged_caps import WorstFan
+from report.names import ASTEROID, BACKENDS, GALLERY, Kind, SIZES
+from report.student_report import report_rows
 
 VIEWER_SIZE = "160x90"  # drawn by a program on most machines: small, so that drawing does not hide cutting
 VIEWER_SEED = 3
@@ -40,6 +39,7 @@ class Extent:
 QUICK = Extent("quick", 100_000, 1, 10_000, 40, ("halfedge", "baseline/hash"), 30_000)
 NORMAL = Extent("normal", 4_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 100_000)
 FULL = Extent("full", 16_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 1_000_000)
+TEXT_STAGES = ("cuts", "proxies", "prepare", "growth", "chain")  # how their names begin
 SHOWN_FANS = 4  # in the gallery
 MOST_FOR_PEERS = 100_000  # triangles
 
@@ -48,6 +48,11 @@ def plan(extent: Extent, scratch: Path, with_vtk: bool = False) -> list[Stage]:
     """All stages of a report, the quickest kinds first. `scratch` is where generated models go."""
     stages = compare_stages(extent) + bench_stages(extent) + peer_stages(extent, scratch, with_vtk)
     return stages + viewer_stages(extent, scratch)
+
+
+def text_plan(extent: Extent) -> list[Stage]:
+    """The stages of which `--text` prints tables: the report's models, growth, chains of cuts, preparing."""
+    return [stage for stage in bench_stages(extent) if stage.name.partition("-")[0] in TEXT_STAGES]
 
 
 def model_file(model: str) -> str:
@@ -95,13 +100,13 @@ def bench_stages(extent: Extent) -> list[Stage]:
     return stages
 
 
-def gallery_stages(found: Measurements) -> list[Stage]:
+def gallery_stages(fans: list[WorstFan]) -> list[Stage]:
     """The worst fans drawn beside the right caps: which they are is known only when the comparison is done."""
     stages = []
-    for row in worst_fans(found, SHOWN_FANS):
-        flags = ("--random-only",) if row["planes"] == "random" else ()
-        arguments = ("--json", "--caps", "--only", str(row["number"])) + flags + (model_file(str(row["model"])),)
-        stages.append(Stage(f"{GALLERY}{row['model']}", Kind.COMPARE, arguments, 0.3))
+    for fan in fans:
+        flags = ("--random-only",) if fan.planes == "random" else ()
+        arguments = ("--json", "--caps", "--only", str(fan.number)) + flags + (model_file(fan.model),)
+        stages.append(Stage(f"{GALLERY}{fan.model}", Kind.COMPARE, arguments, 0.3))
     return stages
 
 

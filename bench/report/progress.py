@@ -15,8 +15,8 @@ def time_text(seconds: float) -> str:
 class Progress:
     """Counts stages by the seconds they are expected to take, corrected by what those done really took."""
 
-    def __init__(self, expected: dict[str, float], stream: TextIO = sys.stderr, clock: Callable[[], float] = time.monotonic):
-        self.expected, self.stream, self.clock = dict(expected), stream, clock
+    def __init__(self, expected: dict[str, float], stream: TextIO | None = None, clock: Callable[[], float] = time.monotonic):
+        self.expected, self.stream, self.clock = dict(expected), stream or sys.stderr, clock
         self.total = sum(expected.values())
         self.done_expected = 0.0
         self.stage, self.stage_share, self.start = "", 0.0, clock()
@@ -26,12 +26,9 @@ class Progress:
         self.show("")
 
     def update(self, done: int, total: int, name: str) -> None:
-        """`done` of `total` parts of the running stage are done (the interface that run_bench.run_one wants)."""
+        """`done` of `total` parts of the running stage are done."""
         self.stage_share = done / max(total, 1)
         self.show(name)
-
-    def finish(self, done: int) -> None:
-        """The running stage's program has ended (the interface that run_bench.run_one wants)."""
 
     def end(self) -> None:
         self.done_expected += self.expected[self.stage]

@@ -8,13 +8,14 @@ import hashlib
 import json
 import os
 import subprocess
+import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import run_bench
 from report import files, machine
+from report.benchmarks import BenchmarkFailed, run_benchmarks
 from report.names import Kind
 from report.plan import Stage
 from report.progress import Progress
@@ -87,8 +88,20 @@ class Stages:
         except (OSError, ValueError, KeyError, TypeError):
             return False
 
+    def run_all(self, to_do: list[Stage]) -> None:
+        """Runs those that are not there yet, and says on the standard error how far it is. Raises StageFailed."""
+        waiting = [stage for stage in to_do if not self.finished(stage)]
+        if len(waiting) < len(to_do):
+            print(f"report: {len(to_do) - len(waiting)} of {len(to_do)} stages are there already", file=sys.stderr)
+        progress = Progress({stage.name: stage.expected_seconds for stage in waiting})
+        for stage in waiting:
+            progress.begin(stage.name)
+            self.run(stage, progress)
+            progress.end()
+        progress.clear()
+
     def run(self, stage: Stage, progress: Progress) -> None:
-        """Throws StageFailed; then nothing is kept of this stage."""
+        """Raises StageFailed; then nothing is kept of this stage."""
         before, start = os.getloadavg()[0], time.monotonic()
         make_model(self.programs.kerf, stage)
         result = self.run_program(stage, progress)
@@ -100,7 +113,7 @@ class Stages:
     def run_program(self, stage: Stage, progress: Progress) -> Any:
         program = self.programs.of(stage.kind)
         if stage.kind == Kind.BENCH:
-            return run_benchmarks(program, stage, progress, self.folder)
+            return run_bench(program, stage, progress, self.folder)
         if stage.kind == Kind.COMPARE:
             # Exit status 1 with JSON says that the back ends do not agree: a result, and the page shows it.
             return run_for_json([program, "compare", *stage.arguments], accepted=(0, 1))
@@ -111,13 +124,13 @@ class Stages:
         return run_for_json([program, *stage.arguments], accepted=(0,))
 
 
-def run_benchmarks(program: Path, stage: Stage, progress: Progress, folder: Path) -> Any:
+def run_bench(program: Path, stage: Stage, progress: Progress, folder: Path) -> Any:
     pattern, repetitions, min_time = stage.arguments
     folder.mkdir(parents=True, exist_ok=True)
     out = folder / (stage.name + files.PARTIAL)
     try:
-        result = run_bench.run_one(program, pattern, repetitions, min_time, progress, out)
-    except SystemExit as error:
+        result = run_benchmarks(program, pattern, repetitions, min_time, progress.update, out)
+    except BenchmarkFailed as error:
         raise StageFailed(str(error)) from None
     finally:
         out.unlink(missing_ok=True)

@@ -1,11 +1,12 @@
 """Whether the back ends agree, and whether caps are right."""
 
-from report.caps import cap_rows_table, caps_table, gallery_table, least_angles_table, MIXES, verdict
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import count, percent
+from report.tables.cap_tables import cap_rows_table, caps_table, gallery_table, least_angles_table
+from report.tables.numbers import count, percent
 
 FLAT = 1e-3  # degrees
+MIXES = {"random": "random planes through the middle", "nasty": "planes through vertices, edges and faces too"}
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
@@ -48,3 +49,16 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                   ShownTable(angles, "Smallest angle of a cap in degrees: medians over the cuts.")]
     parts.append(ShownTable(by_plane, "Every cut that was judged.", folded=True))
     return [Section("caps", "Are the results right?", parts)]
+
+
+def verdict(found: Measurements) -> str:
+    """One sentence on whether the back ends agree."""
+    if not found.comparisons:
+        return "The comparison was not run."
+    cuts = sum(result["total"]["cut"] for result in found.comparisons.values())
+    failed = sum(result["total"]["failed"] + sum(len(file["failures"]) for file in result["files"])
+                 for result in found.comparisons.values())
+    differ = sum(result["total"]["surfaces_differ"] for result in found.comparisons.values())
+    if failed == 0 and differ == 0:
+        return f"In all {count(cuts)} cuts the two back ends agree: their surfaces are equal bit for bit, and every check passed."
+    return f"THE BACK ENDS DO NOT AGREE: of {count(cuts)} cuts, {differ} surfaces differ and {failed} checks failed."

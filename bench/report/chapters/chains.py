@@ -1,8 +1,10 @@
 """Cuts in a row."""
 
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import Table, chain_decades_table, chains_table, count, count_short, digits, milliseconds, rounded
+from report.tables.chain_tables import chain_decades_table, chains_table
+from report.tables.numbers import count, count_short, digits, milliseconds, rounded
+from report.tables.table import Table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

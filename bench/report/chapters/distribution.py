@@ -1,8 +1,8 @@
 """The worst cut of many."""
 
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import distribution_table, viewer_cuts_table, viewer_distribution_table
+from report.tables.distribution_tables import distribution_table, viewer_cuts_table, viewer_distribution_table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

@@ -1,10 +1,11 @@
-"""How cost grows with the mesh."""
+"""How the cost of a cut grows with the mesh, and what it is spent on."""
 
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import (EXTENTS, ORDERS, Table, chain_balance_table, count_short, counters_table, counter_exponents_table,
-                           crossing_table, crossovers_table, digits, milliseconds, percent, phases_table, prepare_table, rounded,
-                           scaling_points_table, scaling_table)
+from report.tables.growth_tables import (EXTENTS, ORDERS, counter_exponents_table, counters_table, crossing_table,
+                                         crossovers_table, phases_table, scaling_points_table, scaling_table)
+from report.tables.numbers import count_short, digits, milliseconds, percent, rounded
+from report.tables.table import Table
 
 WHAT = {"Scale": "Whole chain: two closed fragments with all attributes, volume, centre of mass and inertia, a bounded hull "
                  "each, draw ranges and the bytes to upload.",
@@ -14,7 +15,7 @@ WHAT = {"Scale": "Whole chain: two closed fragments with all attributes, volume,
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
     if not found.growth("Scale", "asteroid"):
         return []
-    return [scaling(found, facts), crossing(found, facts), phases(found, facts), prepare(found, facts)]
+    return [scaling(found, facts), crossing(found, facts), phases(found, facts)]
 
 
 def scaling(found: Measurements, facts: Facts) -> Section:
@@ -160,57 +161,3 @@ def phases(found: Measurements, facts: Facts) -> Section:
         ShownFigure("phases", "Phases of the whole chain, as shares of each back end's time; beside it the time in all, by the wall clock, "
                     "and megabytes to upload.", published=True),
         ShownTable(phases_table(found), "ms in each phase, their sum, and bytes to upload.", folded=True)])
-
-
-def prepare(found: Measurements, facts: Facts) -> Section:
-    table, balance = prepare_table(found), chain_balance_table(found)
-    rows = [row for row in table.rows if row["backend"] == "halfedge" and row.get("paid_back_remap")]
-    parts: list = [
-        "The half-edge back end sorts triangles, links half-edges, builds a tree and reserves memory before the first cut. "
-        "Bytes are what the program holds more of afterwards, vertices and indices included. The viewer prepares on a worker, so that "
-        "no frame waits for it; the work is done all the same, and it is paid back only by cuts that are quicker."]
-    if rows:
-        row = rows[-1]
-        parts.append(f"**Many copies of one object**, each cut once, as a game throws them: at "
-                     f"{facts.say('size', row['triangles'], count_short)} triangles preparing costs "
-                     f"{facts.say('prepare ms', row['prepare_ms'], milliseconds)} ms and is paid back after "
-                     f"{facts.say('cuts', row['paid_back_remap'], digits(0))} of them against `remap` (copying is not counted).")
-    if balance.rows:
-        parts.append("**One object cut to pieces** is another matter: a cut consumes its object, pieces get smaller, and there is less and "
-                     f"less to save. {paid_back_in_chains(balance, facts)}")
-    parts += [ShownFigure("prepare", "Preparing once and then cutting. Solid: copies of the whole, each cut once. Dashed: one object cut to "
-                          "pieces. Where lines of a kind cross, preparing is paid back.", published=True),
-              ShownTable(table, "Preparing, memory, and after how many cuts of fresh copies it is paid back (– : never).", published=True)]
-    if balance.rows:
-        parts.append(ShownTable(balance, "One object cut to pieces, whole chain and cut() alone, ms for all cuts so far. A balance above zero: "
-                                "preparing is paid back.", published=True))
-    return Section("prepare", "Preparing, and the memory it takes", parts)
-
-
-def paid_back_in_chains(balance: Table, facts: Facts) -> str:
-    """Between which marks of the largest chain the balance turns."""
-    size = max(row["triangles"] for row in balance.rows)
-    rows = [row for row in balance.rows if row["triangles"] == size]
-    text = f"Of {facts.say('chain size', size, count_short)} triangles, always the largest piece cut, "
-    turns = {key: chain_turn(rows, key) for key in ("balance_ms", "cutting_balance_ms")}
-    whole, cutting = (turn_text(f"{key}, cuts", turn, rows[-1]["cuts"], facts) for key, turn in turns.items())
-    if whole == cutting:
-        return text + f"preparing is {whole}, with everything a game needs as for cut() alone."
-    return text + f"preparing is {whole} with everything a game needs, and {cutting} counting cut() alone."
-
-
-def turn_text(name: str, turn: tuple[float, float] | None, most: float, facts: Facts) -> str:
-    if turn is None:
-        return f"not paid back within {facts.say(f'{name}, most', most, digits(0))} cuts"
-    if turn[0] == 0:
-        return "paid back by the first cut"
-    return f"paid back between {facts.say(f'{name}, before', turn[0], digits(0))} and {facts.say(f'{name}, after', turn[1], digits(0))} cuts"
-
-
-def chain_turn(rows: list[dict], key: str) -> tuple[float, float] | None:
-    """The marks between which a balance turns from loss to gain for good; 0 as the first where it is a gain from the start,
-    None where it never is one."""
-    if rows[-1][key] <= 0:
-        return None
-    losses = [number for number, row in enumerate(rows) if row[key] <= 0]
-    return (rows[losses[-1]]["cuts"], rows[losses[-1] + 1]["cuts"]) if losses else (0, rows[0]["cuts"])

@@ -1,10 +1,14 @@
 """Where the half-edge back end is not the better choice, from the numbers."""
 
-from report.chapters.growth import paid_back_in_chains
+from report.chapters.prepare import paid_back_in_chains
+from report.chapters.section import Facts, Section
 from report.chapters.unflattering import frames, longest, tail
 from report.measurements import Measurements
-from report.sections import Facts, Section
-from report.tables import chain_balance_table, chain_decades_table, count, count_short, crossovers_table, cuts_table, digits, prepare_table, rounded
+from report.tables.chain_tables import chain_decades_table
+from report.tables.growth_tables import crossovers_table
+from report.tables.model_tables import cuts_table
+from report.tables.numbers import count, count_short, digits, rounded
+from report.tables.prepare_tables import chain_balance_table, prepare_table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

@@ -1,8 +1,9 @@
 """What the numbers were measured on, and how."""
 
+from report.chapters.section import Facts, Section, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownTable
-from report.tables import Column, Table, numbers_table, stages_table
+from report.tables.run_tables import numbers_table, stages_table
+from report.tables.table import Column, Table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

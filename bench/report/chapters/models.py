@@ -3,10 +3,11 @@
 import statistics
 
 from report import fits
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import (cuts_table, digits, frames_table, hulls_table, model_exponents_table, sizes_table,
-                           worst_frames_table)
+from report.tables.model_tables import (cuts_table, frames_table, hulls_table, model_exponents_table, sizes_table,
+                                        worst_frames_table)
+from report.tables.numbers import digits
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

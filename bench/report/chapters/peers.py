@@ -2,9 +2,11 @@
 
 from statistics import median
 
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import Table, digits, peers_by_mesh_table, peers_table
+from report.tables.numbers import digits
+from report.tables.peer_tables import peers_by_mesh_table, peers_table
+from report.tables.table import Table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

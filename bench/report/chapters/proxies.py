@@ -1,8 +1,10 @@
 """Collision proxies, and what the physics costs with them."""
 
+from report.chapters.section import Facts, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure, ShownTable
-from report.tables import Table, count, proxies_table, swipes_table
+from report.tables.numbers import count
+from report.tables.proxy_tables import proxies_table, swipes_table
+from report.tables.table import Table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

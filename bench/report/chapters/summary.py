@@ -2,13 +2,14 @@
 
 import statistics
 
-from report.caps import verdict
+from report.chapters.caps import verdict
 from report.chapters.growth import headline
 from report.chapters.models import lookup_factors
+from report.chapters.section import Facts, Section, ShownFigure
 from report.chapters.unflattering import unflattering
 from report.measurements import Measurements
-from report.sections import Facts, Section, ShownFigure
-from report.tables import count, cuts_table, digits, percent
+from report.tables.model_tables import cuts_table
+from report.tables.numbers import count, digits, percent
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:

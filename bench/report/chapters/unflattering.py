@@ -1,9 +1,13 @@
 """What the half-edge back end does worst, in a few sentences: its worst frame, the tail of its cuts, preparing."""
 
-from report.chapters.growth import paid_back_in_chains
+from report.chapters.prepare import paid_back_in_chains
+from report.chapters.section import Facts
 from report.measurements import Measurements
-from report.sections import Facts
-from report.tables import chain_balance_table, chain_decades_table, count_short, distribution_table, milliseconds, worst_frames_table
+from report.tables.chain_tables import chain_decades_table
+from report.tables.distribution_tables import distribution_table
+from report.tables.model_tables import worst_frames_table
+from report.tables.numbers import count_short, milliseconds
+from report.tables.prepare_tables import chain_balance_table
 
 HALF, LINEAR = "halfedge", "baseline/remap"
 

@@ -1,0 +1,61 @@
+"""How numbers are shown."""
+
+import math
+from typing import Any, Callable
+
+Formatter = Callable[[Any], str]
+ABSENT = "–"
+MICROSECOND_DIGITS = 3
+
+
+def milliseconds(value: float) -> str:
+    return f"{value:.{MICROSECOND_DIGITS}f}" if value < 10 else f"{value:.1f}"
+
+
+def microseconds(value: float) -> str:
+    """Milliseconds, with more digits where they are few: a box takes less than a thousandth."""
+    return f"{value:.5f}" if value < 1e-2 else milliseconds(value)
+
+
+def count(value: float) -> str:
+    return f"{value:,.0f}".replace(",", "\u202f")
+
+
+def rounded(value: float) -> str:
+    """Two digits, as a sentence wants them of what is known to no more: 19 354 as "19 000"."""
+    if value == 0:
+        return "0"
+    step = 10 ** (math.floor(math.log10(abs(value))) - 1)
+    nearest = round(value / step) * step
+    return count(nearest) if nearest >= 10 else f"{nearest:.2g}"
+
+
+def count_short(value: float) -> str:
+    """100000 as "100 k", 4000000 as "4 M"."""
+    if value >= 1e6:
+        return f"{value / 1e6:.3g} M"
+    return f"{value / 1e3:.3g} k" if value >= 1e3 else f"{value:.0f}"
+
+
+def plain(value: Any) -> str:
+    return str(value)
+
+
+def digits(number: int) -> Formatter:
+    return lambda value: f"{value:.{number}f}"
+
+
+def percent(value: float) -> str:
+    """Of a share; rounding errors of doubles are 0."""
+    if abs(value) < 1e-9:
+        return "0"
+    return f"{100 * value:.2g} %" if abs(value) < 0.1 else f"{100 * value:,.0f} %"
+
+
+def scientific(value: float) -> str:
+    return "0" if value == 0 else f"{value:.1e}"
+
+
+def short(backend: str) -> str:
+    """A back end without its family: "baseline/hash" as "hash"."""
+    return backend.split("/")[-1]

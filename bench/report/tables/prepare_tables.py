@@ -1,0 +1,68 @@
+"""What preparing costs, and when it is paid back."""
+
+from report import fits
+from report.measurements import Measurements
+from report.repetitions import median, spread_of
+from report.tables.numbers import count, digits, milliseconds, percent, short
+from report.tables.table import Column, Table, Value
+
+
+def prepare_table(found: Measurements) -> Table:
+    """Preparing a mesh once, the memory it takes, and after how many cuts the half-edge back end has made up for it when
+    each cuts a fresh copy of the whole."""
+    table = Table("prepare", [Column("backend", "back end", short), Column("triangles", "triangles", count),
+                              Column("prepare_ms", "prepare ms", milliseconds),
+                              Column("ns_per_triangle", "ns / triangle", digits(0)),
+                              Column("bytes_per_triangle", "bytes / triangle", digits(0)),
+                              Column("cut_ms", "a cut, ms", milliseconds),
+                              Column("paid_back_remap", "paid back against remap, cuts of copies", digits(1)),
+                              Column("paid_back_hash", "against hash, cuts of copies", digits(1)),
+                              Column("spread", "spread of preparing", percent), Column("repetitions", "repetitions", digits(0))])
+    scale = found.growth("Scale", "asteroid")
+    prepared = {(backend, size): c for backend, size, c in found.sized("Prepare")}
+    for (backend, size), c in prepared.items():
+        row: dict[str, Value] = {"backend": backend, "triangles": size, "prepare_ms": c["real_time"][0],
+                                 "ns_per_triangle": c["ns_per_triangle"][0],
+                                 "bytes_per_triangle": c["bytes_per_triangle"][0], "spread": spread_of(c, "real_time"),
+                                 "repetitions": c["repetitions"][0]}
+        row["cut_ms"] = median(scale.get((backend, size)), "real_time")
+        linear = prepared.get(("baseline/remap", size))  # all lookups prepare alike
+        for lookup in ("remap", "hash"):
+            cut, other = scale.get((backend, size)), scale.get((f"baseline/{lookup}", size))
+            if backend == "halfedge" and linear and cut and other:
+                row[f"paid_back_{lookup}"] = fits.cuts_to_pay_back(c["real_time"][0], linear["real_time"][0],
+                                                                  cut["real_time"][0], other["real_time"][0])
+        table.rows.append(row)
+    return table
+
+
+def chain_balance_table(found: Measurements) -> Table:
+    """One object that is cut to pieces, always the largest of them: preparing and all cuts so far, both back ends. A cut
+    takes its object's place, so that pieces get smaller and quicker cuts save less and less."""
+    table = Table("chain_balance", [Column("triangles", "triangles", count), Column("cuts", "cuts so far", count),
+                                    Column("remap_cutting_ms", "remap, cut() ms", milliseconds),
+                                    Column("halfedge_cutting_ms", "halfedge, cut() ms", milliseconds),
+                                    Column("remap_whole_ms", "remap, whole chain ms", milliseconds),
+                                    Column("halfedge_whole_ms", "halfedge, whole chain ms", milliseconds),
+                                    Column("extra_prepare_ms", "extra preparing ms", milliseconds),
+                                    Column("cutting_balance_ms", "balance of cut(), ms", signed_milliseconds),
+                                    Column("balance_ms", "balance of the whole chain, ms", signed_milliseconds)])
+    chains = {(variant, size): c for variant, size, c in found.sized("Chain")}
+    prepared = {(backend, size): c for backend, size, c in found.sized("Prepare")}
+    for variant, size in chains:
+        needed = ((chains, ("kept/baseline/remap", size)), (prepared, ("halfedge", size)), (prepared, ("baseline/remap", size)))
+        if variant != "kept/halfedge" or any(key not in cells for cells, key in needed):
+            continue
+        half, linear = chains[(variant, size)], chains[("kept/baseline/remap", size)]
+        extra = prepared[("halfedge", size)]["real_time"][0] - prepared[("baseline/remap", size)]["real_time"][0]
+        for mark in sorted(int(key.removeprefix("whole_ms_")) for key in half if key.startswith("whole_ms_")):
+            row: dict[str, Value] = {"triangles": half["triangles"][0], "cuts": mark, "extra_prepare_ms": extra}
+            for kind, balance in (("cutting", "cutting_balance_ms"), ("whole", "balance_ms")):
+                ours, theirs = half[f"{kind}_ms_{mark}"][0], linear[f"{kind}_ms_{mark}"][0]
+                row |= {f"remap_{kind}_ms": theirs, f"halfedge_{kind}_ms": ours, balance: theirs - ours - extra}
+            table.rows.append(row)
+    return table
+
+
+def signed_milliseconds(value: float) -> str:
+    return f"{'+' if value > 0 else '−' if value < 0 else ''}{milliseconds(abs(value))}"

@@ -1,0 +1,40 @@
+"""Chapters are made of what there is."""
+
+import unittest
+
+from report_cases import some_measurements
+from report.chapters import all_sections
+from report.chapters.section import Facts, Section, ShownTable, all_tables
+from report.measurements import Measurements
+from report.tables.table import Table
+
+
+class Chapters(unittest.TestCase):
+    def test_every_chapter_is_made_of_what_there_is_and_says_the_exponents(self):
+        facts = Facts()
+        sections = all_sections(some_measurements(), {"processor": "p", "commit": "c"}, facts)
+        self.assertIn("scaling", [section.slug for section in sections])
+        self.assertNotIn("peers", [section.slug for section in sections])
+        said = {row["name"]: row["shown"] for row in facts.table.rows}
+        self.assertEqual(said["halfedge e"], "0.50")
+        self.assertEqual(said["remap e"], "1.00")
+        self.assertEqual(said["remap to halfedge"], "10.0")
+        all_tables(sections, facts)  # each name once
+
+    def test_nothing_measured_leaves_what_says_how_it_is_done(self):
+        self.assertEqual([section.slug for section in all_sections(Measurements(), {}, Facts())], ["method"])
+
+    def test_what_is_said_is_kept_with_its_chapter_and_value(self):
+        facts = Facts()
+        facts.section = "growth"
+        self.assertEqual(facts.say("largest size", 1234.5, lambda value: f"{value:.0f}"), "1234")
+        self.assertEqual(facts.table.rows, [{"section": "growth", "name": "largest size", "value": 1234.5, "shown": "1234"}])
+
+    def test_two_tables_of_one_name_are_refused(self):
+        shown = ShownTable(Table("t", []), "")
+        with self.assertRaises(ValueError):
+            all_tables([Section("a", "A", [shown, shown])], Facts())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+"""Which stages a report has."""
+
+import re
+import unittest
+from pathlib import Path
+
+from report.judged_caps import WorstFan
+from report.names import Kind
+from report.plan import FULL, NORMAL, QUICK, gallery_stages, plan, text_plan
+
+
+class Plans(unittest.TestCase):
+    def test_stages_have_names_of_their_own_and_sizes_within_the_extent(self):
+        for extent in (QUICK, NORMAL, FULL):
+            stages = plan(extent, Path("scratch"), with_vtk=True)
+            names = [stage.name for stage in stages]
+            self.assertEqual(len(names), len(set(names)))
+            sizes = [int(name.split("-")[1]) for name in names if name.startswith("growth-")]
+            self.assertEqual(max(sizes), extent.most_triangles)
+
+    def test_quadratic_lookups_are_left_out_above_their_limit(self):
+        patterns = {stage.name: re.compile(stage.arguments[0]) for stage in plan(NORMAL, Path("scratch")) if stage.kind == Kind.BENCH}
+        self.assertTrue(patterns["growth-30000"].search("Scale/baseline/scan/asteroid/30000/manual_time"))
+        self.assertFalse(patterns["growth-100000"].search("Scale/baseline/scan/asteroid/100000/manual_time"))
+        self.assertTrue(patterns["growth-100000"].search("Scale/baseline/hash/shuffled/100000/manual_time"))
+        self.assertFalse(patterns["growth-10000"].search("Scale/halfedge/asteroid/100000/manual_time"))
+
+    def test_vtk_has_a_stage_only_if_it_is_there(self):
+        for with_vtk in (False, True):
+            self.assertEqual(any(stage.kind == Kind.VTK for stage in plan(QUICK, Path("scratch"), with_vtk)), with_vtk)
+
+    def test_text_is_made_of_benchmarks_that_the_page_has_too(self):
+        stages = text_plan(NORMAL)
+        self.assertEqual({stage.kind for stage in stages}, {Kind.BENCH})
+        self.assertLess({stage.name for stage in stages}, {stage.name for stage in plan(NORMAL, Path("scratch"))})
+        self.assertEqual(stages[0].name, "cuts")
+
+    def test_a_worst_fan_is_drawn_from_the_planes_that_it_was_found_in(self):
+        random, nasty = gallery_stages([WorstFan("car", "random", 7, 2.0), WorstFan("rook", "nasty", 8, 1.0)])
+        self.assertEqual(random.arguments, ("--json", "--caps", "--only", "7", "--random-only", "data/models/car.obj"))
+        self.assertEqual(nasty.arguments, ("--json", "--caps", "--only", "8", "data/models/rook.obj"))
+
+
+if __name__ == "__main__":
+    unittest.main()

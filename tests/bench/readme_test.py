@@ -1,0 +1,33 @@
+"""The README's part on results."""
+
+import unittest
+
+from report_cases import some_measurements
+from report.page.readme import BEGIN, END, results_block, table_lines, with_results
+from report.chapters.section import Section
+from report.tables.growth_tables import scaling_table
+
+
+class Readme(unittest.TestCase):
+    TABLE = scaling_table(some_measurements(), "Scale", "asteroid")
+
+    def test_a_readme_without_marks_is_left_alone(self):
+        with self.assertRaises(ValueError):
+            with_results("no marks", "block")
+
+    def test_what_stands_between_the_marks_is_replaced_and_nothing_else(self):
+        self.assertEqual(with_results(f"before {BEGIN}old{END} after", "new"), f"before {BEGIN}\nnew\n{END} after")
+
+    def test_the_table_has_the_sizes_that_were_measured(self):
+        head, _, *rows = table_lines(self.TABLE)
+        self.assertEqual(head, "| ms per cut | 1 k | 10 k | 100 k | 1 M | time ~ triangles^e (from size to size) |")
+        self.assertRegex(rows[-1], r"^\| `halfedge` \| .* \| 0\.50 ± 0\.00 \(0\.50 to 0\.50\) \|$")
+
+    def test_limits_are_listed_below_the_figure(self):
+        block = results_block(self.TABLE, Section("limits", "Where it is not better", ["**A.** B."]), "a processor, 2 cores")
+        self.assertIn("One thread of a processor.", block)
+        self.assertIn("**Where it is not better:**\n\n* **A.** B.", block)
+
+
+if __name__ == "__main__":
+    unittest.main()
