@@ -2,6 +2,8 @@
 
 import importlib.machinery
 import importlib.util
+import subprocess
+import sys
 import unittest
 from pathlib import Path
 
@@ -43,6 +45,29 @@ class Revisions(unittest.TestCase):
         self.assertEqual((row["ratio"], row["low"], row["high"]), (2, 2, 2))
         self.assertEqual(row["counters"], {"touched": (5, 6)})
         self.assertEqual(self.compare.verdict(row), "slower")
+
+    def row(self, name, ratio, low, high):
+        return {"benchmark": name, "ratio": ratio, "low": low, "high": high}
+
+    def test_one_sentence_says_what_all_intervals_say(self):
+        rows = [self.row("x", 1.05, 1.02, 1.08), self.row("y", 1.5, 1.2, 1.6), self.row("z", 1.0, 0.9, 1.1)]
+        self.assertEqual(self.compare.closing_sentence(rows, "old", "new"),
+                         "Of 3 benchmarks new is slower in 2 (most in y, by 50.0 %) and faster in none than old; "
+                         "in 1 no difference can be told.")
+        self.assertIn("nothing can be said", self.compare.closing_sentence([self.row("x", 1.5, None, None)], "old", "new"))
+
+    def test_a_revision_that_does_not_exist_is_one_sentence(self):
+        done = subprocess.run([sys.executable, "-B", str(PROGRAM), "no-such-revision", "HEAD"], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr, "compare: there is no commit 'no-such-revision' in this repository\n")
+
+    def test_the_fixed_set_has_both_back_ends_and_small_and_large_meshes(self):
+        names = [f"{kind}/{backend}/{mesh}/manual_time" for kind, mesh in (
+            ("Cut", "cube"), ("Cut", "rook"), ("Scale", "asteroid/1000"), ("Scale", "asteroid/1000000"), ("Geometry", "asteroid/100000"))
+            for backend in ("baseline/remap", "halfedge")]
+        for name in names:
+            self.assertRegex(name, self.compare.BENCHMARKS)
+        self.assertNotRegex("Cut/baseline/scan/rook/manual_time", self.compare.BENCHMARKS)
 
 
 if __name__ == "__main__":
