@@ -6,6 +6,7 @@
 #include "viewer/app/game_show.h"
 #include "viewer/game/giant_scene.h"
 #include "viewer/game/giant_sizes.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/ui/texts.h"
 
@@ -78,9 +79,11 @@ void GameShow::write_giant(ui::Canvas& canvas)
     const game::GiantState state = scene->state();
     if (!giant_sliding_) giant_share_ = giant_share(state.triangles);
     const float u = canvas.unit();
+    const bool in_software = render::draws_in_software();
     // A line for each back end that has cut, and one that says what to do before the present one has.
     const std::size_t lines = cut_times_.series().size() + (cut_times_.of(simulation_->backend()) == nullptr ? 1u : 0u);
-    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, (382.0f + 24.0f * static_cast<float>(lines)) * u}};
+    const float more = 24.0f * static_cast<float>(lines + (in_software ? 1u : 0u));
+    const ui::Box2 card{{24.0f * u, 24.0f * u}, {404.0f * u, (382.0f + more) * u}};
     canvas.card(card, 0.70f);
     const float left = card.low.x + 22.0f * u, right = card.high.x - 22.0f * u;
     float y = card.low.y + 16.0f * u;
@@ -100,6 +103,7 @@ void GameShow::write_giant(ui::Canvas& canvas)
                     static_cast<float>(std::max(33.0, most)), colour);
     };
     line(with_unit("frame", frames_.last()) + with_unit("   longest", frames_.worst_since_reset()), 18.0f, ui::kPaper);
+    if (in_software) line("frames by a software renderer", 18.0f, ui::kDim);
     const ui::Box2 frames{{left, y}, {right, y + 58.0f * u}};
     canvas.fill(frames, ui::kPaper, 0.06f, 4.0f * u);
     draw(frames, frames_, 1.1 * frames_.most(), ui::kIce);

@@ -8,6 +8,7 @@
 
 #include "viewer/app/keys.h"
 #include "viewer/app/run_report.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"
 
@@ -45,9 +46,11 @@ void show_frames(PanelState& state)
     const double mean = frames.mean();
     ImGui::Text("%.1f ms", frames.last());
     ImGui::SameLine();
-    ImGui::TextDisabled("%.0f frames/s", mean > 0.0 ? 1000.0 / mean : 0.0);
-    ImGui::SameLine();
-    ImGui::TextDisabled("   min %.1f   max %.1f", frames.least(), frames.most());
+    const bool in_software = render::draws_in_software();
+    ImGui::TextDisabled("%.0f frames/s%s", mean > 0.0 ? 1000.0 / mean : 0.0, in_software ? ", software renderer" : "");
+    // Beside those words there is no room.
+    if (!in_software) ImGui::SameLine();
+    ImGui::TextDisabled("%smin %.1f   max %.1f", in_software ? "" : "   ", frames.least(), frames.most());
     const float top = std::max(20.0f, static_cast<float>(1.15 * frames.most()));
     ImGui::PlotLines("##frames", frames.values(), static_cast<int>(frames.size()),
                      frames.size() == FrameStatistics::kShown ? static_cast<int>(frames.offset()) : 0, nullptr, 0.0f,

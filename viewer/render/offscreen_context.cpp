@@ -63,6 +63,13 @@ OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>())
 
 OffscreenContext::~OffscreenContext() = default;
 
+bool draws_in_software()
+{
+    const std::string context = describe_current_context();
+    const auto is_named = [&](const char* name) { return context.find(name) != std::string::npos; };
+    return is_named("llvmpipe") || is_named("softpipe") || is_named("swrast");
+}
+
 std::string describe_current_context()
 {
     const auto text = [](GLenum name) {

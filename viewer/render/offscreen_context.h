@@ -24,4 +24,7 @@ private:
 /// Version and renderer of the current context, for reports: "4.5 (Core Profile) Mesa 22.3.6, llvmpipe ...".
 std::string describe_current_context();
 
+/// Whether a program on the processor draws in the current context, not a graphics card: frame times say little then.
+bool draws_in_software();
+
 }  // namespace kerf::render

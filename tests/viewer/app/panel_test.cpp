@@ -7,6 +7,7 @@
 #include "viewer/app/user_interface.h"
 #include "viewer/game/autopilot.h"
 #include "viewer/render/gl_test.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/sim/stages.h"
 
 namespace kerf::test {
@@ -71,6 +72,11 @@ TEST_F(PanelTest, ShowsWhatTheLastCutCost)
         if (s.phases[phase] > 0.02 * s.phases.total()) {
             EXPECT_NE(text.find(name_of(phase)), std::string::npos) << name_of(phase) << " in\n" << text;
         }
+}
+
+TEST_F(PanelTest, SaysBesideFrameTimesThatAProgramDraws)
+{
+    EXPECT_EQ(words().find("software renderer") != std::string::npos, render::draws_in_software());
 }
 
 TEST_F(PanelTest, ListsEveryKey)

@@ -39,6 +39,14 @@ TEST(OffscreenContext, OffersOpenGl33)
     EXPECT_NE(render::describe_current_context(), "");
 }
 
+TEST(OffscreenContext, KnowsThatAProgramDrawsByTheNameOfTheRenderer)
+{
+    const render::OffscreenContext context;
+    const std::string name = render::describe_current_context();
+    const bool is_program = name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+    EXPECT_EQ(render::draws_in_software(), is_program) << name;
+}
+
 TEST(ShaderProgram, SaysWhatIsWrongWithAShader)
 {
     const render::OffscreenContext context;
