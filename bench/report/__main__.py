@@ -47,7 +47,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--text", action="store_true", help="run the benchmarks and print their tables; writes no page")
     parser.add_argument("--out", type=Path, metavar="JSON", default=TEXT_FOLDER / "results.json",
                         help="with --text: where the benchmarks' JSON goes (default: %(default)s)")
-    parser.add_argument("--show", type=Path, metavar="JSON", help="with --text: run nothing, print an earlier run's tables")
+    parser.add_argument("--show", type=Path, metavar="JSON",
+                        help="with --text: run nothing, print an earlier run's tables")
     parser.add_argument("--programs", type=Path, default=Path("build/release"), help=argparse.SUPPRESS)
     return parser.parse_args()
 
@@ -108,7 +109,8 @@ def run_for_text(arguments: argparse.Namespace, out: Path) -> Any:
     to_do = text_plan(extent)
     stages.run_all(to_do)
     results = [files.read_json(stages.file(stage))["result"] for stage in to_do]
-    merged = {"context": results[0]["context"], "benchmarks": [entry for result in results for entry in result["benchmarks"]]}
+    merged = {"context": results[0]["context"], "benchmarks": [entry for result in results
+                                                               for entry in result["benchmarks"]]}
     files.write_json(out, merged)
     return merged
 
@@ -128,8 +130,8 @@ def print_text(arguments: argparse.Namespace, show: Path | None, out: Path) -> i
             return 1
         results = run_for_text(arguments, out)
         benchmarks, context = results["benchmarks"], results["context"]
-    closing = [f"{context['num_cpus']} cores, load {context['load_avg'][0]:.2f}, {context['date'][:10]}. One thread, Release; "
-               "processor time of that thread."]
+    closing = [f"{context['num_cpus']} cores, load {context['load_avg'][0]:.2f}, {context['date'][:10]}. One thread, "
+               "Release; processor time of that thread."]
     if show is None:
         closing = [f"{machine.processor()}, {closing[0]} All numbers: {os.path.relpath(out)}"]
     print(text_page(all_sections(Measurements(bench=collect(benchmarks)), {}, Facts()), closing), end="")

@@ -7,12 +7,14 @@ from typing import Sequence
 
 from report.repetitions import Counters
 
-FITTED_FROM = 9_000  # triangles; smaller meshes are dominated by the fixed cost of a cut. Shapes miss their size by a little
+# Triangles. Smaller meshes are dominated by the fixed cost of a cut; shapes miss their size by a little.
+FITTED_FROM = 9_000
 
 
 @dataclass(frozen=True)
 class Exponent:
-    """e in time = factor * triangles^e, with the half width of its 95 % confidence interval (None from fewer than 3 points)."""
+    """e in time = factor * triangles^e, with the half width of its 95 % confidence interval (None from fewer than 3
+    points)."""
 
     value: float
     half_width: float | None
@@ -48,8 +50,8 @@ def exponent(points: Sequence[tuple[float, float]]) -> Exponent | None:
 
 
 def student_share(t: float, degrees: int) -> float:
-    """The share of Student's distribution that lies within ±t: Abramowitz and Stegun, "Handbook of Mathematical Functions"
-    (1964), 26.7.3 and 26.7.4, exact sums for whole degrees of freedom."""
+    """The share of Student's distribution that lies within ±t: Abramowitz and Stegun, "Handbook of Mathematical
+    Functions" (1964), 26.7.3 and 26.7.4, exact sums for whole degrees of freedom."""
     angle = math.atan(t / math.sqrt(degrees))
     cosine = math.cos(angle)
     term, total = 1.0, 0.0

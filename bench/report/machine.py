@@ -48,7 +48,8 @@ def caches() -> str:
     found = []
     for folder in sorted(Path("/sys/devices/system/cpu/cpu0/cache").glob("index*")):
         try:
-            level, kind, size = ((folder / name).read_text(encoding="utf-8").strip() for name in ("level", "type", "size"))
+            level, kind, size = ((folder / name).read_text(encoding="utf-8").strip()
+                                 for name in ("level", "type", "size"))
         except OSError:
             continue
         suffix = {"Data": "d", "Instruction": "i"}.get(kind, "")
@@ -67,10 +68,12 @@ def describe(build: Path) -> dict[str, str]:
     facts = {
         "processor": f"{processor()}, {os.cpu_count()} cores, {memory_gib():.0f} GiB",
         "caches": caches(),
-        "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux {platform.release().partition('-')[0]}",
+        "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux "
+                  f"{platform.release().partition('-')[0]}",
         "compiler": (output_of([compiler, "--version"]) if compiler else "").partition("\n")[0] or "not known",
         "flags": " ".join([cache_entry(cache, "CMAKE_BUILD_TYPE"), cache_entry(cache, "CMAKE_CXX_FLAGS_RELEASE"),
-                           cache_entry(cache, "CMAKE_CXX_FLAGS"), "-ffp-contract=off -fno-fast-math -fno-tree-slp-vectorize (of GCC)"]).strip(),
+                           cache_entry(cache, "CMAKE_CXX_FLAGS"),
+                           "-ffp-contract=off -fno-fast-math -fno-tree-slp-vectorize (of GCC)"]).strip(),
         "commit": commit(),
     }
     for package in PACKAGES:

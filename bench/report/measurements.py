@@ -29,7 +29,8 @@ class Run:
     backend: str
     graphics: str
     cuts: list[Cut]
-    times: dict[str, dict[str, float]]  # frame_ms, simulate_cpu_ms, submit_cpu_ms, cut_to_upload_cpu_ms: min, median, ...
+    # frame_ms, simulate_cpu_ms, submit_cpu_ms, cut_to_upload_cpu_ms: each with min, median, ...
+    times: dict[str, dict[str, float]]
 
 
 @dataclass
@@ -101,13 +102,15 @@ def load(stage_files: list[Path]) -> Measurements:
             all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
         else:
             model = model_name(stage["command"][1])
-            all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in result["runs"][1:]]  # the first warms up
+            all_of_them.runs += [viewer_run(model, result["graphics"], run)
+                                 for run in result["runs"][1:]]  # the first warms up
     all_of_them.bench = collect(benchmarks)
     return all_of_them
 
 
 def viewer_run(model: str, graphics: str, run: dict[str, Any]) -> Run:
-    cuts = [Cut(model, run["backend"], cut["triangles"], cut["crossing"], cut["cut_to_upload_cpu_ms"], cut["bytes_uploaded"])
+    cuts = [Cut(model, run["backend"], cut["triangles"], cut["crossing"], cut["cut_to_upload_cpu_ms"],
+                cut["bytes_uploaded"])
             for cut in run["cuts"] if cut["status"] == "cut"]
     times = {name: run[name] for name in ("frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
     return Run(model, run["backend"], graphics, cuts, times)

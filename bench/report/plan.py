@@ -14,7 +14,7 @@ VIEWER_FRAMES = 160  # the autopilot cuts about ten times in them, like the repo
 
 @dataclass(frozen=True)
 class Stage:
-    """One program run. `arguments` are relative to the project's folder, so that results name no folder of a machine."""
+    """One program run. `arguments` are relative to the project's folder: results name no folder of a machine."""
 
     name: str
     kind: Kind

@@ -15,7 +15,8 @@ def time_text(seconds: float) -> str:
 class Progress:
     """Counts stages by the seconds they are expected to take, corrected by what those done really took."""
 
-    def __init__(self, expected: dict[str, float], stream: TextIO | None = None, clock: Callable[[], float] = time.monotonic):
+    def __init__(self, expected: dict[str, float], stream: TextIO | None = None,
+                 clock: Callable[[], float] = time.monotonic):
         self.expected, self.stream, self.clock = dict(expected), stream or sys.stderr, clock
         self.total = sum(expected.values())
         self.done_expected = 0.0

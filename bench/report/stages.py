@@ -106,7 +106,8 @@ class Stages:
         make_model(self.programs.kerf, stage)
         result = self.run_program(stage, progress)
         files.write_json(self.file(stage), {
-            "stage": stage.name, "kind": stage.kind.value, "command": [str(self.programs.of(stage.kind)), *stage.arguments],
+            "stage": stage.name, "kind": stage.kind.value,
+            "command": [str(self.programs.of(stage.kind)), *stage.arguments],
             "fingerprint": self.fingerprint(stage), "commit": machine.commit(), "date": time.strftime("%Y-%m-%d %H:%M"),
             "seconds": round(time.monotonic() - start, 2), "load": [before, os.getloadavg()[0]], "result": result})
 

@@ -21,12 +21,15 @@ class Benchmarks(unittest.TestCase):
         prints = "".join(f"echo '{line}'\n" for line in lines)
         program.write_text(f"""#!/bin/sh
 case "$*" in *list_tests*) echo Cut/a/manual_time; echo Cut/b/manual_time; exit 0;; esac
-for argument; do case "$argument" in --benchmark_out=*) echo '{json.dumps({"benchmarks": []})}' > "${{argument#*=}}";; esac; done
+for argument; do
+    case "$argument" in --benchmark_out=*) echo '{json.dumps({"benchmarks": []})}' > "${{argument#*=}}";; esac
+done
 echo it is broken >&2
 {prints}exit {status}
 """)
         program.chmod(0o755)
-        return run_benchmarks(program, "^Cut/", "3", "0.01", lambda *each: self.heard.append(each), self.folder / "out.json")
+        return run_benchmarks(program, "^Cut/", "3", "0.01", lambda *each: self.heard.append(each),
+                              self.folder / "out.json")
 
     BOTH = ("Cut/a/manual_time 1 ms", "Cut/a/manual_time 1 ms", "Cut/b/manual_time 1 ms")
 

@@ -24,7 +24,8 @@ class Revisions(unittest.TestCase):
         cls.compare = load_program()
 
     def test_the_interval_of_a_median_holds_the_stated_share(self):
-        # n = 11: below the true median at most 1 of 11 with probability 12/2048 < 2.5 %, at most 2 with 67/2048 > 2.5 %.
+        # n = 11: below the true median at most 1 of 11 with probability 12/2048 < 2.5 %, at most 2 with 67/2048,
+        # which is more.
         self.assertEqual(self.compare.median_interval(list(range(1, 12))), (6, 2, 10))
         self.assertEqual(self.compare.median_interval([1, 2, 3, 4, 5]), (3, None, None))
         self.assertEqual(self.compare.median_interval([6, 5, 4, 3, 2, 1]), (3.5, 1, 6))
@@ -40,7 +41,8 @@ class Revisions(unittest.TestCase):
         self.assertEqual(self.compare.cuts_of({"name": "Recut/x", "real_time": 10.0, "cut_ms": 1.0}), 1)
 
     def test_rows_are_ratios_of_neighbouring_runs_and_counters_that_differ(self):
-        runs = ([{"x": {"ms": ms, "touched": 5}} for ms in (1, 2, 4, 1, 2, 4)], [{"x": {"ms": 2 * ms, "touched": 6}} for ms in (1, 2, 4, 1, 2, 4)])
+        runs = ([{"x": {"ms": ms, "touched": 5}} for ms in (1, 2, 4, 1, 2, 4)],
+                [{"x": {"ms": 2 * ms, "touched": 6}} for ms in (1, 2, 4, 1, 2, 4)])
         row, = self.compare.rows_of(runs)
         self.assertEqual((row["ratio"], row["low"], row["high"]), (2, 2, 2))
         self.assertEqual(row["counters"], {"touched": (5, 6)})
@@ -54,16 +56,19 @@ class Revisions(unittest.TestCase):
         self.assertEqual(self.compare.closing_sentence(rows, "old", "new"),
                          "Of 3 benchmarks new is slower in 2 (most in y, by 50.0 %) and faster in none than old; "
                          "in 1 no difference can be told.")
-        self.assertIn("nothing can be said", self.compare.closing_sentence([self.row("x", 1.5, None, None)], "old", "new"))
+        self.assertIn("nothing can be said", self.compare.closing_sentence([self.row("x", 1.5, None, None)], "old",
+                                                                           "new"))
 
     def test_a_revision_that_does_not_exist_is_one_sentence(self):
-        done = subprocess.run([sys.executable, "-B", str(PROGRAM), "no-such-revision", "HEAD"], capture_output=True, text=True, check=False)
+        done = subprocess.run([sys.executable, "-B", str(PROGRAM), "no-such-revision", "HEAD"], capture_output=True,
+                              text=True, check=False)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertEqual(done.stderr, "compare: there is no commit 'no-such-revision' in this repository\n")
 
     def test_the_fixed_set_has_both_back_ends_and_small_and_large_meshes(self):
         names = [f"{kind}/{backend}/{mesh}/manual_time" for kind, mesh in (
-            ("Cut", "cube"), ("Cut", "rook"), ("Scale", "asteroid/1000"), ("Scale", "asteroid/1000000"), ("Geometry", "asteroid/100000"))
+            ("Cut", "cube"), ("Cut", "rook"), ("Scale", "asteroid/1000"), ("Scale", "asteroid/1000000"),
+            ("Geometry", "asteroid/100000"))
             for backend in ("baseline/remap", "halfedge")]
         for name in names:
             self.assertRegex(name, self.compare.BENCHMARKS)

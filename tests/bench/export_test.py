@@ -65,7 +65,8 @@ class Page(unittest.TestCase):
                 for cell, column in zip(cells, table.columns):
                     value = values[column.key]
                     number = re.fullmatch(r"-?\d+(\.\d+)?(e[-+]?\d+)?", value)
-                    expected = "–" if value == "" else column.show(float(value) if number and column.show is not str else value)
+                    expected = "–" if value == "" else column.show(float(value) if number and column.show is not str
+                                                                   else value)
                     if cell != expected and number:  # whole numbers are written without a point
                         expected = column.show(int(float(value)))
                     self.assertEqual(cell, expected, (name, column.key))
@@ -78,7 +79,8 @@ class Page(unittest.TestCase):
     def test_the_page_stands_alone(self):
         self.assertNotRegex(self.page, r'(src|href)="(https?:)?//')
         self.assertNotRegex(self.page, r"@import|url\((?!#)")
-        self.assertNotIn("#01", re.sub(r"&#01", "", "".join(re.findall(r"<svg.*?</svg>", self.page))))  # no colour left over
+        self.assertNotIn("#01", re.sub(r"&#01", "",
+                                       "".join(re.findall(r"<svg.*?</svg>", self.page))))  # no colour left over
         identifiers = re.findall(r'<figure id="([^"]+)"', self.page)
         self.assertEqual(len(identifiers), len(set(identifiers)))
 
@@ -97,7 +99,7 @@ class Page(unittest.TestCase):
             self.assertTrue(pictures)
             for picture in pictures:
                 self.assertTrue((Path(folder) / picture).exists(), picture)
-            self.assertRegex(readme.read_text(), r"(?s)^before\n.*\| `halfedge` \| 3\.162 \| .*\nafter\n$")
+            self.assertRegex(readme.read_text(), r"(?s)^before\n.*\| `halfedge` \| 3\.2 \| .*\nafter\n$")
             self.assertNotIn("old", readme.read_text())
 
 

@@ -44,7 +44,8 @@ class Fits(unittest.TestCase):
 
     def test_a_crossover_is_interpolated_between_sizes_in_logarithms(self):
         def cells(faster, slower):
-            times = {("new", n): ms for n, ms in zip((10, 1000), faster)} | {("old", n): ms for n, ms in zip((10, 1000), slower)}
+            times = {("new", n): ms for n, ms in zip((10, 1000), faster)} | {("old", n): ms for n,
+                                                                             ms in zip((10, 1000), slower)}
             return {key: {"triangles": (key[1],) * 3, "real_time": (ms,) * 3} for key, ms in times.items()}
 
         self.assertAlmostEqual(fits.crossover(cells((2.0, 0.5), (1.0, 1.0)), "old", "new"), 100.0)

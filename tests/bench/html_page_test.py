@@ -27,6 +27,16 @@ class Pages(unittest.TestCase):
         html = section_html(Section("s", "S", [ShownTable(self.TABLE, "What it is.", folded=True)]), {})
         self.assertRegex(html, r"<details><summary>What it is\. 1 row</summary>.*<table")
 
+    def test_a_listing_is_folded_too(self):
+        self.assertIn("<details>", section_html(Section("s", "S", [ShownTable(self.TABLE, "All.", listing=True)]), {}))
+
+    def test_the_answer_stands_above_the_links(self):
+        page = page_html("Title", ["Lead."], [], [Section("answer", "", ["It is 7."]), Section("s", "S", ["Text."])],
+                         {})
+        self.assertLess(page.index("<p>It is 7.</p>"), page.index("Lead."))
+        self.assertLess(page.index("Lead."), page.index("<nav>"))
+        self.assertNotIn('href="#answer"', page)
+
     def test_a_figure_that_was_not_drawn_leaves_no_gap(self):
         figure = ShownFigure("f", "How it looks.")
         self.assertNotIn("figure", section_html(Section("s", "S", [figure]), {}))

@@ -24,7 +24,8 @@ class Loading(unittest.TestCase):
 
     def test_benchmarks_of_several_stages_are_one_table(self):
         found = self.load(*({"stage": name, "kind": "bench", "result": {"benchmarks": [
-            {"run_type": "iteration", "name": f"{name}/manual_time", "real_time": 1.0}]}} for name in ("Cut/a/rook", "Cut/b/rook")))
+            {"run_type": "iteration", "name": f"{name}/manual_time", "real_time": 1.0}]}}
+                            for name in ("Cut/a/rook", "Cut/b/rook")))
         self.assertEqual(list(found.bench), ["Cut/a/rook", "Cut/b/rook"])
         self.assertEqual([stage["stage"] for stage in found.stages], ["Cut/a/rook", "Cut/b/rook"])
 
@@ -43,10 +44,12 @@ class Loading(unittest.TestCase):
 
         found = self.load({"stage": "viewer-rook", "kind": "viewer", "command": ["viewer", "data/models/rook.obj"],
                            "result": {"graphics": "a card", "runs": [run("cut"), run("cut"), run("missed")]}})
-        self.assertEqual([(each.model, each.graphics, len(each.cuts)) for each in found.runs], [("rook", "a card", 1), ("rook", "a card", 0)])
+        self.assertEqual([(each.model, each.graphics, len(each.cuts)) for each in found.runs],
+                         [("rook", "a card", 1), ("rook", "a card", 0)])
 
     def test_answers_of_other_libraries_are_rows(self):
-        found = self.load(*({"stage": kind, "kind": kind, "result": {"peers": [{"peer": kind}]}} for kind in ("peers", "vtk")))
+        found = self.load(*({"stage": kind, "kind": kind, "result": {"peers": [{"peer": kind}]}}
+                            for kind in ("peers", "vtk")))
         self.assertEqual([row["peer"] for row in found.peers], ["peers", "vtk"])
 
 

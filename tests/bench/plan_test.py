@@ -19,7 +19,8 @@ class Plans(unittest.TestCase):
             self.assertEqual(max(sizes), extent.most_triangles)
 
     def test_quadratic_lookups_are_left_out_above_their_limit(self):
-        patterns = {stage.name: re.compile(stage.arguments[0]) for stage in plan(NORMAL, Path("scratch")) if stage.kind == Kind.BENCH}
+        patterns = {stage.name: re.compile(stage.arguments[0]) for stage in plan(NORMAL, Path("scratch"))
+                    if stage.kind == Kind.BENCH}
         self.assertTrue(patterns["growth-30000"].search("Scale/baseline/scan/asteroid/30000/manual_time"))
         self.assertFalse(patterns["growth-100000"].search("Scale/baseline/scan/asteroid/100000/manual_time"))
         self.assertTrue(patterns["growth-100000"].search("Scale/baseline/hash/shuffled/100000/manual_time"))

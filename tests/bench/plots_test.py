@@ -9,6 +9,7 @@ from report.measurements import Measurements
 from report.names import BACKENDS
 from report.plots.drawing import Drawing
 from report.plots.palette import COLOURS, STYLES, style_of
+from report.plots.svg_text import grouped_paths, rounded_coordinates, shortened
 
 
 class Drawings(unittest.TestCase):
@@ -38,6 +39,24 @@ class Palette(unittest.TestCase):
         self.assertEqual(style_of("unknown").marker, ".")
 
 
+class SvgText(unittest.TestCase):
+    def test_coordinates_are_rounded_and_nothing_else(self):
+        rest = 'style="stroke-width: 0.8001"/><text>0.0123</text>'
+        self.assertEqual(rounded_coordinates(f'<path d="M 1.234567 -20.000001" {rest}'), f'<path d="M 1.23 -20" {rest}')
+
+    def test_neighbouring_paths_of_one_style_share_it(self):
+        def path(number, style):
+            return f'<path d="M {number} 0" style="{style}"/>'
+
+        self.assertEqual(grouped_paths(path(1, "a") + path(2, "a") + path(3, "b")),
+                         '<g style="a"><path d="M 1 0"/><path d="M 2 0"/></g><path d="M 3 0" style="b"/>')
+        alone = path(1, "a") + "<text>x</text>" + path(2, "a")
+        self.assertEqual(grouped_paths(alone), alone)
+
+    def test_space_between_elements_is_left_out_and_space_in_texts_kept(self):
+        self.assertEqual(shortened("<g>  <text>a  b</text>\n </g>"), "<g><text>a  b</text></g>")
+
+
 @unittest.skipUnless(HAS_MATPLOTLIB, "matplotlib is not there")
 class Figures(unittest.TestCase):
     def draw_all(self, found):
@@ -56,7 +75,8 @@ class Figures(unittest.TestCase):
 
     def test_figures_of_nothing_are_not_drawn(self):
         from report.plots.catalogue import FIGURES
-        for name in ("crossing", "counters", "phases", "prepare", "angles", "chain_ranges", "chain_times", "proxies", "distribution",
+        for name in ("crossing", "counters", "phases", "prepare", "angles", "chain_ranges", "chain_times", "proxies",
+                     "distribution",
                      "viewer_cuts", "peers"):
             self.assertIsNone(FIGURES[name]({}), name)
         self.assertEqual(self.draw_all(Measurements()), {})

@@ -10,7 +10,8 @@ from report.tables.prepare_tables import chain_balance_table, prepare_table, sig
 
 class Preparing(unittest.TestCase):
     def test_a_chain_pays_back_where_its_balance_turns_for_good(self):
-        rows = [{"cuts": cuts, "balance_ms": ms} for cuts, ms in ((1, -5.0), (10, 1.0), (100, -1.0), (300, 2.0), (1000, 9.0))]
+        rows = [{"cuts": cuts, "balance_ms": ms} for cuts,
+                ms in ((1, -5.0), (10, 1.0), (100, -1.0), (300, 2.0), (1000, 9.0))]
         self.assertEqual(chain_turn(rows, "balance_ms"), (100, 300))
         self.assertIsNone(chain_turn(rows[:3], "balance_ms"))
         self.assertEqual(chain_turn(rows[3:], "balance_ms"), (0, 300))
@@ -36,7 +37,8 @@ class Preparing(unittest.TestCase):
         found = self.measured()
         for backend, ms in (("baseline/remap", 130.0), ("halfedge", 30.0)):
             counters = {"triangles": 99_372, "whole_ms_10": ms, "cutting_ms_10": ms / 2}
-            found.bench[f"Chain/kept/{backend}/asteroid/100000"] = {key: (value,) * 3 for key, value in counters.items()}
+            found.bench[f"Chain/kept/{backend}/asteroid/100000"] = {key: (value,) * 3 for key,
+                                                                    value in counters.items()}
         row, = chain_balance_table(found).rows
         self.assertEqual((row["balance_ms"], row["cutting_balance_ms"]), (10.0, -40.0))
 

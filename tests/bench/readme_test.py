@@ -23,10 +23,13 @@ class Readme(unittest.TestCase):
         self.assertEqual(head, "| ms per cut | 1 k | 10 k | 100 k | 1 M | time ~ triangles^e (from size to size) |")
         self.assertRegex(rows[-1], r"^\| `halfedge` \| .* \| 0\.50 ± 0\.00 \(0\.50 to 0\.50\) \|$")
 
-    def test_limits_are_listed_below_the_figure(self):
-        block = results_block(self.TABLE, Section("limits", "Where it is not better", ["**A.** B."]), "a processor, 2 cores")
+    def test_the_first_limits_are_listed_and_all_of_them_linked(self):
+        limits = Section("limits", "Where it is not better", [f"**{n}.** B." for n in range(5)])
+        block = results_block(self.TABLE, limits, "a processor, 2 cores")
         self.assertIn("One thread of a processor.", block)
-        self.assertIn("**Where it is not better:**\n\n* **A.** B.", block)
+        self.assertIn("**Where it is not better** ([all of it](docs/results.md#where-it-is-not-better)):\n\n* **0.** "
+                      "B.", block)
+        self.assertEqual(block.count("\n* "), 3)
 
 
 if __name__ == "__main__":

@@ -22,10 +22,12 @@ class Repetitions(unittest.TestCase):
         self.assertEqual(table["Cut/halfedge/rook"]["real_time"], (1.5, 1.0, 2.0))
 
     def test_what_the_harness_sums_up_itself_is_left_out(self):
-        self.assertEqual(collect([{"run_type": "aggregate", "name": "Cut/halfedge/rook/manual_time_mean", "real_time": 1.0}]), {})
+        self.assertEqual(collect([{"run_type": "aggregate", "name": "Cut/halfedge/rook/manual_time_mean",
+                                   "real_time": 1.0}]), {})
 
     def test_iterations_are_no_part_of_a_name(self):
-        self.assertEqual(list(collect([self.RUN | {"name": "Many/x/1000/iterations:1/manual_time", "real_time": 1.0}])), ["Many/x/1000"])
+        self.assertEqual(list(collect([self.RUN | {"name": "Many/x/1000/iterations:1/manual_time", "real_time": 1.0}])),
+                         ["Many/x/1000"])
 
     def test_a_spread_needs_two_runs_and_a_median(self):
         counters = {"ms": (2.0, 1.0, 4.0), "zero": (0.0, 0.0, 0.0), "repetitions": (3, 3, 3)}

@@ -13,8 +13,10 @@ def some_measurements():
     found = Measurements()
     for size in (1_000, 10_000, 30_000, 100_000, 1_000_000):
         for backend, ms in (("baseline/remap", size / 1000), ("halfedge", math.sqrt(size) / 10)):
-            counters = {"real_time": ms, "triangles": size, "crossing": math.sqrt(size), "touched": 10 * math.sqrt(size),
-                        "nodes": math.sqrt(size), "upload_bytes": 200 * math.sqrt(size), "ns_per_crossing": 1e6 * ms / math.sqrt(size),
+            counters = {"real_time": ms, "triangles": size, "crossing": math.sqrt(size),
+                        "touched": 10 * math.sqrt(size),
+                        "nodes": math.sqrt(size), "upload_bytes": 200 * math.sqrt(size),
+                        "ns_per_crossing": 1e6 * ms / math.sqrt(size),
                         "ms_find": ms / 2, "ms_cap": ms / 2, "repetitions": 1, "iterations": 1}
             for kind in ("Scale", "Geometry"):
                 found.bench[f"{kind}/{backend}/asteroid/{size}"] = {key: (v, v, v) for key, v in counters.items()}

@@ -94,8 +94,10 @@ class Resuming(unittest.TestCase):
 
     def test_a_model_is_made_before_the_stage_that_needs_it(self):
         self.write_program('echo "$@" >> calls; echo "{}"')
-        self.run_stage(Stage("compare-x", Kind.COMPARE, ("--planes", "1"), 1.0, shape=("asteroid", "--out", "made/asteroid.ply")))
-        self.assertEqual(Path("calls").read_text().splitlines(), ["shape asteroid --out made/asteroid.ply", "compare --planes 1"])
+        self.run_stage(Stage("compare-x", Kind.COMPARE, ("--planes", "1"), 1.0,
+                             shape=("asteroid", "--out", "made/asteroid.ply")))
+        self.assertEqual(Path("calls").read_text().splitlines(),
+                         ["shape asteroid --out made/asteroid.ply", "compare --planes 1"])
         self.assertTrue(Path("made").is_dir())
 
     def test_the_first_program_that_is_missing_is_named(self):

@@ -18,13 +18,14 @@ class Text(unittest.TestCase):
     def test_marks_of_markdown_are_left_out(self):
         self.assertEqual(plain_text("**a** *b* `c`"), "a b c")
 
-    def test_tables_that_the_page_folds_are_left_out_and_so_are_empty_ones(self):
-        sections = [Section("s", "Growth", ["Prose.", ShownTable(self.TABLE, "Shown."), ShownTable(self.TABLE, "Folded.", folded=True)]),
+    def test_listings_are_left_out_and_so_are_empty_tables(self):
+        sections = [Section("s", "Growth", ["Prose.", ShownTable(self.TABLE, "Shown."),
+                                            ShownTable(self.TABLE, "Listed.", listing=True)]),
                     Section("e", "Empty", [ShownTable(Table("e", []), "Nothing.")])]
         text = text_page(sections, ["The end."])
         self.assertTrue(text.startswith("Growth\n======\n\nShown.\n\nname"))
         self.assertTrue(text.endswith("\n\nThe end.\n"))
-        for gone in ("Prose", "Folded", "Empty", "Nothing"):
+        for gone in ("Prose", "Listed", "Empty", "Nothing"):
             self.assertNotIn(gone, text)
 
 

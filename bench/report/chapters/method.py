@@ -10,16 +10,16 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     facts_table = Table("machine", [Column("what", "what"), Column("value", "value")],
                         [{"what": name, "value": value} for name, value in machine.items()])
     return [Section("method", "How this was measured", [
-        "Times are processor time of one thread, so that other load counts as little as it can; the page's CSV `stages` "
-        "has the load before and after each stage. Every result is checked first, which warms up; benchmarks are repeated (tables say how "
-        "often) and given as medians of the repetitions with their spread, (highest − lowest) / median. Other libraries cut each "
-        "plane once. Cutting consumes its input, so each repetition gets a fresh copy, untimed. Results are used, and "
-        "checked (closed, volumes and areas add up, nothing on the wrong side) before it is timed. Memory "
-        "is kept by the allocator, as a game's does.",
-        "Exact counters (triangles touched, nodes, bytes, comparisons) are the same on every run; tests hold those of fixed cuts to "
-        "within three per cent, so that twice the work would fail them.",
-        "Repeat it with `./run report`; `--quick` takes less than three minutes, `--full` goes up to 16 million triangles, "
-        "`--peers` installs VTK and times it, too. `bench/compare REV_A REV_B` times two revisions against each other.",
-        ShownTable(facts_table, "Machine, compiler, versions, seeds and commit.", published=True),
-        ShownTable(stages_table(found), "What was run, when, and how busy the machine was.", folded=True),
-        ShownTable(numbers_table(found), "Every counter of every benchmark.", folded=True)])]
+        "Times are processor time of one thread, so that other load counts as little as it can. They are medians of "
+        "repetitions (tables say how many), shown with two digits, three if the first is a 1: repetitions differ by "
+        "some per cent. Spread is (highest − lowest) / median. Other libraries cut each plane once.",
+        "Every result is checked before it is timed, which warms up: closed, volumes and areas add up, nothing on the "
+        "wrong side. Cutting consumes its input: each repetition gets a fresh copy, which is not timed. Memory is "
+        "kept by the allocator, as a game's does.",
+        "Exact counters (triangles touched, nodes, bytes, comparisons) are the same on every run. Tests hold those of "
+        "fixed cuts to within three per cent: twice the work would fail them.",
+        "`./run report` repeats it: `--quick` takes less than three minutes, `--full` goes up to 16 million triangles, "
+        "`--peers` installs VTK and times it, too. `./run compare-speed REV` times an older revision beside this one.",
+        ShownTable(facts_table, "Machine, compiler, versions, seeds and commit.", published=True, folded=True),
+        ShownTable(stages_table(found), "What was run, when, and how busy the machine was.", listing=True),
+        ShownTable(numbers_table(found), "Every counter of every benchmark.", listing=True)])]

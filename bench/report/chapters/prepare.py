@@ -1,8 +1,8 @@
 """Preparing a mesh, what it costs, and when it is paid back."""
 
-from report.chapters.section import Facts, Section, ShownFigure, ShownTable
+from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.tables.numbers import count_short, digits, milliseconds
+from report.tables.numbers import count_short, digits, rounded, timed
 from report.tables.prepare_tables import chain_balance_table, prepare_table
 from report.tables.table import Table
 
@@ -12,25 +12,27 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         return []
     table, balance = prepare_table(found), chain_balance_table(found)
     rows = [row for row in table.rows if row["backend"] == "halfedge" and row.get("paid_back_remap")]
-    parts: list = [
-        "The half-edge back end sorts triangles, links half-edges, builds a tree and reserves memory before the first cut. "
-        "Bytes are what the program holds more of afterwards, vertices and indices included. The viewer prepares on a worker, so that "
-        "no frame waits for it; the work is done all the same, and it is paid back only by cuts that are quicker."]
+    parts: list[Part] = [
+        ShownFigure("prepare", "Preparing once and then cutting. Solid: copies of the whole, each cut once. Dashed: "
+                    "one object cut to pieces. If lines of a kind cross, preparing is paid back "
+                    "there.", published=True),
+        "The half-edge back end sorts triangles, links half-edges, builds a tree and reserves memory before the first "
+        "cut. The viewer prepares on a worker, so that no frame waits for it."]
     if rows:
         row = rows[-1]
         parts.append(f"**Many copies of one object**, each cut once, as a game throws them: at "
                      f"{facts.say('size', row['triangles'], count_short)} triangles preparing costs "
-                     f"{facts.say('prepare ms', row['prepare_ms'], milliseconds)} ms and is paid back after "
-                     f"{facts.say('cuts', row['paid_back_remap'], digits(0))} of them against `remap` (copying is not counted).")
+                     f"{facts.say('prepare ms', row['prepare_ms'], timed)} ms. It is paid back after "
+                     f"{facts.say('cuts', row['paid_back_remap'], rounded)} cuts against `remap` (copying is not "
+                     "counted).")
     if balance.rows:
-        parts.append("**One object cut to pieces** is another matter: a cut consumes its object, pieces get smaller, and there is less and "
-                     f"less to save. {paid_back_in_chains(balance, facts)}")
-    parts += [ShownFigure("prepare", "Preparing once and then cutting. Solid: copies of the whole, each cut once. Dashed: one object cut to "
-                          "pieces. Where lines of a kind cross, preparing is paid back.", published=True),
-              ShownTable(table, "Preparing, memory, and after how many cuts of fresh copies it is paid back (– : never).", published=True)]
+        parts.append("**One object cut to pieces**: a cut consumes its object, pieces get smaller, and there is less "
+                     f"and less to save. {paid_back_in_chains(balance, facts)}")
+    parts.append(ShownTable(table, "Preparing, the bytes that the program holds more of afterwards, and after how "
+                            "many cuts of fresh copies it is paid back (– : never).", published=True))
     if balance.rows:
-        parts.append(ShownTable(balance, "One object cut to pieces, whole chain and cut() alone, ms for all cuts so far. A balance above zero: "
-                                "preparing is paid back.", published=True))
+        parts.append(ShownTable(balance, "One object cut to pieces, whole chain and cut() alone, ms for all cuts so "
+                                "far. A balance above zero: preparing is paid back.", folded=True))
     return [Section("prepare", "Preparing, and the memory it takes", parts)]
 
 
@@ -51,12 +53,13 @@ def turn_text(name: str, turn: tuple[float, float] | None, most: float, facts: F
         return f"not paid back within {facts.say(f'{name}, most', most, digits(0))} cuts"
     if turn[0] == 0:
         return "paid back by the first cut"
-    return f"paid back between {facts.say(f'{name}, before', turn[0], digits(0))} and {facts.say(f'{name}, after', turn[1], digits(0))} cuts"
+    return (f"paid back between {facts.say(f'{name}, before', turn[0], digits(0))} and "
+            f"{facts.say(f'{name}, after', turn[1], digits(0))} cuts")
 
 
 def chain_turn(rows: list[dict], key: str) -> tuple[float, float] | None:
-    """The marks between which a balance turns from loss to gain for good; 0 as the first where it is a gain from the start,
-    None where it never is one."""
+    """The marks between which a balance turns from loss to gain for good; 0 as the first if it is a gain from the
+    start, None if it never is one."""
     if rows[-1][key] <= 0:
         return None
     losses = [number for number, row in enumerate(rows) if row[key] <= 0]

@@ -1,4 +1,4 @@
-"""What the page says: sections of sentences, tables and figures. Renderers make a page or Markdown of them.
+"""What the page says: sections of sentences, tables and figures. Renderers make a page, Markdown or text of them.
 
 Sentences are plain text with `code` and **strong** in Markdown's way. Numbers that were measured enter them through
 Facts only, so that each of them can be found in a CSV.
@@ -18,7 +18,8 @@ class ShownTable:
     table: Table
     caption: str
     published: bool = False
-    folded: bool = False  # long: shown only when the reader asks
+    folded: bool = False  # a figure tells the same: shown when the reader asks
+    listing: bool = False  # every row of something: folded as well, and only of use beside the CSV
 
 
 @dataclass(frozen=True)
@@ -32,13 +33,17 @@ class ShownFigure:
     arguments: tuple[Any, ...] = ()
 
 
+Part = str | ShownTable | ShownFigure
+
+
 @dataclass
 class Section:
-    """One heading with what belongs to it, in order: sentences are strings."""
+    """One heading with what belongs to it, in order: sentences are strings. The answer, which opens the page, has no
+    title."""
 
     slug: str
     title: str
-    parts: list[str | ShownTable | ShownFigure] = field(default_factory=list)
+    parts: list[Part] = field(default_factory=list)
 
 
 class Facts:

@@ -1,19 +1,13 @@
-"""What the half-edge back end does worst, in a few sentences: its worst frame, the tail of its cuts, preparing."""
+"""What the half-edge back end does worst, in a few sentences: its worst frame and the tail of its cuts."""
 
-from report.chapters.prepare import paid_back_in_chains
 from report.chapters.section import Facts
 from report.measurements import Measurements
 from report.tables.chain_tables import chain_decades_table
 from report.tables.distribution_tables import distribution_table
 from report.tables.model_tables import worst_frames_table
-from report.tables.numbers import count_short, milliseconds
-from report.tables.prepare_tables import chain_balance_table
+from report.tables.numbers import count_short, timed
 
 HALF, LINEAR = "halfedge", "baseline/remap"
-
-
-def unflattering(found: Measurements, facts: Facts) -> str:
-    return " ".join(part for part in (frames(found, facts), tail(found, facts), longest(found, facts), paid_back(found, facts)) if part)
 
 
 def frames(found: Measurements, facts: Facts) -> str:
@@ -22,9 +16,11 @@ def frames(found: Measurements, facts: Facts) -> str:
         return ""
     worst = max(rows, key=lambda row: row[f"{HALF}_ms"])
     slower = sum(row[f"{HALF}_ms"] > row[f"{LINEAR}_ms"] for row in rows)
-    return (f"In the viewer its worst frame, {facts.say('worst frame ms', worst[f'{HALF}_ms'], milliseconds)} ms of processor time for "
-            f"physics and cutting, is with the {worst['model']}, where `remap`'s is {facts.say('remap worst frame ms', worst[f'{LINEAR}_ms'], milliseconds)} "
-            f"ms; of {facts.say('models with frames', len(rows), count_short)} models it has the longer worst frame in "
+    ours, theirs = worst[f"{HALF}_ms"], worst[f"{LINEAR}_ms"]
+    return (f"In the viewer its worst frame takes {facts.say('worst frame ms', ours, timed)} ms of processor time for "
+            f"physics and cutting, with the {worst['model']}; `remap`'s takes "
+            f"{facts.say('remap worst frame ms', theirs, timed)} ms there. Of "
+            f"{facts.say('models with frames', len(rows), count_short)} models it has the longer worst frame in "
             f"{facts.say('models with the longer worst frame', slower, count_short)}.")
 
 
@@ -35,29 +31,19 @@ def tail(found: Measurements, facts: Facts) -> str:
     for (backend, size), row in rows.items():
         linear = rows.get((LINEAR, size))
         if backend == HALF and linear and row["worst_ms"] > linear["worst_ms"]:
-            said.append(f"{facts.say(f'worst of many ms, {size}', row['worst_ms'], milliseconds)} ms against "
-                        f"{facts.say(f'remap worst of many ms, {size}', linear['worst_ms'], milliseconds)} at "
+            said.append(f"{facts.say(f'worst of many ms, {size}', row['worst_ms'], timed)} ms against "
+                        f"{facts.say(f'remap worst of many ms, {size}', linear['worst_ms'], timed)} at "
                         f"{facts.say(f'size with the worse tail, {size}', size, count_short)}")
     return f"Its slowest of many cuts is the slower one: {', '.join(said)} triangles." if said else ""
 
 
 def longest(found: Measurements, facts: Facts) -> str:
-    """The worst cut of a chain of a thousand, when it is the half-edge back end's."""
+    """The worst cut of a chain of a thousand, if it is the half-edge back end's."""
     rows = [row for row in chain_decades_table(found).rows if row["mode"] == "kept"]
-    worst = {name: max((row for row in rows if row["backend"] == name), key=lambda row: row["worst_cut_ms"], default=None)
-             for name in (HALF, LINEAR)}
-    half, linear = worst[HALF], worst[LINEAR]
-    if not half or not linear or half["worst_cut_ms"] < linear["worst_cut_ms"]:
+    half, linear = (max((row["worst_cut_ms"] for row in rows if row["backend"] == name), default=None)
+                    for name in (HALF, LINEAR))
+    if half is None or linear is None or half < linear:
         return ""
-    return (f"In a chain of a thousand cuts one takes {facts.say('worst of a chain ms', half['worst_cut_ms'], milliseconds)} ms "
-            f"(`remap`'s worst: {facts.say('remap worst of a chain ms', linear['worst_cut_ms'], milliseconds)}): the reserved room is used "
-            "up, and all buffers move.")
-
-
-def paid_back(found: Measurements, facts: Facts) -> str:
-    balance = chain_balance_table(found)
-    return "An object that is cut to pieces pays preparing back late: " + decapitalised(paid_back_in_chains(balance, facts)) if balance.rows else ""
-
-
-def decapitalised(text: str) -> str:
-    return text[:1].lower() + text[1:]
+    return (f"In a chain of a thousand cuts one takes {facts.say('worst of a chain ms', half, timed)} ms (`remap`'s "
+            f"worst: {facts.say('remap worst of a chain ms', linear, timed)} ms): the reserved room is used up, and "
+            "all buffers move.")

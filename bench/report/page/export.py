@@ -35,17 +35,17 @@ class Report:
     def lead(self) -> list[str]:
         dates = sorted(stage["date"] for stage in self.found.stages)
         when = f"{dates[0]} to {dates[-1]}" if dates else "never"
-        return ["Kerf cuts triangle meshes by a plane in two ways: as the student report “Real-time mesh cutting” did, with a loop "
-                "over all triangles, and by walking a half-edge mesh along the section. This page repeats the report's tables, "
-                "measures how both grow, and says where each is the better choice.",
-                f"Measured {when} on {self.machine['processor']}; commit `{self.machine['commit']}`, extent `{self.extent}`."]
+        return ["The student report “Real-time mesh cutting” cuts with a loop over all triangles. Kerf does that, "
+                "too, and walks a half-edge mesh along the section. This page sets both beside the report's tables.",
+                f"Measured {when} on {self.machine['processor']}; commit `{self.machine['commit']}`, extent "
+                f"`{self.extent}`."]
 
     def warnings(self) -> list[str]:
         loads = [stage["load"][0] for stage in self.found.stages]
         if loads and sorted(loads)[len(loads) // 2] > BUSY * self.cores:
-            return [f"The machine was busy (median load {sorted(loads)[len(loads) // 2]:.1f} on {self.cores} cores): counters and "
-                    "exponents hold, times are longer and less certain than on a quiet one, and phases and frames, which are read "
-                    "from the wall clock, are worth little."]
+            return [f"The machine was busy (median load {sorted(loads)[len(loads) // 2]:.1f} on {self.cores} cores): "
+                    "counters and exponents hold, times are longer and less certain than on a quiet one, and phases "
+                    "and frames, which are read from the wall clock, are worth little."]
         return []
 
     def write(self, folder: Path) -> Path:
@@ -65,12 +65,7 @@ class Report:
 
     def publish(self, docs: Path, readme: Path) -> Path:
         """docs/results.md with its figures in both themes under docs/images, and the README's part on results."""
-        for section in self.sections:
-            for part in section.parts:
-                if isinstance(part, ShownFigure) and part.published and id(part) in self.drawings:
-                    drawing = self.drawings[id(part)]
-                    for theme in THEMES:
-                        files.write_text(docs / "images" / f"results_{drawing.name}_{theme}.svg", drawing.for_file(theme) + "\n")
+        self.publish_figures(docs / "images")
         if "scaling_scale_asteroid" in self.tables:
             limits = next((section for section in self.sections if section.slug == "limits"), None)
             block = results_block(self.tables["scaling_scale_asteroid"], limits, self.machine["processor"])
@@ -78,3 +73,16 @@ class Report:
         path = docs / "results.md"
         files.write_text(path, results_markdown(TITLE, self.lead(), self.warnings(), self.sections, self.drawings))
         return path
+
+    def publish_figures(self, folder: Path) -> None:
+        """Both themes of each published figure; those that were published before and are no longer go."""
+        figures = [part for section in self.sections for part in section.parts
+                   if isinstance(part, ShownFigure) and part.published and id(part) in self.drawings]
+        written = set()
+        for drawing in (self.drawings[id(figure)] for figure in figures):
+            for theme in THEMES:
+                path = folder / f"results_{drawing.name}_{theme}.svg"
+                files.write_text(path, drawing.for_file(theme) + "\n")
+                written.add(path)
+        for stale in set(folder.glob("results_*.svg")) - written:
+            stale.unlink()

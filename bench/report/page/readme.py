@@ -1,41 +1,53 @@
 """The part of README.md that shows results: one figure, one table, and where the half-edge back end is not better."""
 
 from report.chapters.section import Section
-from report.tables.numbers import ABSENT, count_short, digits, milliseconds, short
-from report.tables.table import Table
+from report.tables.numbers import ABSENT, count_short, digits, short, timed
+from report.tables.table import Table, Value
 
 BEGIN = "<!-- results: written by ./run report --publish -->"
 END = "<!-- results end -->"
 SIZES = (1_000, 10_000, 100_000, 1_000_000, 4_000_000, 16_000_000)
+SHOWN_LIMITS = 3  # what weighs most; docs/results.md has the rest
+PICTURE = "docs/images/results_scaling_scale_asteroid"
+
+
+def exponent_text(row: dict[str, Value]) -> str:
+    """With its interval, and the slopes from size to size."""
+    if row.get("exponent") is None:
+        return ABSENT
+    text = digits(2)(row["exponent"])
+    if row.get("exponent_half_width") is not None:
+        text += " ± " + digits(2)(row["exponent_half_width"])
+    if row.get("least_slope") is not None:
+        text += f" ({digits(2)(row['least_slope'])} to {digits(2)(row['most_slope'])})"
+    return text
 
 
 def table_lines(scaling: Table) -> list[str]:
     """The scaling table with fewer sizes."""
     there = {column.key for column in scaling.columns}
     sizes = [size for size in SIZES if f"ms_{size}" in there]
-    lines = ["| ms per cut | " + " | ".join(count_short(size) for size in sizes) + " | time ~ triangles^e (from size to size) |",
-             "|---|" + "--:|" * len(sizes) + "---|"]
+    heads = ["ms per cut", *(count_short(size) for size in sizes), "time ~ triangles^e (from size to size)"]
+    lines = ["| " + " | ".join(heads) + " |", "|---|" + "--:|" * len(sizes) + "---|"]
     for row in scaling.rows:
-        cells = [milliseconds(row[f"ms_{size}"]) if row.get(f"ms_{size}") is not None else ABSENT for size in sizes]
-        exponent = ABSENT if row.get("exponent") is None else digits(2)(row["exponent"])
-        if row.get("exponent_half_width") is not None:
-            exponent += " ± " + digits(2)(row["exponent_half_width"])
-        if row.get("least_slope") is not None:
-            exponent += f" ({digits(2)(row['least_slope'])} to {digits(2)(row['most_slope'])})"
-        lines.append(f"| `{short(str(row['backend']))}` | " + " | ".join(cells) + f" | {exponent} |")
+        cells = [ABSENT if row.get(f"ms_{size}") is None else timed(row[f"ms_{size}"]) for size in sizes]
+        lines.append("| " + " | ".join([f"`{short(row['backend'])}`", *cells, exponent_text(row)]) + " |")
     return lines
 
 
 def results_block(scaling: Table, limits: Section | None, processor: str) -> str:
     """What stands between the two marks."""
-    lines = ['<picture><source media="(prefers-color-scheme: dark)" srcset="docs/images/results_scaling_scale_asteroid_dark.svg">'
+    lines = [f'<picture><source media="(prefers-color-scheme: dark)" srcset="{PICTURE}_dark.svg">'
              '<img alt="Time of a cut by the size of the mesh, one line a back end" '
-             'src="docs/images/results_scaling_scale_asteroid_light.svg" width="520"></picture>', "",
-             "An asteroid of so many triangles, cut through its middle, with everything that a game needs of the two pieces: closed "
-             f"meshes with all attributes, mass properties, collision hulls, draw ranges. One thread of {processor.partition(',')[0]}.", ""]
-    lines += table_lines(scaling)
+             f'src="{PICTURE}_light.svg" width="520"></picture>', "",
+             "An asteroid of so many triangles, cut through its middle, with all that a game needs of the two pieces: "
+             "closed meshes with all attributes, mass properties, collision hulls, draw ranges. One thread of "
+             f"{processor.partition(',')[0]}.", "", *table_lines(scaling)]
     if limits:
-        lines += ["", f"**{limits.title}:**", ""] + [f"* {part}" for part in limits.parts if isinstance(part, str)]
+        shown = [part for part in limits.parts if isinstance(part, str)][:SHOWN_LIMITS]
+        anchor = limits.title.lower().replace(" ", "-")
+        lines += ["", f"**{limits.title}** ([all of "
+                      f"it](docs/results.md#{anchor})):", "", *(f"* {text}" for text in shown)]
     return "\n".join(lines)
 
 

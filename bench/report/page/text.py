@@ -14,7 +14,8 @@ def table_text(table: Table) -> str:
     lines = [[column.title for column in table.columns], *cells]
     widths = {n: max(len(line[n]) for line in lines) for n in kept}
     lines.insert(1, ["-" * widths.get(n, 0) for n in range(len(table.columns))])
-    return "\n".join(GAP.join(line[n].ljust(widths[n]) if is_text[n] else line[n].rjust(widths[n]) for n in kept).rstrip()
+    return "\n".join(GAP.join(line[n].ljust(widths[n]) if is_text[n] else line[n].rjust(widths[n])
+                              for n in kept).rstrip()
                      for line in lines)
 
 
@@ -24,10 +25,10 @@ def plain_text(sentence: str) -> str:
 
 
 def text_page(sections: list[Section], closing: list[str]) -> str:
-    """Every table that the page does not leave out of sight, by section, and then the closing sentences."""
+    """Every table but the mere listings, by section, and then the closing sentences."""
     blocks = []
     for section in sections:
-        tables = [part for part in section.parts if isinstance(part, ShownTable) and not part.folded and part.table.rows]
+        tables = [part for part in section.parts if isinstance(part, ShownTable) and not part.listing and part.table.rows]
         if tables:
             title = plain_text(section.title)
             blocks.append(f"{title}\n{'=' * len(title)}")

@@ -53,9 +53,11 @@ def gallery(tables: dict[str, Table], drawn: list[dict]) -> Drawing | None:
             triangles = [[cap["points"][corner] for corner in triangle] for triangle in cap["triangles"]]
             forward = [t for t in triangles if signed_area(t) >= 0.0]
             backward = [t for t in triangles if signed_area(t) < 0.0]
-            axes.add_collection(PolyCollection(forward, facecolors=token("right"), edgecolors=token("paper"), linewidths=0.35,
+            axes.add_collection(PolyCollection(forward, facecolors=token("right"), edgecolors=token("paper"),
+                                               linewidths=0.35,
                                                alpha=0.55))
-            axes.add_collection(PolyCollection(backward, facecolors=token("wrong"), edgecolors=token("paper"), linewidths=0.35,
+            axes.add_collection(PolyCollection(backward, facecolors=token("wrong"), edgecolors=token("paper"),
+                                               linewidths=0.35,
                                                alpha=0.72))
             for loop in loops:
                 closed = loop + loop[:1]

@@ -29,7 +29,8 @@ def chain_plot(tables: dict[str, Table], key: str, y_label: str, name: str) -> D
     for backend, mode in dict.fromkeys((str(row["backend"]), str(row["mode"])) for row in rows):
         own = [row for row in rows if row["backend"] == backend and row["mode"] == mode]
         more = {"markerfacecolor": token("paper")} if mode == "compacted" else {}
-        series(axes, backend, short(backend) + (", compacted" if mode == "compacted" else ""), [row["cuts"] for row in own],
+        series(axes, backend, short(backend) + (", compacted" if mode == "compacted" else ""),
+               [row["cuts"] for row in own],
                [row[key] for row in own], **more)
     log_log(axes, f"cuts so far, {count_short(size)} triangles", y_label)
     more_ticks(axes)

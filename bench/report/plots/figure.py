@@ -15,10 +15,10 @@ from matplotlib.ticker import FuncFormatter, LogLocator  # noqa: E402
 
 from report.plots.drawing import Drawing
 from report.plots.palette import COLOURS, style_of
+from report.plots.svg_text import shortened
 
 WIDTH, HEIGHT = 4.2, 3.3  # inches: less than the width of a phone's screen, so that texts are not made smaller there
 GROUP_ID = re.compile(r'<g id="[A-Za-z]+[._0-9A-Za-z]*">')
-POINTS = re.compile(r'<svg [^>]*?width="([\d.]+)pt" height="([\d.]+)pt"|<svg [^>]*?height="([\d.]+)pt"[^>]*?width="([\d.]+)pt"')
 
 
 def token(name: str) -> str:
@@ -30,7 +30,8 @@ def new_figure(width: float = WIDTH, height: float = HEIGHT, rows: int = 1, colu
     ink, muted, grid = token("ink"), token("muted"), token("grid")
     pyplot.rcParams.update({
         "svg.fonttype": "none", "font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans"], "font.size": 10,
-        "text.color": ink, "axes.labelcolor": ink, "axes.edgecolor": muted, "axes.titlecolor": ink, "axes.titlesize": 10.5,
+        "text.color": ink, "axes.labelcolor": ink, "axes.edgecolor": muted, "axes.titlecolor": ink,
+        "axes.titlesize": 10.5,
         "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False,
         "axes.grid": True, "axes.axisbelow": True, "grid.color": grid, "grid.linewidth": 0.8, "xtick.color": muted,
         "ytick.color": muted, "xtick.labelcolor": ink, "ytick.labelcolor": ink, "legend.frameon": False,
@@ -52,7 +53,7 @@ def finished(name: str, figure: Figure) -> Drawing:
     text = GROUP_ID.sub("<g>", text)  # several figures share a page: ids must not repeat
     text = re.sub(r' width="[\d.]+pt"| height="[\d.]+pt"', "", text, count=2)
     text = text.replace("'DejaVu Sans'", "var(--font, 'DejaVu Sans'), sans-serif").replace("\n", "")
-    return Drawing(name, text)
+    return Drawing(name, shortened(text))
 
 
 def series(axes, name: str, label: str, x: Sequence[float], y: Sequence[float], **more: Any) -> None:

@@ -9,7 +9,7 @@ from report.tables.numbers import count_short, short
 from report.tables.table import Table
 
 
-def scaling(tables: dict[str, Table], kind: str, shape: str, suffix: str = "") -> Drawing | None:
+def scaling(tables: dict[str, Table], kind: str, shape: str) -> Drawing | None:
     """Time of a cut by the size of the mesh, one line a back end."""
     table = tables.get(f"scaling_{kind.lower()}_{shape}")
     if not table or not table.rows:
@@ -21,18 +21,20 @@ def scaling(tables: dict[str, Table], kind: str, shape: str, suffix: str = "") -
         own = [row for row in points if (row["extent"], row["input"], row["backend"]) == (what, triangles, backend)]
         x, y = [row["triangles"] for row in own], [row["ms"] for row in own]
         series(axes, backend, short(backend), x, y)
-        axes.errorbar(x, y, yerr=[[row["ms"] - row["least_ms"] for row in own], [row["most_ms"] - row["ms"] for row in own]],
+        axes.errorbar(x, y, yerr=[[row["ms"] - row["least_ms"] for row in own],
+                                  [row["most_ms"] - row["ms"] for row in own]],
                       fmt="none", ecolor=style_of(backend).token, elinewidth=1.0, capsize=2.0)
         fitted = fits.exponent([(n, ms) for n, ms in zip(x, y) if n >= fits.FITTED_FROM])
         if backend in ("halfedge", "baseline/hash") and fitted and fitted.points > 3:
             ends = [fits.FITTED_FROM, x[-1]]
-            axes.plot(ends, [fitted.factor * n ** fitted.value for n in ends], color=token("ink"), linewidth=0.9, linestyle=":")
+            axes.plot(ends, [fitted.factor * n ** fitted.value for n in ends], color=token("ink"), linewidth=0.9,
+                      linestyle=":")
     log_log(axes, "triangles", "ms per cut")
     axes.axhline(1e3 / 60, color=token("muted"), linewidth=1)
     axes.text(0.01, 1e3 / 60, "1/60 s", color=token("muted"), fontsize=9, ha="left", va="bottom",
               transform=axes.get_yaxis_transform())
     legend_above(axes, 3)
-    return finished(f"scaling_{kind.lower()}_{shape}{'_' if suffix else ''}{suffix}", figure)
+    return finished(f"scaling_{kind.lower()}_{shape}", figure)
 
 
 def crossing(tables: dict[str, Table]) -> Drawing | None:

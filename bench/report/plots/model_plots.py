@@ -19,7 +19,8 @@ def times_by_size(tables: dict[str, Table]) -> Drawing | None:
         if not points:
             continue
         style = style_of(name)
-        axes.plot([x for x, _ in points], [y for _, y in points], linestyle="none", color=style.token, marker=style.marker,
+        axes.plot([x for x, _ in points], [y for _, y in points], linestyle="none", color=style.token,
+                  marker=style.marker,
                   label="the report" if name == "report" else short(name), alpha=0.95)
     log_log(axes, "faces of the model", "ms per cut")
     legend_above(axes, 2)
@@ -37,7 +38,8 @@ def report_growth(tables: dict[str, Table]) -> Drawing | None:
     figure, axes = new_figure()
     style = style_of("report")
     x = sorted(size for size, _ in points)
-    axes.plot([size for size, _ in points], [ms for _, ms in points], linestyle="none", color=style.token, marker=style.marker)
+    axes.plot([size for size, _ in points], [ms for _, ms in points], linestyle="none", color=style.token,
+              marker=style.marker)
     axes.plot(x, [fitted.factor * size ** fitted.value for size in x], color=token("vermilion"),
               label=f"faces to the power of {fitted.value:.2f}")
     start = fitted.factor * x[0] ** fitted.value

@@ -14,8 +14,10 @@ def peers(tables: dict[str, Table]) -> Drawing | None:
         return None
     figure, axes = new_figure()
     for name in dict.fromkeys(str(row["cutter"]) for row in table.rows):
-        rows = [row for row in table.rows if row["cutter"] == name and row.get("ms") is not None and row["shape"] == "asteroid"]
-        series(axes, name, short(name).replace("_", " "), [row["triangles"] for row in rows], [row["ms"] for row in rows])
+        rows = [row for row in table.rows if row["cutter"] == name and row.get("ms") is not None
+                and row["shape"] == "asteroid"]
+        series(axes, name, short(name).replace("_", " "), [row["triangles"] for row in rows],
+               [row["ms"] for row in rows])
         wrong = [row for row in rows if problem_of(row)]
         axes.plot([row["triangles"] for row in wrong], [row["ms"] for row in wrong], linestyle="none", marker="o",
                   markersize=12, markerfacecolor="none", markeredgecolor=token("wrong"), markeredgewidth=1.2)

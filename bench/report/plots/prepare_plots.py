@@ -18,14 +18,17 @@ def prepare(tables: dict[str, Table]) -> Drawing | None:
     cuts = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]
     prepared = {str(row["backend"]): row for row in rows if row["triangles"] == size}
     for backend, row in prepared.items():
-        series(axes, backend, short(backend) + ", copies", cuts, [row["prepare_ms"] + n * row["cut_ms"] for n in cuts], markersize=4)
+        series(axes, backend, short(backend) + ", copies", cuts, [row["prepare_ms"] + n * row["cut_ms"] for n in cuts],
+               markersize=4)
     balance = tables.get("chain_balance")
     chain = [row for row in balance.rows if row["triangles"] >= 0.9 * size] if balance else []
     if chain:
         for backend, row in prepared.items():
             style = style_of(backend)
-            axes.plot([mark["cuts"] for mark in chain], [row["prepare_ms"] + mark[f"{short(backend)}_whole_ms"] for mark in chain],
-                      color=style.token, marker=style.marker, markersize=4, linestyle="--", markerfacecolor=token("paper"),
+            axes.plot([mark["cuts"] for mark in chain],
+                      [row["prepare_ms"] + mark[f"{short(backend)}_whole_ms"] for mark in chain],
+                      color=style.token, marker=style.marker, markersize=4, linestyle="--",
+                      markerfacecolor=token("paper"),
                       label=short(backend) + ", one object")
     log_log(axes, "cuts", f"ms with preparing, {count_short(size)} triangles")
     legend_above(axes, 2)

@@ -16,7 +16,8 @@ def proxies(tables: dict[str, Table]) -> Drawing | None:
              "box": ("orange", "^"), "sphere": ("green", "P")}
     for row in rows:
         colour, marker = looks[str(row["kind"])]
-        axes.plot([row["build_ms"]], [row["volume_ratio"]], marker=marker, color=token(colour), markersize=9, linestyle="none",
+        axes.plot([row["build_ms"]], [row["volume_ratio"]], marker=marker, color=token(colour), markersize=9,
+                  linestyle="none",
                   label=f"{str(row['kind']).replace('_', ' ')}")
     axes.axhline(1.0, color=token("muted"), linewidth=1, linestyle=":")
     axes.set_xscale("log")

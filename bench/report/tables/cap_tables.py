@@ -22,13 +22,16 @@ def caps_table(found: Measurements, mix: str) -> Table:
         summary = file["summary"]
         fans = [fan for _, fan, _ in judged_rows(file)]
         table.rows.append({"model": model_name(file["file"]), "cuts": summary["cut"], "missed": summary["missed"],
-                           "fans_wrong": summary["fans_wrong"], "median_fan_error": statistics.median(fans) if fans else None,
+                           "fans_wrong": summary["fans_wrong"],
+                           "median_fan_error": statistics.median(fans) if fans else None,
                            "worst_fan_error": summary["worst_fan"],
                            "worst_overlap": max((share for row, _, _ in judged_rows(file)
-                                                 if (share := overlap_share(row)) is not None), default=None), "caps_wrong": summary["caps_wrong"],
+                                                 if (share := overlap_share(row)) is not None), default=None),
+                           "caps_wrong": summary["caps_wrong"],
                            "worst_cap_error": summary["worst_cap"],
                            "not_judged": summary["sections_that_intersect_themselves"],
-                           "surfaces_differ": summary["surfaces_differ"], "failed": summary["failed"] + len(file["failures"])})
+                           "surfaces_differ": summary["surfaces_differ"],
+                           "failed": summary["failed"] + len(file["failures"])})
     return table
 
 
@@ -36,7 +39,8 @@ def cap_rows_table(found: Measurements) -> Table:
     """Each model and plane, one a row: for the CSV and the plot."""
     table = Table("caps_by_plane", [Column(key, key) for key in (
         "planes", "model", "number", "kind", "normal_x", "normal_y", "normal_z", "offset", "crossing", "loops",
-        "section_area", "fan_error", "triangulation_error", "fan_overlap", "fan_least_angle", "triangulation_least_angle", "fan_fits", "cap_fits", "section_intersects_itself")])
+        "section_area", "fan_error", "triangulation_error", "fan_overlap", "fan_least_angle",
+        "triangulation_least_angle", "fan_fits", "cap_fits", "section_intersects_itself")])
     for mix, result in found.comparisons.items():
         for file in result["files"]:
             for row, fan, cap in judged_rows(file):
@@ -77,7 +81,8 @@ def gallery_table(found: Measurements) -> Table:
                               Column("triangulation_least_angle", "its smallest angle, °", digits(2))])
     for row in found.drawn_caps:
         area, fan, cap = row["covered_area"], row["baseline"], row["halfedge"]
-        table.rows.append({"model": row["model"], "number": row["number"], "kind": row["kind"], "crossing": row["crossing"],
+        table.rows.append({"model": row["model"], "number": row["number"], "kind": row["kind"],
+                           "crossing": row["crossing"],
                            "loops": row["loops"], "fan_error": fan["cap_excess"] / area,
                            "fan_overlap": None if fan["cap_overlap"] is None else fan["cap_overlap"] / area,
                            "fan_least_angle": fan["cap_least_angle"], "triangulation_error": cap["cap_excess"] / area,

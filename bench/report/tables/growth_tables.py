@@ -3,7 +3,7 @@
 from report import fits
 from report.measurements import Measurements, order
 from report.repetitions import Counters, median, spread_of, worst_spread
-from report.tables.numbers import count, digits, milliseconds, percent, rounded, short
+from report.tables.numbers import count, digits, percent, rounded, short, timed
 from report.tables.table import Column, Table, Value
 
 EXTENTS = (("Scale", "whole chain"), ("Geometry", "geometry only"))
@@ -15,7 +15,7 @@ def scaling_table(found: Measurements, kind: str, shape: str) -> Table:
     cells = found.growth(kind, shape)
     sizes = sorted({size for _, size in cells})
     table = Table(f"scaling_{kind.lower()}_{shape}", [Column("backend", "back end", short)] +
-                  [Column(f"ms_{size}", count(size), milliseconds) for size in sizes] +
+                  [Column(f"ms_{size}", count(size), timed) for size in sizes] +
                   [Column("exponent", "exponent", digits(2)), Column("exponent_half_width", "± (95 %)", digits(2)),
                    Column("exponent_points", "sizes fitted"), Column("least_slope", "least slope", digits(2)),
                    Column("most_slope", "greatest slope", digits(2)), Column("spread", "spread", percent),
@@ -27,7 +27,8 @@ def scaling_table(found: Measurements, kind: str, shape: str) -> Table:
         row |= {f"ms_{size}": median(own.get(size), "real_time") for size in sizes}
         fitted = growth_exponent(own)
         if fitted:
-            row |= {"exponent": fitted.value, "exponent_half_width": fitted.half_width, "exponent_points": fitted.points}
+            row |= {"exponent": fitted.value, "exponent_half_width": fitted.half_width,
+                    "exponent_points": fitted.points}
         local = fits.slopes(fitted_points(own))
         if len(local) > 1:
             row |= {"least_slope": min(local), "most_slope": max(local)}
@@ -39,17 +40,21 @@ def scaling_table(found: Measurements, kind: str, shape: str) -> Table:
 
 def scaling_points_table(found: Measurements) -> Table:
     """Every time of the scaling tables with its repetitions: the range, and how many cuts it rests on."""
-    table = Table("scaling_points", [Column("extent", "what"), Column("input", "order of triangles"), Column("backend", "back end", short),
-                                     Column("triangles", "triangles", count), Column("ms", "ms", milliseconds),
-                                     Column("least_ms", "least ms", milliseconds), Column("most_ms", "most ms", milliseconds),
+    table = Table("scaling_points", [Column("extent", "what"), Column("input", "order of triangles"),
+                                     Column("backend", "back end", short),
+                                     Column("triangles", "triangles", count), Column("ms", "ms", timed),
+                                     Column("least_ms", "least ms", timed), Column("most_ms", "most ms", timed),
                                      Column("planes", "planes", digits(0)), Column("rounds", "rounds", digits(0)),
                                      Column("repetitions", "repetitions", digits(0))])
     for kind, extent in EXTENTS:
         for shape, input_order in ORDERS:
-            for (backend, size), c in sorted(found.growth(kind, shape).items(), key=lambda item: (order(item[0][0]), item[0][1])):
+            for (backend, size), c in sorted(found.growth(kind, shape).items(),
+                                             key=lambda item: (order(item[0][0]), item[0][1])):
                 middle, lowest, highest = c["real_time"]
-                table.rows.append({"extent": extent, "input": input_order, "backend": backend, "triangles": c["triangles"][0],
-                                   "ms": middle, "least_ms": lowest, "most_ms": highest, "planes": median(c, "cuts_each"),
+                table.rows.append({"extent": extent, "input": input_order, "backend": backend,
+                                   "triangles": c["triangles"][0],
+                                   "ms": middle, "least_ms": lowest, "most_ms": highest,
+                                   "planes": median(c, "cuts_each"),
                                    "rounds": median(c, "iterations"), "repetitions": median(c, "repetitions")})
     return table
 
@@ -76,7 +81,8 @@ def crossovers_table(found: Measurements) -> Table:
     """From which size on the half-edge back end takes less time than the linear ones that are worth it."""
     table = Table("crossovers", [Column("extent", "what"), Column("input", "order of triangles"),
                                  Column("against", "half-edge against", short),
-                                 Column("from_triangles", "faster from", rounded), Column("least", "by the spread, at least", rounded),
+                                 Column("from_triangles", "faster from", rounded),
+                                 Column("least", "by the spread, at least", rounded),
                                  Column("most", "at most", rounded), Column("verdict", "in words")])
     for kind, extent in EXTENTS:
         for shape, input_order in ORDERS:
@@ -89,10 +95,11 @@ def crossovers_table(found: Measurements) -> Table:
                 smallest = cells[("halfedge", sizes[0])]["triangles"][0]
                 verdict = (f"never, up to {count(sizes[-1])}" if size is None else
                            "at every size measured" if size <= smallest else f"from about {rounded(size)} triangles")
-                row: dict[str, Value] = {"extent": extent, "input": input_order, "against": slower, "from_triangles": size,
+                row: dict[str, Value] = {"extent": extent, "input": input_order, "against": slower,
+                                         "from_triangles": size,
                                          "verdict": verdict}
                 if size is not None and size > smallest:
-                    # Every repetition of one at its quickest with every one of the other at its slowest, and the reverse.
+                    # The quickest repetition of one with the slowest of the other, and the reverse.
                     row |= {"least": fits.crossover(extreme(cells, slower, 2, 1), slower, "halfedge"),
                             "most": fits.crossover(extreme(cells, slower, 1, 2), slower, "halfedge")}
                 table.rows.append(row)
@@ -110,7 +117,7 @@ def extreme(cells: dict[tuple[str, int], Counters], slower: str, of_slower: int,
 def crossing_table(found: Measurements) -> Table:
     """What the half-edge back end's whole chain costs for each triangle that the plane crosses."""
     table = Table("per_crossing", [Column("triangles", "triangles", count), Column("crossing", "crossing k", count),
-                                   Column("ns_per_crossing", "ns / k", digits(0)),
+                                   Column("ns_per_crossing", "ns / k", timed),
                                    Column("touched_per_crossing", "touched / k", digits(1)),
                                    Column("nodes_per_crossing", "nodes / k", digits(2)),
                                    Column("bytes_per_crossing", "bytes to upload / k", digits(0)),
@@ -155,8 +162,8 @@ def phases_table(found: Measurements) -> Table:
     cells = found.growth("Scale", "asteroid")
     names = list(dict.fromkeys(key[3:] for counters in cells.values() for key in counters if key.startswith("ms_")))
     table = Table("phases", [Column("backend", "back end", short), Column("triangles", "triangles", count)] +
-                  [Column(f"{name}_ms", name, milliseconds) for name in names] +
-                  [Column("total_ms", "all phases", milliseconds), Column("upload_bytes", "bytes to upload", count)])
+                  [Column(f"{name}_ms", name, timed) for name in names] +
+                  [Column("total_ms", "all phases", timed), Column("upload_bytes", "bytes to upload", count)])
     for (backend, size), c in sorted(cells.items(), key=lambda item: (item[0][1], order(item[0][0]))):
         row: dict[str, Value] = {"backend": backend, "triangles": size, "upload_bytes": c["upload_bytes"][0]}
         row |= {f"{name}_ms": median(c, f"ms_{name}") for name in names}

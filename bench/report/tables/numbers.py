@@ -5,16 +5,22 @@ from typing import Any, Callable
 
 Formatter = Callable[[Any], str]
 ABSENT = "–"
-MICROSECOND_DIGITS = 3
 
 
-def milliseconds(value: float) -> str:
-    return f"{value:.{MICROSECOND_DIGITS}f}" if value < 10 else f"{value:.1f}"
+def timed(value: float) -> str:
+    """A time, or what follows from times: two digits, three if the first is a 1. Repetitions differ by some per cent:
+    further digits would say nothing."""
+    if value == 0:
+        return "0"
+    places = 1 - math.floor(math.log10(abs(float(f"{value:.1e}"))))
+    if f"{abs(value):.1e}".startswith("1"):
+        places += 1
+    return f"{value:.{places}f}" if places > 0 else count(round(value, places))
 
 
-def microseconds(value: float) -> str:
-    """Milliseconds, with more digits where they are few: a box takes less than a thousandth."""
-    return f"{value:.5f}" if value < 1e-2 else milliseconds(value)
+def quoted(value: float) -> str:
+    """A time of the student report, nearly as it is printed there."""
+    return f"{value:.3f}" if value < 10 else f"{value:.1f}"
 
 
 def count(value: float) -> str:

@@ -3,21 +3,22 @@
 from report import fits
 from report.measurements import Measurements
 from report.repetitions import median, spread_of
-from report.tables.numbers import count, digits, milliseconds, percent, short
+from report.tables.numbers import count, digits, percent, rounded, short, timed
 from report.tables.table import Column, Table, Value
 
 
 def prepare_table(found: Measurements) -> Table:
-    """Preparing a mesh once, the memory it takes, and after how many cuts the half-edge back end has made up for it when
-    each cuts a fresh copy of the whole."""
+    """Preparing a mesh once, the memory it takes, and after how many cuts of fresh copies of the whole it is paid
+    back."""
     table = Table("prepare", [Column("backend", "back end", short), Column("triangles", "triangles", count),
-                              Column("prepare_ms", "prepare ms", milliseconds),
-                              Column("ns_per_triangle", "ns / triangle", digits(0)),
+                              Column("prepare_ms", "prepare ms", timed),
+                              Column("ns_per_triangle", "ns / triangle", timed),
                               Column("bytes_per_triangle", "bytes / triangle", digits(0)),
-                              Column("cut_ms", "a cut, ms", milliseconds),
-                              Column("paid_back_remap", "paid back against remap, cuts of copies", digits(1)),
-                              Column("paid_back_hash", "against hash, cuts of copies", digits(1)),
-                              Column("spread", "spread of preparing", percent), Column("repetitions", "repetitions", digits(0))])
+                              Column("cut_ms", "a cut, ms", timed),
+                              Column("paid_back_remap", "paid back against remap, cuts of copies", rounded),
+                              Column("paid_back_hash", "against hash, cuts of copies", rounded),
+                              Column("spread", "spread of preparing", percent),
+                              Column("repetitions", "repetitions", digits(0))])
     scale = found.growth("Scale", "asteroid")
     prepared = {(backend, size): c for backend, size, c in found.sized("Prepare")}
     for (backend, size), c in prepared.items():
@@ -37,20 +38,21 @@ def prepare_table(found: Measurements) -> Table:
 
 
 def chain_balance_table(found: Measurements) -> Table:
-    """One object that is cut to pieces, always the largest of them: preparing and all cuts so far, both back ends. A cut
-    takes its object's place, so that pieces get smaller and quicker cuts save less and less."""
+    """One object that is cut to pieces, always the largest of them: preparing and all cuts so far, both back ends. The
+    pieces take their object's place: they get smaller, and quicker cuts save less and less."""
     table = Table("chain_balance", [Column("triangles", "triangles", count), Column("cuts", "cuts so far", count),
-                                    Column("remap_cutting_ms", "remap, cut() ms", milliseconds),
-                                    Column("halfedge_cutting_ms", "halfedge, cut() ms", milliseconds),
-                                    Column("remap_whole_ms", "remap, whole chain ms", milliseconds),
-                                    Column("halfedge_whole_ms", "halfedge, whole chain ms", milliseconds),
-                                    Column("extra_prepare_ms", "extra preparing ms", milliseconds),
+                                    Column("remap_cutting_ms", "remap, cut() ms", timed),
+                                    Column("halfedge_cutting_ms", "halfedge, cut() ms", timed),
+                                    Column("remap_whole_ms", "remap, whole chain ms", timed),
+                                    Column("halfedge_whole_ms", "halfedge, whole chain ms", timed),
+                                    Column("extra_prepare_ms", "extra preparing ms", timed),
                                     Column("cutting_balance_ms", "balance of cut(), ms", signed_milliseconds),
                                     Column("balance_ms", "balance of the whole chain, ms", signed_milliseconds)])
     chains = {(variant, size): c for variant, size, c in found.sized("Chain")}
     prepared = {(backend, size): c for backend, size, c in found.sized("Prepare")}
     for variant, size in chains:
-        needed = ((chains, ("kept/baseline/remap", size)), (prepared, ("halfedge", size)), (prepared, ("baseline/remap", size)))
+        needed = ((chains, ("kept/baseline/remap", size)), (prepared, ("halfedge", size)),
+                  (prepared, ("baseline/remap", size)))
         if variant != "kept/halfedge" or any(key not in cells for cells, key in needed):
             continue
         half, linear = chains[(variant, size)], chains[("kept/baseline/remap", size)]
@@ -65,4 +67,4 @@ def chain_balance_table(found: Measurements) -> Table:
 
 
 def signed_milliseconds(value: float) -> str:
-    return f"{'+' if value > 0 else '−' if value < 0 else ''}{milliseconds(abs(value))}"
+    return f"{'+' if value > 0 else '−' if value < 0 else ''}{timed(abs(value))}"

@@ -15,7 +15,8 @@ def stages_table(found: Measurements) -> Table:
     for stage in found.stages:
         is_bench = Kind(stage["kind"]) == Kind.BENCH
         table.rows.append({"stage": stage["stage"], "date": stage["date"], "commit": stage["commit"],
-                           "repetitions": int(stage["command"][2]) if is_bench else None, "seconds": stage["seconds"], "load_before": stage["load"][0], "load_after": stage["load"][1]})
+                           "repetitions": int(stage["command"][2]) if is_bench else None, "seconds": stage["seconds"],
+                           "load_before": stage["load"][0], "load_after": stage["load"][1]})
     return table
 
 
