@@ -188,7 +188,7 @@ def draw(name, turn, rise):
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else os.path.join(HERE, "..", "docs", "images", "models.png")
+    picture = sys.argv[1] if len(sys.argv) > 1 else os.path.join(HERE, "..", "docs", "images", "models.jpg")
     chosen = [m for m in MODELS if len(sys.argv) < 3 or m[1] in sys.argv[2:]]
     columns = min(5, len(chosen))
     caption, gap = 50, 10
@@ -205,7 +205,7 @@ def main():
         sheet.paste(tile, (x, y))
         pen.text((x + TILE / 2, y + TILE + 14), title, fill="black", font=large, anchor="mm")
         pen.text((x + TILE / 2, y + TILE + 36), f"{faces} faces, {vertices} vertices", fill="#555", font=small, anchor="mm")
-    sheet.save(picture, optimize=True)
+    sheet.save(picture, quality=85, subsampling=0, progressive=True, optimize=True)  # the former three: of a JPEG
 
 
 if __name__ == "__main__":

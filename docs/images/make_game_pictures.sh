@@ -33,7 +33,7 @@ sheet() {
     local name=$1
     shift
     "$build/viewer/gallery/fruit_gallery" "$work/$name.png" "$@"
-    convert "$work/$name.png" -quality 88 "fruit_$name.jpg"
+    convert "$work/$name.png" -filter Lanczos -resize 960x -quality 84 "fruit_$name.jpg"
 }
 
 sheet round watermelon apple orange lemon kiwi coconut
