@@ -8,7 +8,7 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-from report_cases import HAS_MATPLOTLIB, some_measurements
+from report_cases import HAS_MATPLOTLIB, whole_measurements
 from report.page.readme import BEGIN, END
 
 
@@ -46,7 +46,7 @@ class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         from report.page.export import Report
-        cls.report = Report(some_measurements(), {"processor": "a processor", "commit": "abc"}, "quick", 2)
+        cls.report = Report(whole_measurements(), {"processor": "a processor", "commit": "abc"}, "quick", 2)
         cls.folder = tempfile.TemporaryDirectory()
         cls.page = cls.report.write(Path(cls.folder.name)).read_text()
 
@@ -86,21 +86,25 @@ class Page(unittest.TestCase):
 
     def test_the_same_measurements_give_the_same_page(self):
         from report.page.export import Report
-        again = Report(some_measurements(), {"processor": "a processor", "commit": "abc"}, "quick", 2)
+        again = Report(whole_measurements(), {"processor": "a processor", "commit": "abc"}, "quick", 2)
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(again.write(Path(folder)).read_text(), self.page)
 
     def test_published_markdown_names_its_pictures(self):
         with tempfile.TemporaryDirectory() as folder:
+            stale = Path(folder) / "images/results_gone_light.svg"
+            stale.parent.mkdir()
+            stale.touch()
             readme = Path(folder) / "README.md"
-            readme.write_text(f"before\n{BEGIN}\nold\n{END}\nafter\n")
+            readme.write_text(f"before\n{BEGIN}\nwas here\n{END}\nafter\n")
             text = self.report.publish(Path(folder), readme).read_text()
             pictures = re.findall(r'(?:src|srcset)="([^"]+)"', text)
             self.assertTrue(pictures)
             for picture in pictures:
                 self.assertTrue((Path(folder) / picture).exists(), picture)
             self.assertRegex(readme.read_text(), r"(?s)^before\n.*\| `halfedge` \| 3\.2 \| .*\nafter\n$")
-            self.assertNotIn("old", readme.read_text())
+            self.assertFalse(stale.exists())
+            self.assertNotIn("was here", readme.read_text())
 
 
 

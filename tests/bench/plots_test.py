@@ -2,7 +2,7 @@
 
 import unittest
 
-from report_cases import HAS_MATPLOTLIB, some_measurements
+from report_cases import HAS_MATPLOTLIB, some_measurements, whole_measurements
 from report.chapters import all_sections
 from report.chapters.section import Facts, ShownFigure, all_tables
 from report.measurements import Measurements
@@ -69,8 +69,9 @@ class Figures(unittest.TestCase):
         return {figure.name: draw(figure.name, figure.arguments, tables) for figure in figures}
 
     def test_every_figure_that_a_chapter_names_exists(self):
-        drawn = self.draw_all(some_measurements())
-        for name in ("scaling", "counters", "crossing", "phases"):
+        drawn = self.draw_all(whole_measurements())
+        for name in ("models", "report_growth", "scaling", "counters", "crossing", "phases", "prepare", "chain_times",
+                     "chain_ranges", "proxies", "distribution", "viewer_cuts", "peers"):
             self.assertIsNotNone(drawn[name], name)
 
     def test_figures_of_nothing_are_not_drawn(self):

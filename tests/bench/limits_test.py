@@ -1,0 +1,71 @@
+"""What the page says against the half-edge back end, and what else it says in words."""
+
+import unittest
+
+from report_cases import some_measurements, whole_measurements
+from report.chapters import all_sections, chains, limits, models, peers, proxies, unflattering
+from report.chapters.section import Facts, ShownTable, all_tables
+from report.measurements import Measurements
+
+
+class Limits(unittest.TestCase):
+    FOUND = whole_measurements()
+
+    def test_what_weighs_most_comes_first(self):
+        section, = limits.write(self.FOUND, {}, Facts())
+        heads = [part.split(".**")[0].lstrip("*") for part in section.parts]
+        self.assertEqual(heads, ["Small meshes", "The report's models", "Memory", "Preparing",
+                                 "The worst cut and the worst frame",
+                                 "Draw calls", "Flat faces in the plane's direction", "Connected pieces", "Licence"])
+
+    def test_nothing_measured_limits_nothing(self):
+        section, = limits.write(Measurements(), {}, Facts())
+        self.assertEqual(section.parts, [])
+
+    def test_the_longer_worst_frame_is_admitted(self):
+        self.assertIn("Of 2 models it has the longer worst frame in 2", unflattering.frames(self.FOUND, Facts()))
+
+    def test_a_worse_tail_and_a_worse_chain_are_admitted_and_better_ones_are_not_named(self):
+        self.assertIn("10.0 ms against 1.00 at 100 k", unflattering.tail(self.FOUND, Facts()))
+        self.assertIn("one takes 10.0 ms (`remap`'s worst: 1.00 ms)", unflattering.longest(self.FOUND, Facts()))
+        self.assertEqual(unflattering.tail(some_measurements(), Facts()), "")
+        self.assertEqual(unflattering.longest(some_measurements(), Facts()), "")
+
+    def test_a_crossover_that_there_is_not_is_said(self):
+        self.assertEqual(limits.words({"from_triangles": None}, Facts()), "nowhere that was measured")
+
+    def test_small_models_are_where_it_is_not_the_fastest(self):
+        self.assertIn("it takes 2.0 times what `remap` takes (medians 2000 and 1000 µs)",
+                      models.small_models(self.FOUND, Facts()))
+        self.assertIn("takes 4.0 times as long", models.lookup_factors(self.FOUND, Facts()))
+        self.assertEqual(models.lookup_factors(some_measurements(), Facts()), "")
+
+
+class Chapters(unittest.TestCase):
+    FOUND = whole_measurements()
+
+    def test_a_compacted_chain_says_what_compacting_cost(self):
+        table = next(part.table for part in chains.write(self.FOUND, {}, Facts())[0].parts
+                     if isinstance(part, ShownTable) and part.table.name == "chain_decades")
+        self.assertIn("5 at 100 k triangles (1 ms)", chains.compacted(table, Facts()))
+        self.assertEqual(chains.dearer(table, Facts()), "")  # `remap` does not get dearer here
+
+    def test_boxes_that_cost_more_than_hulls_are_explained(self):
+        table = next(part.table for part in proxies.write(self.FOUND, {}, Facts())[0].parts
+                     if isinstance(part, ShownTable))
+        self.assertIn("7 and 7 pairs touch, 7 of bounded hulls", proxies.pairs(table, Facts()))
+
+    def test_libraries_have_a_chapter_only_if_they_were_timed(self):
+        self.assertEqual(peers.write(some_measurements(), {}, Facts()), [])
+        self.assertIn("at most 4.0", " ".join(part for part in peers.write(self.FOUND, {}, Facts())[0].parts
+                                              if isinstance(part, str)))
+
+    def test_all_of_them_together_name_each_table_once(self):
+        facts = Facts()
+        sections = all_sections(self.FOUND, {"processor": "p"}, facts)
+        self.assertGreater(len(all_tables(sections, facts)), 20)
+        self.assertEqual([section.slug for section in sections][:2], ["answer", "table2"])
+
+
+if __name__ == "__main__":
+    unittest.main()
