@@ -30,6 +30,10 @@ class Revisions(unittest.TestCase):
         self.assertEqual(self.compare.median_interval([1, 2, 3, 4, 5]), (3, None, None))
         self.assertEqual(self.compare.median_interval([6, 5, 4, 3, 2, 1]), (3.5, 1, 6))
 
+    def test_what_chance_alone_does_follows_from_the_rounds(self):
+        self.assertEqual(self.compare.values_outside(11), (2, 24 / 2048))
+        self.assertEqual(self.compare.values_outside(5), (0, 0.0))
+
     def test_a_filter_that_matches_nothing_is_one_sentence(self):
         for program in ("/bin/true", "/no/such/program"):  # the harness writes nothing and ends well
             with self.assertRaises(self.compare.Failed):
@@ -53,11 +57,11 @@ class Revisions(unittest.TestCase):
 
     def test_one_sentence_says_what_all_intervals_say(self):
         rows = [self.row("x", 1.05, 1.02, 1.08), self.row("y", 1.5, 1.2, 1.6), self.row("z", 1.0, 0.9, 1.1)]
-        self.assertEqual(self.compare.closing_sentence(rows, "old", "new"),
+        self.assertEqual(self.compare.closing_sentence(rows, "old", "new", 11),
                          "Of 3 benchmarks new is slower in 2 (most in y, by 50.0 %) and faster in none than old; "
-                         "in 1 no difference can be told.")
-        self.assertIn("nothing can be said", self.compare.closing_sentence([self.row("x", 1.5, None, None)], "old",
-                                                                           "new"))
+                         "in 1 no difference can be told (by chance alone 0.035 would differ).")
+        too_few = self.compare.closing_sentence([self.row("x", 1.5, None, None)], "old", "new", 5)
+        self.assertIn("nothing can be said", too_few)
 
     def test_a_revision_that_does_not_exist_is_one_sentence(self):
         done = subprocess.run([sys.executable, "-B", str(PROGRAM), "no-such-revision", "HEAD"], capture_output=True,
