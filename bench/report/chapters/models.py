@@ -28,8 +28,8 @@ def sizes(found: Measurements) -> Section:
 
 def times(found: Measurements, facts: Facts) -> Section:
     parts: list[Part] = [
-        ShownFigure("models", "The report's Table 2, cutting: its laptop's times and ours. The report's rise more steeply "
-                    "than a loop over triangles would.", published=True),
+        ShownFigure("models", "The report's Table 2, cutting: its laptop's times and ours. The report's rise more "
+                    "steeply than a loop over triangles would.", published=True),
         "`scan` and `two_bucket_hash` are the two ways to look up vertices that the report describes. `hash` is the "
         "dictionary that it should have had. These three include its loop that rewrites every vertex around the new "
         "pivot. `remap` is the best linear method that we know: it looks up indices, not vertices. `halfedge` touches "

@@ -28,7 +28,8 @@ def text_page(sections: list[Section], closing: list[str]) -> str:
     """Every table but the mere listings, by section, and then the closing sentences."""
     blocks = []
     for section in sections:
-        tables = [part for part in section.parts if isinstance(part, ShownTable) and not part.listing and part.table.rows]
+        tables = [part for part in section.parts
+                  if isinstance(part, ShownTable) and not part.listing and part.table.rows]
         if tables:
             title = plain_text(section.title)
             blocks.append(f"{title}\n{'=' * len(title)}")
