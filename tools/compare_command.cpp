@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "command_line/whole_number.h"
 #include "common/io/mesh_file.h"
 #include "tools/commands.h"
 #include "tools/comparison.h"
 #include "tools/registry.h"
 #include "tools/text.h"
-#include "tools/whole_number.h"
 
 namespace kerf::tools {
 
@@ -399,21 +399,21 @@ void add_compare_command(CLI::App& program)
     CLI::App* command = program.add_subcommand("compare", "Cut meshes with both back ends and compare what comes out");
     command->add_option("FILE", options->files, "Meshes: obj, ply, stl, off, gltf or glb")->required();
     command->add_option("--planes", options->comparison.planes, "How many planes cut each mesh")
-        ->transform(whole_number(1, 1'000'000))
+        ->transform(command_line::whole_number(1, 1'000'000))
         ->capture_default_str();
     command->add_option("--seed", options->comparison.seed, "Another seed gives other planes")
-        ->transform(whole_number())
+        ->transform(command_line::whole_number())
         ->capture_default_str();
     command
         ->add_option("--depth", options->comparison.depth,
                      "Cuts in a row: 2 cuts the two pieces as well, 3 their pieces, ...")
-        ->transform(whole_number(1, 16))
+        ->transform(command_line::whole_number(1, 16))
         ->capture_default_str();
     command->add_option("--lookup", options->lookup, "How the baseline looks up vertices: see kerf cut --help");
     command->add_flag("--random-only", options->random_only,
                       "Only random planes through the middle, none through vertices, along edges or in faces");
     command->add_option("--only", options->only, "Cut by this one of the planes, as the first column numbers them")
-        ->transform(whole_number())
+        ->transform(command_line::whole_number())
         ->type_name("NUMBER");
     command->add_flag("--quiet", options->quiet, "Leave out the rows of cuts that are right");
     CLI::Option* json = command->add_flag("--json", options->json, "Print JSON instead of text");

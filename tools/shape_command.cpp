@@ -4,12 +4,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "command_line/whole_number.h"
 #include "common/assemble.h"
 #include "common/io/mesh_file.h"
 #include "common/shapes.h"
 #include "tools/commands.h"
 #include "tools/text.h"
-#include "tools/whole_number.h"
 
 namespace kerf::tools {
 
@@ -50,10 +50,10 @@ void add_shape_command(CLI::App& program)
         ->required()
         ->check(CLI::IsMember(shapes::names()).description(""));
     command->add_option("-n,--triangles", options->triangles, "About how many triangles it should have")
-        ->transform(whole_number(1, shapes::kMostTriangles))
+        ->transform(command_line::whole_number(1, shapes::kMostTriangles))
         ->capture_default_str();
     command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")
-        ->transform(whole_number())
+        ->transform(command_line::whole_number())
         ->capture_default_str();
     command->add_option("-o,--out", options->out, "File to write: obj, ply, stl or glb")->required()->type_name("FILE");
     command->footer("Shapes: " + list_of_names() +

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "tools/whole_number.h"
+#include "command_line/whole_number.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/game/scenes.h"
 #include "viewer/sim/back_ends.h"
@@ -99,10 +99,10 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--screen", options.screen, "of the game, for the last picture of --headless")
         ->check(CLI::IsMember(ui::screen_names()));
     program.add_option("--boulder", options.boulder, "triangles of what the scene duel throws")
-        ->transform(tools::whole_number(1000, 2'000'000))
+        ->transform(command_line::whole_number(1000, 2'000'000))
         ->type_name("N");
     program.add_option("--giant", options.giant, "triangles of the scene giant")
-        ->transform(tools::whole_number(game::kFewestGiantTriangles, game::kMostGiantTriangles))
+        ->transform(command_line::whole_number(game::kFewestGiantTriangles, game::kMostGiantTriangles))
         ->type_name("N");
     program
         .add_option("--backend", backends,
@@ -112,17 +112,17 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--proxy", options.proxy, "what stands for pieces in the physics engine")
         ->check(CLI::IsMember(proxy_names()));
     program.add_option("--seed", options.seed, "of everything that looks random")
-        ->transform(tools::whole_number())
+        ->transform(command_line::whole_number())
         ->type_name("N");
     program.add_option("--script", options.script, "play recorded input")->type_name("FILE");
     program.add_option("--save-script", options.save_script, "save the input of this run")->type_name("FILE");
     program.add_flag("--autopilot", options.autopilot, "let the program swipe");
     program.add_flag("--headless", options.headless, "no window: fixed steps, results as JSON");
     program.add_option("--frames", options.frames, "frames of 1/60 s to run (0: to the script's end)")
-        ->transform(tools::whole_number(0, kMostFrames))
+        ->transform(command_line::whole_number(0, kMostFrames))
         ->type_name("N");
     program.add_option("--draw", options.draw_every, "with --headless: draw every N-th frame; 0: only a screenshot")
-        ->transform(tools::whole_number(0, kMostFrames))
+        ->transform(command_line::whole_number(0, kMostFrames))
         ->type_name("N");
     program.add_option("--size", size, "of the picture or window in pixels")->type_name("WxH");
     program.add_option("--screenshot", options.screenshot, "write the last frame as PNG")->type_name("FILE");

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace kerf::tools {
+namespace kerf::command_line {
 
 /// For Option::transform(): lets decimal whole numbers of a range through, and says of anything else what is asked for:
 /// "'x' is no whole number from 1 to 9". CLI11's own checks say that a value "could not be converted", count down from
@@ -27,4 +27,4 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
     return CLI::Validator(check, "");
 }
 
-}  // namespace kerf::tools
+}  // namespace kerf::command_line
