@@ -26,16 +26,16 @@ constexpr sim::Tick kNearApex = 85;
 constexpr std::uint64_t kSeed = 99;
 
 /// Shelves with one asteroid each, kept for repetitions: preparing is not what is timed.
-std::shared_ptr<sim::ModelShelf> asteroid_shelf(std::uint64_t triangles)
+std::shared_ptr<sim::ModelLibrary> asteroid_library(std::uint64_t triangles)
 {
     static std::uint64_t size = 0;
-    static std::shared_ptr<sim::ModelShelf> shelf;
+    static std::shared_ptr<sim::ModelLibrary> library;
     if (size != triangles) {
-        shelf = std::make_shared<sim::ModelShelf>();
-        shelf->add("asteroid", timed_shape("asteroid", triangles));
+        library = std::make_shared<sim::ModelLibrary>();
+        library->add("asteroid", timed_shape("asteroid", triangles));
         size = triangles;
     }
-    return shelf;
+    return library;
 }
 
 /// A quick stroke through where a body is seen, along an angle.
@@ -52,14 +52,14 @@ void stroke(sim::Simulation& run, const sim::Body& body, double angle, double ha
 
 void swipe(benchmark::State& state, const std::string& backend, std::uint64_t triangles)
 {
-    const auto shelf = asteroid_shelf(triangles);
+    const auto library = asteroid_library(triangles);
     double crossing = 0.0, bytes = 0.0, cuts = 0.0;
     std::uint64_t seed = kSeed;
     for (auto _ : state) {
         sim::Settings settings;
         settings.backend = backend;
         settings.seed = ++seed;
-        sim::Simulation run(shelf, settings);
+        sim::Simulation run(library, settings);
         run.advance(kNearApex);
         stroke(run, *run.bodies().front(), double(seed), 2.0);
         if (run.cuts().empty() || run.cuts().front().status != Status::cut)
@@ -91,7 +91,7 @@ void pieces(benchmark::State& state, bool heap, ProxyKind proxy)
     const auto wanted = std::size_t(state.range(0));
     sim::Settings settings;
     settings.proxy = proxy;
-    sim::Simulation run(asteroid_shelf(5000), settings);
+    sim::Simulation run(asteroid_library(5000), settings);
     // In a heap ten asteroids are cut within a moment; spread, many more are thrown and cut rarely.
     for (int i = 0; i < (heap ? 10 : 40); ++i) run.command("throw");
     run.advance(heap ? 70 : 60);

@@ -25,7 +25,7 @@ std::array<std::string, 2> opponents(const std::vector<std::string>& wanted)
     return {usual, sim::find_backend("baseline")};
 }
 
-std::size_t index_of(const sim::ModelShelf& models, std::string_view name)
+std::size_t index_of(const sim::ModelLibrary& models, std::string_view name)
 {
     std::size_t index = 0;
     while (index < models.size() && models.model(index).name != name) ++index;
@@ -37,7 +37,7 @@ std::string boulder_name(std::int64_t triangles)
     return "boulder " + std::to_string(triangles);
 }
 
-std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
+std::size_t add_boulder(sim::ModelLibrary& models, std::int64_t triangles)
 {
     const std::string name = boulder_name(triangles);
     const std::size_t known = index_of(models, name);
@@ -46,7 +46,7 @@ std::size_t add_boulder(sim::ModelShelf& models, std::int64_t triangles)
 }
 
 /// Boulder and fruit in turn, prepared for both. @param steps  counts DuelShow::kSteps
-std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std::int64_t triangles,
+std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelLibrary& models, std::int64_t triangles,
                                                     const std::array<std::string, 2>& opponents, ProxyKind proxy,
                                                     std::atomic<int>& steps)
 {
@@ -69,7 +69,7 @@ std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelShelf& models, std
 
 }  // namespace
 
-DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles,
+DuelShow::DuelShow(std::shared_ptr<sim::ModelLibrary> models, const sim::Settings& settings, std::int64_t triangles,
                    const std::vector<std::string>& wanted)
     : models_(std::move(models)),
       settings_(settings),
@@ -77,9 +77,8 @@ DuelShow::DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings&
       opponents_(opponents(wanted)),
       prepared_(std::make_shared<std::atomic<int>>(0)),
       preparing_(std::async(std::launch::async,
-                            [shelf = models_, triangles, both = opponents_, proxy = settings.proxy, steps = prepared_] {
-                                return prepare_all(*shelf, triangles, both, proxy, *steps);
-                            }))
+                            [library = models_, triangles, both = opponents_, proxy = settings.proxy,
+                             steps = prepared_] { return prepare_all(*library, triangles, both, proxy, *steps); }))
 {
 }
 
@@ -137,7 +136,7 @@ void DuelShow::sync(Painter& painter)
 {
     if (!duel_) return;
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
-        if (!worlds_[i]) worlds_[i] = std::make_unique<DrawnWorld>(painter.looks());
+        if (!worlds_[i]) worlds_[i] = std::make_unique<GpuWorld>(painter.looks());
         if (!duel_->half(i).idle()) continue;
         const sim::Simulation& simulation = duel_->half(i).simulation();
         effects_[i].follow(simulation);

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "viewer/app/drawn_world.h"
+#include "viewer/app/gpu_world.h"
 #include "viewer/app/painter.h"
 #include "viewer/duel/duel.h"
 #include "viewer/duel/timetable_scene.h"
@@ -29,8 +29,8 @@ public:
     /// @param models    with the fruit
     /// @param triangles of the boulder
     /// @param wanted    back ends: both, or one that meets the default; empty: the default and the baseline
-    DuelShow(std::shared_ptr<sim::ModelShelf> models, const sim::Settings& settings, std::int64_t triangles = kBoulder,
-             const std::vector<std::string>& wanted = {});
+    DuelShow(std::shared_ptr<sim::ModelLibrary> models, const sim::Settings& settings,
+             std::int64_t triangles = kBoulder, const std::vector<std::string>& wanted = {});
     ~DuelShow();
     DuelShow(const DuelShow&) = delete;
     DuelShow& operator=(const DuelShow&) = delete;
@@ -68,7 +68,7 @@ private:
     static constexpr int kSteps = 5;
     void write_score(ui::Canvas& canvas, std::size_t half);
 
-    std::shared_ptr<sim::ModelShelf> models_;
+    std::shared_ptr<sim::ModelLibrary> models_;
     sim::Settings settings_;
     std::int64_t triangles_;
     std::array<std::string, 2> opponents_;
@@ -77,7 +77,7 @@ private:
     std::atomic<bool> ends_ = false;
     std::thread stocking_;  ///< keeps copies of the boulder ready
     std::unique_ptr<duel::Duel> duel_;
-    std::array<std::unique_ptr<DrawnWorld>, 2> worlds_;
+    std::array<std::unique_ptr<GpuWorld>, 2> worlds_;
     std::array<effects::Effects, 2> effects_;
     std::array<std::span<const render::DrawnObject>, 2> objects_;  ///< as they were when the half was last idle
 };

@@ -396,8 +396,8 @@ void GameShow::look_ahead()
         next.resize(fruit_models_);
         std::iota(next.begin(), next.end(), std::size_t(0));
     }
-    stocker_.want(next, simulation_->backend(), simulation_->proxy());
-    if (setup_.fixed_step) stocker_.finish();
+    preparer_.want(next, simulation_->backend(), simulation_->proxy());
+    if (setup_.fixed_step) preparer_.finish();
 }
 
 void GameShow::simulate(sim::Tick ticks)

@@ -19,8 +19,8 @@
 #include "viewer/game/autopilot.h"
 #include "viewer/game/user_files.h"
 #include "viewer/sim/frame_clock.h"
+#include "viewer/sim/model_preparer.h"
 #include "viewer/sim/pointer_sampler.h"
-#include "viewer/sim/stocker.h"
 #include "viewer/sound/speaker.h"
 #include "viewer/ui/keyboard_blade.h"
 #include "viewer/ui/notice.h"
@@ -110,7 +110,7 @@ public:
     const sim::Blade& demo_blade() const { return demo_; }
     /// How far the giant is that is being made or uploaded, 0 to 1, never falling; empty when there is none.
     std::optional<double> giant_progress() const;
-    const sim::ModelShelf& models() const { return *models_; }
+    const sim::ModelLibrary& models() const { return *models_; }
     /// Of the giant, for each back end.
     const CutTimes& cut_times() const { return cut_times_; }
     /// Where the lines of the screen are that was written last, and the buttons of the giant. Pixels.
@@ -147,9 +147,9 @@ private:
     ShowSetup setup_;
     Painter& painter_;
     sound::Speaker& speaker_;
-    std::shared_ptr<sim::ModelShelf> models_ = std::make_shared<sim::ModelShelf>();
-    sim::Stocker stocker_{models_};
-    std::size_t fruit_models_ = 0;  ///< the first ones on the shelf: what the menu and the games show
+    std::shared_ptr<sim::ModelLibrary> models_ = std::make_shared<sim::ModelLibrary>();
+    sim::ModelPreparer preparer_{models_};
+    std::size_t fruit_models_ = 0;  ///< the first ones in the library: what the menu and the games show
     game::UserFiles files_;
     ui::Screens screens_;
     game::StoredSettings stored_;  ///< the settings as they are on disk, or soon will be

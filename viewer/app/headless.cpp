@@ -15,7 +15,7 @@
 #include "viewer/app/user_interface.h"
 #include "viewer/game/autopilot.h"
 #include "viewer/render/offscreen_context.h"
-#include "viewer/sim/stocker.h"
+#include "viewer/sim/model_preparer.h"
 
 namespace kerf::app {
 
@@ -33,7 +33,7 @@ public:
         : options_(options),
           frames_(frames_of(options, session.script)),
           simulation_(session.models, with_backend(session.settings, backend), session.make_scene()),
-          stocker_(session.models),
+          preparer_(session.models),
           painter_(options.width, options.height),
           autopilot_(session.settings.seed),
           messages_(messages)
@@ -48,8 +48,8 @@ public:
     {
         for (std::int64_t frame = 0; frame < frames_; ++frame) {
             Stopwatch whole;
-            stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
-            stocker_.finish();
+            preparer_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
+            preparer_.finish();
             const double checks = simulation_.check_cpu_ms();
             CpuStopwatch simulate;
             if (options_.autopilot) simulation_.push(autopilot_.play(simulation_));
@@ -121,7 +121,7 @@ private:
     Options options_;
     std::int64_t frames_;
     sim::Simulation simulation_;
-    sim::Stocker stocker_;
+    sim::ModelPreparer preparer_;
     effects::Effects effects_;
     Painter painter_;
     game::Autopilot autopilot_;

@@ -82,7 +82,7 @@ render::FlyingSprite sprite_of(const effects::Drop& drop)
 
 Painter::Painter(int width, int height) : world_(std::in_place, looks_), renderer_(looks_), target_(width, height) {}
 
-void Painter::warm_up(const sim::ModelShelf& models)
+void Painter::warm_up(const sim::ModelLibrary& models)
 {
     for (std::size_t i = 0; i < models.size(); ++i) {
         std::vector<Material> materials = models.model(i).mesh->materials;

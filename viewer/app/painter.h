@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/app/drawn_world.h"
+#include "viewer/app/gpu_world.h"
 #include "viewer/app/view_settings.h"
 #include "viewer/effects/effects.h"
 #include "viewer/render/effects_pass.h"
@@ -35,7 +35,7 @@ public:
     /// Makes the shader programs that these models and their insides need and reads their images, so that no throw
     /// waits for one.
     /// @throws render::RenderError
-    void warm_up(const sim::ModelShelf& models);
+    void warm_up(const sim::ModelLibrary& models);
 
     /// Makes the picture larger or smaller. @throws render::RenderError
     void resize(int width, int height);
@@ -61,7 +61,7 @@ public:
     std::vector<std::string> take_messages() { return looks_.take_messages(); }
 
     const render::FrameTarget& target() const { return target_; }
-    const DrawnWorld& world() const { return *world_; }
+    const GpuWorld& world() const { return *world_; }
     const render::DrawStatistics& statistics() const { return renderer_.statistics(); }
 
 private:
@@ -70,7 +70,7 @@ private:
     void paint_blade(const StagePicture& stage, const glm::mat4& to_picture);
 
     render::LookTable looks_;
-    std::optional<DrawnWorld> world_;  ///< never empty
+    std::optional<GpuWorld> world_;  ///< never empty
     render::SceneRenderer renderer_;
     render::EffectsPass effects_pass_;
     render::Overlay overlay_;

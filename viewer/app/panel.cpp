@@ -113,7 +113,7 @@ void show_phases(const sim::CutRecord& cut)
     ImGui::PopStyleVar(2);
 }
 
-void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelShelf& models)
+void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelLibrary& models)
 {
     ImGui::Text("%s", models.model(cut.model).name.c_str());
     ImGui::SameLine();
@@ -128,7 +128,7 @@ void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mod
                 cut_to_upload_ms(cut, upload));
 }
 
-void show_table(const sim::Simulation& simulation, const DrawnWorld& world)
+void show_table(const sim::Simulation& simulation, const GpuWorld& world)
 {
     const auto& cuts = simulation.cuts();
     const auto& uploads = world.cut_uploads();

@@ -52,7 +52,7 @@ Player::Player(const Options& options, const Session& session)
       painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
       interface_(options.view.ui_scale * window_.content_scale(), window_.handle()),
       simulation_(session.models, settings_for(options, session.settings), session.make_scene()),
-      stocker_(session.models),
+      preparer_(session.models),
       autopilot_(session.settings.seed),
       messages_(session.messages)
 {
@@ -120,8 +120,8 @@ void Player::simulate()
     if (frame_ > 0) statistics_.add(1e3 * seconds);
     clock_.set_time_scale(simulation_.scene().time_scale());
     const sim::Tick ticks = fixed_step() ? sim::kTicksPerFrame : clock_.advance(seconds);
-    stocker_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
-    if (fixed_step()) stocker_.finish();
+    preparer_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
+    if (fixed_step()) preparer_.finish();
     const double checks = simulation_.check_cpu_ms();
     CpuStopwatch watch;
     if (ticks > 0) {

@@ -16,8 +16,8 @@
 #include "viewer/game/autopilot.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/sim/frame_clock.h"
+#include "viewer/sim/model_preparer.h"
 #include "viewer/sim/pointer_sampler.h"
-#include "viewer/sim/stocker.h"
 
 namespace kerf::app {
 
@@ -71,7 +71,7 @@ private:
     Painter painter_;
     UserInterface interface_;
     sim::Simulation simulation_;
-    sim::Stocker stocker_;
+    sim::ModelPreparer preparer_;
     sim::FrameClock clock_;
     sim::PointerSampler sampler_;
     std::vector<sim::PointerChange> pointer_;  ///< since the last tick

@@ -25,7 +25,7 @@ Json json_of(const sim::PieceRecord& piece)
             {"surface_hash", hexadecimal(piece.surface_hash)}};
 }
 
-Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelShelf& models)
+Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::ModelLibrary& models)
 {
     Json pieces = Json::array(), phases = Json::object();
     for (const sim::PieceRecord& piece : cut.pieces) pieces.push_back(json_of(piece));
@@ -65,7 +65,7 @@ double cut_to_upload_ms(const sim::CutRecord& cut, const CutUpload& upload)
     return cut.cpu_ms + upload.cpu_ms;
 }
 
-nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnWorld& world, const FrameTimes& times)
+nlohmann::ordered_json report_of(const sim::Simulation& simulation, const GpuWorld& world, const FrameTimes& times)
 {
     Json cuts = Json::array();
     std::vector<double> to_upload;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "viewer/app/drawn_world.h"
 #include "viewer/app/frame_statistics.h"
+#include "viewer/app/gpu_world.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/sim/simulation.h"
 
@@ -20,7 +20,7 @@ struct FrameTimes
 };
 
 /// Everything about one run: what it was, the state hash, the cut log, times. Hashes are hexadecimal text.
-nlohmann::ordered_json report_of(const sim::Simulation& simulation, const DrawnWorld& world, const FrameTimes& times);
+nlohmann::ordered_json report_of(const sim::Simulation& simulation, const GpuWorld& world, const FrameTimes& times);
 
 /// Milliseconds of one cut from the hit to the last byte uploaded, on this thread's processor time.
 double cut_to_upload_ms(const sim::CutRecord& cut, const CutUpload& upload);

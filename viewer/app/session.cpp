@@ -80,7 +80,7 @@ Session open_session(const Options& options)
     }
     session.arrival = arrival_for(options, session.script);
 
-    session.models = std::make_shared<sim::ModelShelf>();
+    session.models = std::make_shared<sim::ModelLibrary>();
     if (settings.scene == "report") {
         add_thrown_models(session, options);
     } else if (game::find_mode(settings.scene)) {
@@ -90,7 +90,7 @@ Session open_session(const Options& options)
     return session;
 }
 
-void refuse_to_replace(const Options& options, const sim::ModelShelf& models)
+void refuse_to_replace(const Options& options, const sim::ModelLibrary& models)
 {
     std::vector<std::filesystem::path> inputs(options.files.begin(), options.files.end()), outputs;
     if (!options.script.empty()) inputs.emplace_back(options.script);

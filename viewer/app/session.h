@@ -7,7 +7,7 @@
 
 #include "viewer/app/options.h"
 #include "viewer/game/scenes.h"
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 #include "viewer/sim/script.h"
 #include "viewer/sim/simulation.h"
 
@@ -16,7 +16,7 @@ namespace kerf::app {
 /// What runs are made of: models, input and the settings they start with. With a window and without one alike.
 struct Session
 {
-    std::shared_ptr<sim::ModelShelf> models;
+    std::shared_ptr<sim::ModelLibrary> models;
     sim::Script script;  ///< empty without --script
     sim::Settings settings;
     game::GiantArrival arrival = game::GiantArrival::at_once;
@@ -44,6 +44,6 @@ Session open_session(const Options& options);
 
 /// @param models  what was read
 /// @throws io::FileError  a picture or the script that the run is to write would replace what it reads, or another one
-void refuse_to_replace(const Options& options, const sim::ModelShelf& models);
+void refuse_to_replace(const Options& options, const sim::ModelLibrary& models);
 
 }  // namespace kerf::app

@@ -5,7 +5,7 @@
 
 namespace kerf::duel {
 
-Duel::Duel(const std::shared_ptr<sim::ModelShelf>& models, const sim::Settings& settings,
+Duel::Duel(const std::shared_ptr<sim::ModelLibrary>& models, const sim::Settings& settings,
            const std::array<std::string, 2>& backends, const SceneMaker& make_scene)
 {
     blade_.set_gesture(settings.gesture);

@@ -38,7 +38,7 @@ public:
 
     /// @param settings  of both; the back ends are named by `backends`
     /// @throws std::invalid_argument  as Simulation
-    Duel(const std::shared_ptr<sim::ModelShelf>& models, const sim::Settings& settings,
+    Duel(const std::shared_ptr<sim::ModelLibrary>& models, const sim::Settings& settings,
          const std::array<std::string, 2>& backends, const SceneMaker& make_scene);
 
     /// The duel's clock goes on by so many ticks, in which this input happened. Returns at once.

@@ -5,7 +5,7 @@
 
 namespace kerf::duel {
 
-Half::Half(std::shared_ptr<sim::ModelShelf> models, sim::Settings settings, std::unique_ptr<sim::Scene> scene)
+Half::Half(std::shared_ptr<sim::ModelLibrary> models, sim::Settings settings, std::unique_ptr<sim::Scene> scene)
     : simulation_(std::move(models), std::move(settings), std::move(scene)), thread_([this] { work(); })
 {
 }

@@ -20,7 +20,7 @@ class Half
 {
 public:
     /// @throws std::invalid_argument  as Simulation
-    Half(std::shared_ptr<sim::ModelShelf> models, sim::Settings settings, std::unique_ptr<sim::Scene> scene);
+    Half(std::shared_ptr<sim::ModelLibrary> models, sim::Settings settings, std::unique_ptr<sim::Scene> scene);
     /// Waits for the tick under way.
     ~Half();
     Half(const Half&) = delete;

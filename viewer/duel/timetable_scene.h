@@ -24,7 +24,7 @@ public:
     /// What is thrown.
     struct Item
     {
-        std::size_t model = 0;  ///< index on the shelf
+        std::size_t model = 0;  ///< index in the library
         double radius = sim::kThrownRadius;
     };
 

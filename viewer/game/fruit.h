@@ -32,7 +32,7 @@ struct Fruit
 {
     FruitKind kind = FruitKind::apple;
     std::string_view name;   ///< for people and files: "watermelon"
-    std::string_view model;  ///< stem of its file in data/fruit, and name on the ModelShelf
+    std::string_view model;  ///< stem of its file in data/fruit, and name on the ModelLibrary
     int points = 0;          ///< for cutting it whole
     double radius = 1.0;     ///< half the diagonal of its box as thrown, metres
     glm::vec3 juice{0.0f};   ///< linear rgb; of a bomb: its sparks

@@ -4,7 +4,7 @@
 
 namespace kerf::game {
 
-void add_fruit_models(sim::ModelShelf& models, const std::filesystem::path& folder)
+void add_fruit_models(sim::ModelLibrary& models, const std::filesystem::path& folder)
 {
     for (const Fruit& fruit : fruit_catalogue()) models.add_file(folder / (std::string(fruit.model) + ".glb"));
 }

@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 
 namespace kerf::game {
 
-/// Puts the models of the whole fruit_catalogue() on the shelf: the files Fruit::model + ".glb" of a folder.
+/// Adds the models of the whole fruit_catalogue() to the library: the files Fruit::model + ".glb" of a folder.
 /// @throws io::FileError
-void add_fruit_models(sim::ModelShelf& models, const std::filesystem::path& folder);
+void add_fruit_models(sim::ModelLibrary& models, const std::filesystem::path& folder);
 
 }  // namespace kerf::game

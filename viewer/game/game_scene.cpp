@@ -19,7 +19,7 @@ bool is_thrown_in(GameMode mode, FruitKind kind)
     return kind != FruitKind::bomb || mode != GameMode::zen;
 }
 
-std::size_t find_model(const sim::ModelShelf& models, const Fruit& fruit)
+std::size_t find_model(const sim::ModelLibrary& models, const Fruit& fruit)
 {
     for (std::size_t i = 0; i < models.size(); ++i)
         if (models.model(i).name == fruit.model) return i;
@@ -44,7 +44,8 @@ glm::dvec2 inside_stage(const glm::dvec2& place)
 
 }  // namespace
 
-GameScene::GameScene(GameMode mode, const sim::ModelShelf& models, std::int64_t best) : mode_(mode), rules_(mode, best)
+GameScene::GameScene(GameMode mode, const sim::ModelLibrary& models, std::int64_t best)
+    : mode_(mode), rules_(mode, best)
 {
     for (const Fruit& fruit : fruit_catalogue())
         if (is_thrown_in(mode, fruit.kind)) models_[static_cast<std::size_t>(fruit.kind)] = find_model(models, fruit);

@@ -7,7 +7,7 @@
 
 #include "viewer/game/game_rules.h"
 #include "viewer/game/waves.h"
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 #include "viewer/sim/scene.h"
 
 namespace kerf::game {
@@ -22,7 +22,7 @@ public:
     /// @param models  must hold the models of all fruit that the mode throws, under Fruit::model
     /// @param best    score to beat
     /// @throws std::invalid_argument  a model is missing
-    GameScene(GameMode mode, const sim::ModelShelf& models, std::int64_t best = 0);
+    GameScene(GameMode mode, const sim::ModelLibrary& models, std::int64_t best = 0);
 
     std::string_view name() const override { return name_of(mode_); }
     double gravity() const override { return kGameGravity; }
@@ -49,7 +49,7 @@ private:
 
     GameMode mode_;
     GameRules rules_;
-    std::array<std::size_t, kFruitKinds> models_{};  ///< on the shelf
+    std::array<std::size_t, kFruitKinds> models_{};  ///< in the library
     std::map<sim::ObjectId, FruitKind> flying_;      ///< whole fruit and bombs in the air
     Wave wave_;
     std::size_t next_throw_ = 0;  ///< of wave_

@@ -97,7 +97,7 @@ std::string_view name_of(GiantStage stage)
 
 struct GiantMaker::Task
 {
-    std::shared_ptr<sim::ModelShelf> models;
+    std::shared_ptr<sim::ModelLibrary> models;
     std::int64_t triangles = 0;
     std::uint64_t seed = 0;
     std::string backend;

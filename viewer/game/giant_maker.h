@@ -8,7 +8,7 @@
 #include <string_view>
 #include <thread>
 
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 
 namespace kerf::game {
 
@@ -24,12 +24,12 @@ enum class GiantStage : std::uint8_t
 };
 std::string_view name_of(GiantStage stage);
 
-/// Makes asteroids and copies of them on a thread of its own. Everything is put on a ModelShelf, where the last size
+/// Makes asteroids and copies of them on a thread of its own. Everything is put on a ModelLibrary, where the last size
 /// stays and earlier ones are emptied. A new request gives up what an earlier one was doing.
 class GiantMaker
 {
 public:
-    explicit GiantMaker(std::shared_ptr<sim::ModelShelf> models) : models_(std::move(models)) {}
+    explicit GiantMaker(std::shared_ptr<sim::ModelLibrary> models) : models_(std::move(models)) {}
     /// Does not wait for a thread that is still at work: what it makes is thrown away.
     ~GiantMaker();
     GiantMaker(const GiantMaker&) = delete;
@@ -47,7 +47,7 @@ public:
     /// Waits until it is done.
     void wait();
 
-    /// Once ready: where it is on the shelf, with a copy in stock for the back end that was asked for.
+    /// Once ready: where it is in the library, with a copy in stock for the back end that was asked for.
     std::size_t model() const;
     /// Once failed: one sentence.
     std::string error() const;
@@ -59,7 +59,7 @@ private:
     /// Lets the task finish alone. The model that it had made already.
     std::optional<std::size_t> give_up();
 
-    std::shared_ptr<sim::ModelShelf> models_;
+    std::shared_ptr<sim::ModelLibrary> models_;
     std::shared_ptr<Task> task_;
     std::thread thread_;
 };

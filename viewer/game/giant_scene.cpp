@@ -25,7 +25,7 @@ constexpr double kLeftOver = 0.02;
 
 }  // namespace
 
-GiantScene::GiantScene(std::shared_ptr<sim::ModelShelf> models, GiantArrival arrival)
+GiantScene::GiantScene(std::shared_ptr<sim::ModelLibrary> models, GiantArrival arrival)
     : maker_(std::move(models)), arrival_(arrival)
 {
 }

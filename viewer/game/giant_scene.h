@@ -39,7 +39,7 @@ class GiantScene : public sim::Scene
 public:
     static constexpr std::int64_t kTriangles = 100'000;  ///< when nobody asks for another number
 
-    GiantScene(std::shared_ptr<sim::ModelShelf> models, GiantArrival arrival);
+    GiantScene(std::shared_ptr<sim::ModelLibrary> models, GiantArrival arrival);
 
     std::string_view name() const override { return "giant"; }
     double gravity() const override;

@@ -17,7 +17,7 @@ const std::vector<std::string>& scene_names()
     return names;
 }
 
-std::unique_ptr<sim::Scene> make_scene(std::string_view name, const std::shared_ptr<sim::ModelShelf>& models,
+std::unique_ptr<sim::Scene> make_scene(std::string_view name, const std::shared_ptr<sim::ModelLibrary>& models,
                                        const SceneOptions& options)
 {
     if (const std::optional<GameMode> mode = find_mode(name))

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "viewer/game/giant_scene.h"
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 #include "viewer/sim/scene.h"
 
 namespace kerf::game {
@@ -25,7 +25,7 @@ struct SceneOptions
 /// A scene to hand to sim::Simulation.
 /// @param models  those of the simulation, with add_fruit_models() for the games
 /// @throws std::invalid_argument  one sentence: an unknown name, a model is missing
-std::unique_ptr<sim::Scene> make_scene(std::string_view name, const std::shared_ptr<sim::ModelShelf>& models,
+std::unique_ptr<sim::Scene> make_scene(std::string_view name, const std::shared_ptr<sim::ModelLibrary>& models,
                                        const SceneOptions& options = {});
 
 }  // namespace kerf::game

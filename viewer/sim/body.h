@@ -33,8 +33,8 @@ struct RecentCut
 struct Origin
 {
     std::uint64_t throw_number = 0;  ///< counts up from 1: shared buffers never outlive it
-    std::size_t model = 0;           ///< index into the ModelShelf
-    std::uint64_t copy = 0;          ///< which of the shelf's copies (Throwable::copy)
+    std::size_t model = 0;           ///< index into the ModelLibrary
+    std::uint64_t copy = 0;          ///< which of the library's copies (Throwable::copy)
     std::string backend;             ///< that prepared it, and cuts it
     double scale = 1.0;              ///< metres a mesh unit
     glm::dvec3 centre{0.0};          ///< centre of the thrown mesh's box, mesh coordinates

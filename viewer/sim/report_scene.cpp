@@ -24,7 +24,7 @@ bool ReportScene::command(Simulation& simulation, std::string_view verb, std::st
     }
     if (verb != "throw") return false;
     if (!argument.empty()) {
-        const ModelShelf& models = simulation.models();
+        const ModelLibrary& models = simulation.models();
         std::size_t wanted = 0;
         while (wanted < models.size() && models.model(wanted).name != argument) ++wanted;
         if (wanted == models.size()) {

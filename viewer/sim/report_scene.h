@@ -5,7 +5,7 @@
 
 namespace kerf::sim {
 
-/// The report's program: the shelf's models thrown one at a time, the next when nothing of the last is left on stage.
+/// The report's program: the library's models thrown one at a time, the next when nothing of the last is left on stage.
 /// Commands: `throw [MODEL]` throws now, `repeat` throws the last one again, exactly as it was.
 class ReportScene : public Scene
 {

@@ -13,7 +13,7 @@ namespace kerf::sim {
 
 namespace {
 
-std::unique_ptr<Scene> scene_to_play(const ModelShelf* models, const std::string& name, std::unique_ptr<Scene> given)
+std::unique_ptr<Scene> scene_to_play(const ModelLibrary* models, const std::string& name, std::unique_ptr<Scene> given)
 {
     if (models == nullptr || (!given && models->empty())) throw std::invalid_argument("there is no model to throw");
     std::unique_ptr<Scene> scene = given ? std::move(given) : make_scene(name);
@@ -30,7 +30,7 @@ std::string what_is_left_out(const CutRecord& cut)
 
 }  // namespace
 
-Simulation::Simulation(std::shared_ptr<ModelShelf> models, Settings settings, std::unique_ptr<Scene> scene)
+Simulation::Simulation(std::shared_ptr<ModelLibrary> models, Settings settings, std::unique_ptr<Scene> scene)
     : models_(std::move(models)),
       settings_(std::move(settings)),
       scene_(scene_to_play(models_.get(), settings_.scene, std::move(scene))),

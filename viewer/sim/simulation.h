@@ -10,7 +10,7 @@
 #include "viewer/sim/camera.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/cutting_plane.h"
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 #include "viewer/sim/scene.h"
 #include "viewer/sim/script.h"
 #include "viewer/sim/thrower.h"
@@ -43,7 +43,7 @@ class Simulation
 public:
     /// @param scene  what is played, for Settings::scene; null: what make_scene() gives for that, which needs a model
     /// @throws std::invalid_argument  one sentence: unknown scene or back end, no models
-    Simulation(std::shared_ptr<ModelShelf> models, Settings settings, std::unique_ptr<Scene> scene = nullptr);
+    Simulation(std::shared_ptr<ModelLibrary> models, Settings settings, std::unique_ptr<Scene> scene = nullptr);
     ~Simulation();
 
     Tick now() const { return world_.now(); }
@@ -66,7 +66,7 @@ public:
     std::span<const std::unique_ptr<Body>> bodies() const { return world_.bodies(); }
     const Blade& blade() const { return blade_; }
     const Scene& scene() const { return *scene_; }
-    ModelShelf& models() const { return *models_; }
+    ModelLibrary& models() const { return *models_; }
     const std::string& backend() const { return backend_; }
     ProxyKind proxy() const { return proxy_; }
 
@@ -116,7 +116,7 @@ private:
     void swing(const BladeSegment& segment);
     void cut(Body& body, const WorldPlane& plane, std::uint32_t swipe);
 
-    std::shared_ptr<ModelShelf> models_;
+    std::shared_ptr<ModelLibrary> models_;
     Settings settings_;
     std::unique_ptr<Scene> scene_;
     World world_;

@@ -13,7 +13,7 @@ void MenuScene::tick(sim::Simulation& simulation)
 {
     if (placed_) return;
     placed_ = true;
-    const sim::ModelShelf& models = simulation.models();
+    const sim::ModelLibrary& models = simulation.models();
     for (std::size_t mode = 0; mode < modes().size(); ++mode) {
         objects_.push_back(0);
         std::size_t model = 0;

@@ -9,7 +9,7 @@
 namespace kerf::ui {
 
 /// The menu's stage: a fruit for each of modes() hangs in the air and turns; the one that is cut is chosen. Models that
-/// are not on the shelf are left out.
+/// are not in the library are left out.
 class MenuScene : public sim::Scene
 {
 public:

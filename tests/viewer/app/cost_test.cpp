@@ -48,7 +48,7 @@ protected:
         settings.seed = 11;
         sim::Simulation simulation(asteroid_, settings);
         render::LookTable looks;
-        app::DrawnWorld world(looks);
+        app::GpuWorld world(looks);
         std::vector<double> costs;
         around = 0.0;
         sim::ObjectId swiped = 0;
@@ -73,7 +73,7 @@ protected:
         return costs;
     }
 
-    std::shared_ptr<sim::ModelShelf> asteroid_ = shelf_of({"asteroid"}, 1'000'000);
+    std::shared_ptr<sim::ModelLibrary> asteroid_ = library_of({"asteroid"}, 1'000'000);
 };
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST_F(GlTest, ThreeHundredPiecesAreSimulatedAndSubmittedWithinAFrame)
     constexpr int kRows = 10, kColumns = 16;
     sim::Settings settings;
     settings.backend = "halfedge";
-    sim::Simulation simulation(shelf_of({"box"}, 12), settings);
+    sim::Simulation simulation(library_of({"box"}, 12), settings);
     app::Painter painter(320, 180);
     // Far enough apart not to touch; kept in the air by moving up.
     const Box& box = simulation.models().model(0).box;

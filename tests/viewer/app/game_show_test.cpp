@@ -579,7 +579,7 @@ TEST_F(GameShowTest, AGiantArrivesWithoutHoldingUpAFrameAndShowsHowFarItIs)
     real_time.giant = 300'000;
     GameShow show(real_time, painter, speaker);
     const auto state = [&] { return game::giant_of(show.simulation()->scene())->state(); };
-    const std::uint64_t budget = app::DrawnWorld::kBytesInAFrame;
+    const std::uint64_t budget = app::GpuWorld::kBytesInAFrame;
     std::uint64_t uploaded = 0;
     double progress = 0.0;
     int uploading = 0;

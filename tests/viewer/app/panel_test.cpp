@@ -46,7 +46,7 @@ protected:
         return copied;
     }
 
-    sim::Simulation simulation{shelf_of({"torus"}, 2000), {}};
+    sim::Simulation simulation{library_of({"torus"}, 2000), {}};
     app::Painter painter{320, 180};
     app::FrameStatistics frames;
     app::ViewSettings view;

@@ -37,7 +37,7 @@ public:
 };
 
 /// A duel whose second half is slowed down.
-Duel unfair_duel(std::shared_ptr<sim::ModelShelf> models)
+Duel unfair_duel(std::shared_ptr<sim::ModelLibrary> models)
 {
     int made = 0;
     return {models, {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
@@ -64,7 +64,7 @@ std::vector<sim::InputEvent> between(const std::vector<sim::InputEvent>& all, si
 
 TEST(Duel, ASlowCutFreezesOnlyItsOwnHalf)
 {
-    const auto models = shelf_of({"icosphere"});
+    const auto models = library_of({"icosphere"});
     for (const std::string& backend : kBackEnds) models->prepare(0, backend);
     Duel duel = unfair_duel(models);
     const std::vector<sim::InputEvent> swipe = one_swipe();
@@ -90,7 +90,7 @@ TEST(Duel, ASlowCutFreezesOnlyItsOwnHalf)
 
 TEST(Duel, ThePiecesOfTheSlowHalfComeLaterAndAreTheSame)
 {
-    const auto models = shelf_of({"icosphere"});
+    const auto models = library_of({"icosphere"});
     Duel unfair = unfair_duel(models);
     Duel fair(models, {}, kBackEnds, timetable);
     for (Duel* duel : {&unfair, &fair}) {
@@ -104,7 +104,7 @@ TEST(Duel, ThePiecesOfTheSlowHalfComeLaterAndAreTheSame)
 
 TEST(Duel, ItsHalvesDoWhatASimulationAloneDoes)
 {
-    const auto models = shelf_of({"icosphere"});
+    const auto models = library_of({"icosphere"});
     Duel duel(models, {}, kBackEnds, timetable);
     for (int frame = 0; frame < 150; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
     duel.finish();
@@ -120,7 +120,7 @@ TEST(Duel, ItsHalvesDoWhatASimulationAloneDoes)
 
 TEST(Duel, BothHalvesCutTheSameAndCountTheirOwnTime)
 {
-    const auto models = shelf_of({"asteroid"}, 4000);
+    const auto models = library_of({"asteroid"}, 4000);
     Duel duel(models, {}, kBackEnds, timetable);
     for (int frame = 0; frame < 150; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
     duel.finish();
@@ -148,7 +148,7 @@ TEST(Duel, BothHalvesCutTheSameAndCountTheirOwnTime)
 
 TEST(Duel, TheBladeFollowsThePlayerWhateverTheHalvesDo)
 {
-    const auto models = shelf_of({"icosphere"});
+    const auto models = library_of({"icosphere"});
     Duel duel = unfair_duel(models);
     duel.advance(2, {{1000, sim::InputKind::press, {-1.0, 0.0}, {}}, {9000, sim::InputKind::move, {1.0, 0.0}, {}}});
     EXPECT_TRUE(duel.blade().pressed());
@@ -157,7 +157,7 @@ TEST(Duel, TheBladeFollowsThePlayerWhateverTheHalvesDo)
 
 TEST(Duel, EndsInTheMiddleOfACut)
 {
-    const auto models = shelf_of({"icosphere"});
+    const auto models = library_of({"icosphere"});
     Duel duel = unfair_duel(models);
     for (int frame = 0; frame < 140; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
     duel.half(0).finish();
@@ -175,7 +175,7 @@ TEST(Duel, HandsOnWhatGoesWrongInAHalf)
         using TimetableScene::TimetableScene;
         void tick(sim::Simulation&) override { throw std::runtime_error("the scene broke"); }
     };
-    Duel duel(shelf_of({"icosphere"}), {}, kBackEnds,
+    Duel duel(library_of({"icosphere"}), {}, kBackEnds,
               [] { return std::make_unique<Failing>(std::vector<TimetableScene::Item>{{0}}); });
     duel.advance(2, {});
     EXPECT_THROW(duel.finish(), std::runtime_error);

@@ -14,7 +14,7 @@ sim::Simulation stage(std::uint64_t seed)
 {
     sim::Settings settings;
     settings.seed = seed;
-    return {shelf_of({"icosphere", "box"}), settings,
+    return {library_of({"icosphere", "box"}), settings,
             std::make_unique<TimetableScene>(std::vector<TimetableScene::Item>{{0}, {1, 2.0}})};
 }
 

@@ -12,14 +12,14 @@ namespace kerf::test {
 
 namespace {
 
-std::shared_ptr<sim::ModelShelf> fruit()
+std::shared_ptr<sim::ModelLibrary> fruit()
 {
-    static const auto shelf = [] {
-        auto made = std::make_shared<sim::ModelShelf>();
+    static const auto library = [] {
+        auto made = std::make_shared<sim::ModelLibrary>();
         game::add_fruit_models(*made, KERF_DATA_DIR "/fruit");
         return made;
     }();
-    return shelf;
+    return library;
 }
 
 /// A game that the program plays by itself, and what is seen of it.

@@ -270,10 +270,10 @@ TEST(GameScene, GivesOtherGamesForOtherSeeds)
 
 TEST(GameScene, NeedsTheModelsOfItsFruit)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     EXPECT_THROW(make_scene("zen", models), std::invalid_argument);
     EXPECT_THROW(make_scene("chess", models), std::invalid_argument);
-    for (const std::string& name : scene_names()) EXPECT_EQ(make_scene(name, test::fruit_shelf())->name(), name);
+    for (const std::string& name : scene_names()) EXPECT_EQ(make_scene(name, test::fruit_library())->name(), name);
 }
 
 TEST(Autopilot, CutsFruitAndLeavesBombsAlone)

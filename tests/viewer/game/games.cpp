@@ -43,25 +43,26 @@ glm::dvec2 aim(const sim::Body& body)
 
 }  // namespace
 
-std::shared_ptr<sim::ModelShelf> fruit_shelf()
+std::shared_ptr<sim::ModelLibrary> fruit_library()
 {
-    auto shelf = std::make_shared<sim::ModelShelf>();
-    for (const game::Fruit& fruit : game::fruit_catalogue()) shelf->add(std::string(fruit.model), stand_in(fruit.kind));
-    return shelf;
+    auto library = std::make_shared<sim::ModelLibrary>();
+    for (const game::Fruit& fruit : game::fruit_catalogue())
+        library->add(std::string(fruit.model), stand_in(fruit.kind));
+    return library;
 }
 
-std::shared_ptr<sim::ModelShelf> real_fruit()
+std::shared_ptr<sim::ModelLibrary> real_fruit()
 {
-    static const auto shelf = [] {
-        auto models = std::make_shared<sim::ModelShelf>();
+    static const auto library = [] {
+        auto models = std::make_shared<sim::ModelLibrary>();
         game::add_fruit_models(*models, KERF_FRUIT_DIR);
         return models;
     }();
-    return shelf;
+    return library;
 }
 
 Game::Game(game::GameMode mode, std::uint64_t seed, const std::string& backend,
-           const std::shared_ptr<sim::ModelShelf>& models)
+           const std::shared_ptr<sim::ModelLibrary>& models)
 {
     sim::Settings settings;
     settings.seed = seed;

@@ -11,17 +11,17 @@ namespace kerf::test {
 
 /// Stand-ins for all kinds of fruit, of some hundred triangles each: balls, an egg for the lemon, a long one for the
 /// banana and the pineapple, a hollow one for the coconut. Rules don't depend on looks.
-std::shared_ptr<sim::ModelShelf> fruit_shelf();
+std::shared_ptr<sim::ModelLibrary> fruit_library();
 
 /// The game's own fruit, read once.
-std::shared_ptr<sim::ModelShelf> real_fruit();
+std::shared_ptr<sim::ModelLibrary> real_fruit();
 
 /// A game under way.
 class Game
 {
 public:
     explicit Game(game::GameMode mode, std::uint64_t seed = 1, const std::string& backend = {},
-                  const std::shared_ptr<sim::ModelShelf>& models = fruit_shelf());
+                  const std::shared_ptr<sim::ModelLibrary>& models = fruit_library());
 
     sim::Simulation& simulation() const { return *simulation_; }
     const game::GameScene& scene() const { return *game::game_of(simulation_->scene()); }

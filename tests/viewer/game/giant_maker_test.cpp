@@ -17,15 +17,15 @@ const std::string& backend()
 
 TEST(GiantMaker, DoesNothingUnasked)
 {
-    GiantMaker maker(std::make_shared<sim::ModelShelf>());
+    GiantMaker maker(std::make_shared<sim::ModelLibrary>());
     EXPECT_EQ(maker.stage(), GiantStage::idle);
     EXPECT_FALSE(maker.is_done());
     maker.wait();
 }
 
-TEST(GiantMaker, PutsAnAsteroidOnTheShelf)
+TEST(GiantMaker, PutsAnAsteroidIntoTheLibrary)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     GiantMaker maker(models);
     maker.request(20'000, 3, backend());
     maker.wait();
@@ -37,7 +37,7 @@ TEST(GiantMaker, PutsAnAsteroidOnTheShelf)
 
 TEST(GiantMaker, MakesASizeOnlyOnce)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     GiantMaker maker(models);
     for (int i = 0; i < 3; ++i) {
         maker.request(10'000, 1, backend());
@@ -50,7 +50,7 @@ TEST(GiantMaker, MakesASizeOnlyOnce)
 
 TEST(GiantMaker, KeepsTheLastSizeOnly)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     {
         GiantMaker maker(models);
         for (const std::int64_t triangles : {10'000, 12'000, 14'000}) {
@@ -68,7 +68,7 @@ TEST(GiantMaker, KeepsTheLastSizeOnly)
 
 TEST(GiantMaker, GivesUpWhatNobodyWantsAnyMore)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     {
         GiantMaker maker(models);
         for (std::int64_t triangles = 300'000; triangles < 308'000; triangles += 1000)
@@ -84,7 +84,7 @@ TEST(GiantMaker, GivesUpWhatNobodyWantsAnyMore)
 
 TEST(GiantMaker, SaysWhatItCannotDo)
 {
-    GiantMaker maker(std::make_shared<sim::ModelShelf>());
+    GiantMaker maker(std::make_shared<sim::ModelLibrary>());
     maker.request(10'000, 1, "axe");
     maker.wait();
     EXPECT_EQ(maker.stage(), GiantStage::failed);

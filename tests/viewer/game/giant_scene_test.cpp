@@ -15,7 +15,7 @@ namespace {
 
 sim::Simulation play(GiantArrival arrival, const std::string& backend = {}, bool record = false)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     sim::Settings settings;
     settings.backend = backend;
     settings.record = record;

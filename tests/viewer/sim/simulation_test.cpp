@@ -19,8 +19,8 @@
 namespace kerf::sim {
 namespace {
 
-using test::report_shelf;
-using test::shelf_of;
+using test::library_of;
+using test::report_library;
 using test::stroke;
 
 Settings with_backend(const std::string& backend, std::uint64_t seed = 1)
@@ -40,7 +40,7 @@ std::string test_name(const testing::TestParamInfo<std::string>& backend)
 }
 
 // Where the first object of a run is seen at a tick, on the stage.
-glm::dvec2 first_seen_at(const std::shared_ptr<ModelShelf>& models, std::uint64_t seed, Tick tick)
+glm::dvec2 first_seen_at(const std::shared_ptr<ModelLibrary>& models, std::uint64_t seed, Tick tick)
 {
     Simulation probe(models, with_backend(backend_names().back(), seed));
     probe.advance(tick);
@@ -55,7 +55,7 @@ std::vector<InputEvent> stroke_through(const glm::dvec2& point, double angle, Ti
     return stroke(time_of(tick) - 40'000, 80'000, point - along, point + along);
 }
 
-std::vector<InputEvent> stroke_through_first(const std::shared_ptr<ModelShelf>& models, std::uint64_t seed,
+std::vector<InputEvent> stroke_through_first(const std::shared_ptr<ModelLibrary>& models, std::uint64_t seed,
                                              double angle = 0.3, Tick tick = 90)
 {
     return stroke_through(first_seen_at(models, seed, tick), angle, tick);
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Simulation, OnEachBackEnd, testing::ValuesIn(backend_na
 
 TEST_P(OnEachBackEnd, CutsWhatTheSwipeCrosses)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Simulation run(models, with_backend(GetParam()));
     run.push(stroke_through_first(models, 1));
     run.advance(110);
@@ -113,7 +113,7 @@ TEST_P(OnEachBackEnd, CutsWhatTheSwipeCrosses)
 
 TEST_P(OnEachBackEnd, RepeatsARunBitForBit)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     const auto run = [&] {
         Simulation simulation(models, with_backend(GetParam(), 7));
         std::vector<InputEvent> events;
@@ -128,7 +128,7 @@ TEST_P(OnEachBackEnd, RepeatsARunBitForBit)
 
 TEST_P(OnEachBackEnd, TellsWhatItsChecksCostApartFromItsCuts)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     for (const bool checks : {false, true}) {
         Settings settings = with_backend(GetParam(), 7);
         settings.hash_surfaces = checks;
@@ -154,7 +154,7 @@ TEST_P(OnEachBackEnd, TellsWhatItsChecksCostApartFromItsCuts)
 
 TEST_P(OnEachBackEnd, ACutKeepsMassAndMomentum)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     for (std::uint64_t seed = 1; seed <= 15; ++seed) {
         Settings settings = with_backend(GetParam(), seed);
         settings.hash_surfaces = false;
@@ -205,7 +205,7 @@ TEST_P(OnEachBackEnd, ACutKeepsMassAndMomentum)
 
 TEST(Simulation, BackEndsKeepTheSameLogOfCutsBeforeAnyContact)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     int cuts = 0;
     // Convex models: there the report's fan is right, and pieces are the same pieces.
     for (const char* model : {"cube", "icosphere", "cylinder", "cone", "sphere"}) {
@@ -260,7 +260,7 @@ TEST(Simulation, BackEndsKeepTheSameLogOfCutsBeforeAnyContact)
 
 TEST(Simulation, BackEndsThatDoNotCutFlyAlikeBitForBit)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     std::optional<glm::dvec3> centre;
     for (const std::string& name : backend_names()) {
         Simulation run(models, with_backend(name));
@@ -289,7 +289,7 @@ std::vector<InputEvent> wandering_swipe(shapes::Random& random, Microseconds sta
 
 RC_GTEST_PROP(Frames, TheSameSwipeCutsTheSameObjectsAt10And30And120FramesPerSecond, ())
 {
-    static const auto models = shelf_of({"asteroid", "icosphere", "box"}, 200);
+    static const auto models = library_of({"asteroid", "icosphere", "box"}, 200);
     const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
     shapes::Random random(seed);
     std::vector<InputEvent> events;
@@ -318,7 +318,7 @@ RC_GTEST_PROP(Frames, TheSameSwipeCutsTheSameObjectsAt10And30And120FramesPerSeco
 
 TEST(Frames, ASteadySwipeThatAWindowDeliversCutsTheSameObjectsAtAnyRate)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     int cut_runs = 0;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         const glm::dvec2 middle = first_seen_at(models, seed, 84), along(2.5, 0.3 * double(seed) - 2.0);
@@ -351,7 +351,7 @@ TEST(Frames, ASteadySwipeThatAWindowDeliversCutsTheSameObjectsAtAnyRate)
 
 TEST(Simulation, APieceIsCutOncePerSwipe)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     const glm::dvec2 middle = first_seen_at(models, 1, 90);
     std::vector<InputEvent> events{{time_of(88), InputKind::press, middle + glm::dvec2(-2, 0), {}}};
     // To and fro through the object, several times within the swipe.
@@ -372,7 +372,7 @@ TEST(Simulation, APieceIsCutOncePerSwipe)
 
 TEST(Simulation, ASlowSwipeCutsNothing)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Simulation run(models, with_backend(backend_names().front()));
     const glm::dvec2 middle = first_seen_at(models, 1, 90);
     run.push(stroke(time_of(30), 1'000'000, middle - glm::dvec2(1, 0), middle + glm::dvec2(1, 0)));
@@ -382,7 +382,7 @@ TEST(Simulation, ASlowSwipeCutsNothing)
 
 TEST(Simulation, TheReportsGestureCutsOnReleaseAlongTheStraightLine)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Settings settings = with_backend(backend_names().front());
     settings.gesture = Gesture::segment;
     Simulation run(models, settings);
@@ -397,7 +397,7 @@ TEST(Simulation, TheReportsGestureCutsOnReleaseAlongTheStraightLine)
 TEST(Simulation, AGrazingSwipeIsLoggedAsMissedOnceAndTheObjectFliesOn)
 {
     // A box proxy has corners where a ball has nothing.
-    const auto models = shelf_of({"icosphere"}, 2000);
+    const auto models = library_of({"icosphere"}, 2000);
     Settings settings = with_backend(backend_names().front());
     settings.proxy = ProxyKind::box;
     std::size_t missed = 0;
@@ -423,7 +423,7 @@ TEST(Simulation, AGrazingSwipeIsLoggedAsMissedOnceAndTheObjectFliesOn)
 
 TEST(Simulation, PiecesThatFallApartBecomeBodiesOfTheirOwn)
 {
-    const auto models = shelf_of({"two_legs"}, 400);
+    const auto models = library_of({"two_legs"}, 400);
     // Strokes at many heights and angles: some plane cuts both legs off at once.
     std::size_t most = 0;
     for (int i = 0; i < 24; ++i) {
@@ -446,7 +446,7 @@ TEST(Simulation, AnOpenMeshIsCutAndSaysSo)
     TriangleSoup soup;
     soup.vertices = open.vertices;
     soup.triangles.assign(open.triangles.begin(), open.triangles.end() - 80);
-    auto models = std::make_shared<ModelShelf>();
+    auto models = std::make_shared<ModelLibrary>();
     models->add("open", assemble(std::move(soup)).mesh);
     std::size_t open_sections = 0;
     for (int i = 0; i < 12; ++i) {
@@ -465,7 +465,7 @@ TEST(Simulation, AnOpenMeshIsCutAndSaysSo)
 
 TEST(ReportScene, ThrowsTheModelsOneAtATimeInOrder)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Simulation run(models, with_backend(backend_names().front()));
     std::vector<std::size_t> thrown;
     std::uint64_t last = 0;
@@ -484,7 +484,7 @@ TEST(ReportScene, ThrowsTheModelsOneAtATimeInOrder)
 
 TEST(ReportScene, RepeatThrowsTheSameObjectAlongTheSameFlight)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Simulation run(models, with_backend(backend_names().front(), 5));
     run.advance(30);
     const MeshPose first = run.bodies().front()->pose();
@@ -511,7 +511,7 @@ TEST(ReportScene, RepeatThrowsTheSameObjectAlongTheSameFlight)
 
 TEST(ReportScene, ThrowsInOnePlaceAreNotMoreThanPhysicsCanTake)
 {
-    Simulation run(report_shelf(), with_backend(backend_names().front()));
+    Simulation run(report_library(), with_backend(backend_names().front()));
     for (int i = 0; i < 600; ++i) run.command("throw cube");
     run.advance(1);
     EXPECT_GE(run.bodies().size(), kMostNeighbours);
@@ -527,7 +527,7 @@ TEST(ReportScene, ThrowsInOnePlaceAreNotMoreThanPhysicsCanTake)
 
 TEST(ReportScene, BackEndAndProxyChangeWithTheNextThrow)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Simulation run(models, with_backend("baseline/hash"));
     run.advance(10);
     run.command("backend baseline/remap");
@@ -545,7 +545,7 @@ TEST(ReportScene, BackEndAndProxyChangeWithTheNextThrow)
 
 TEST(Simulation, SaysWhatItDoesNotUnderstand)
 {
-    Simulation run(report_shelf(), with_backend(backend_names().front()));
+    Simulation run(report_library(), with_backend(backend_names().front()));
     for (const char* text : {"backend axe", "proxy egg", "gesture wink", "throw elephant", "dance", ""}) {
         run.command(text);
         run.advance(1);
@@ -558,14 +558,14 @@ TEST(Simulation, RefusesWhatItDoesNotKnowWithASentence)
 {
     Settings settings;
     settings.scene = "circus";
-    EXPECT_THROW(Simulation(report_shelf(), settings), std::invalid_argument);
-    EXPECT_THROW(Simulation(report_shelf(), with_backend("axe")), std::invalid_argument);
-    EXPECT_THROW(Simulation(std::make_shared<ModelShelf>(), Settings{}), std::invalid_argument);
+    EXPECT_THROW(Simulation(report_library(), settings), std::invalid_argument);
+    EXPECT_THROW(Simulation(report_library(), with_backend("axe")), std::invalid_argument);
+    EXPECT_THROW(Simulation(std::make_shared<ModelLibrary>(), Settings{}), std::invalid_argument);
 }
 
 TEST(Simulation, AModelThatCannotBePreparedIsSaidAndTheRestAreThrown)
 {
-    auto models = std::make_shared<ModelShelf>();
+    auto models = std::make_shared<ModelLibrary>();
     models->add("broken", ProvenMesh());
     models->add("ball", test::shape("icosphere"));
     Simulation run(models, with_backend(backend_names().front()));
@@ -578,7 +578,7 @@ TEST(Simulation, AModelThatCannotBePreparedIsSaidAndTheRestAreThrown)
 
 TEST(Simulation, ARecordingRepeatsTheRun)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     Settings settings = with_backend(backend_names().front(), 11);
     settings.record = true;
     settings.gesture = Gesture::segment;
@@ -605,7 +605,7 @@ TEST(Simulation, ARecordingRepeatsTheRun)
 
 TEST(Simulation, TheStateHashSeesSmallDifferences)
 {
-    const auto models = report_shelf();
+    const auto models = report_library();
     const auto hash_after = [&](std::uint64_t seed, Tick ticks, const std::vector<InputEvent>& events) {
         Simulation run(models, with_backend(backend_names().front(), seed));
         run.push(events);

@@ -14,18 +14,18 @@ ProvenMesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t
     return std::move(assembled.mesh);
 }
 
-std::shared_ptr<sim::ModelShelf> shelf_of(const std::vector<std::string>& shapes, std::uint64_t triangles)
+std::shared_ptr<sim::ModelLibrary> library_of(const std::vector<std::string>& shapes, std::uint64_t triangles)
 {
-    auto shelf = std::make_shared<sim::ModelShelf>();
-    for (const std::string& name : shapes) shelf->add(name, shape(name, triangles));
-    return shelf;
+    auto library = std::make_shared<sim::ModelLibrary>();
+    for (const std::string& name : shapes) library->add(name, shape(name, triangles));
+    return library;
 }
 
-std::shared_ptr<sim::ModelShelf> report_shelf()
+std::shared_ptr<sim::ModelLibrary> report_library()
 {
-    auto shelf = std::make_shared<sim::ModelShelf>();
-    shelf->add_report_models(KERF_DATA_DIR "/models");
-    return shelf;
+    auto library = std::make_shared<sim::ModelLibrary>();
+    library->add_report_models(KERF_DATA_DIR "/models");
+    return library;
 }
 
 std::vector<sim::InputEvent> stroke(sim::Microseconds start, sim::Microseconds duration, const glm::dvec2& from,

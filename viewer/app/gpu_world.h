@@ -29,13 +29,13 @@ struct CutUpload
 ///
 /// What a cut makes is there at once. What is thrown whole comes bit by bit, kBytesInAFrame each time, and is not drawn
 /// before all of it is there; what the scene will throw next (Scene::next_models()) comes ahead of its throw.
-class DrawnWorld
+class GpuWorld
 {
 public:
     /// Of whole objects, in one sync(): a millisecond of copying. A giant of four million triangles takes 28 of them.
     static constexpr std::uint64_t kBytesInAFrame = 4u << 20;
 
-    explicit DrawnWorld(render::LookTable& looks) : store_(looks) {}
+    explicit GpuWorld(render::LookTable& looks) : store_(looks) {}
 
     /// Once a frame. O(bodies + new bytes). A piece that was cut again before anybody saw it is never uploaded.
     /// @throws render::RenderError  the graphics card has no memory left
@@ -71,7 +71,7 @@ private:
 
     render::FragmentStore store_;
     std::map<sim::ObjectId, render::DrawnFragment> fragments_;
-    /// Of whole objects, by the shelf's number of the copy: those on their way, and those that wait to be thrown.
+    /// Of whole objects, by the library's number of the copy: those on their way, and those that wait to be thrown.
     std::map<std::uint64_t, render::Arrival> arrivals_;
     std::set<std::uint64_t> wanted_;  ///< arrivals that this sync() has met
     std::uint64_t budget_ = 0;        ///< what is left of it in this sync()

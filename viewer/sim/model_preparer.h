@@ -7,21 +7,21 @@
 #include <thread>
 #include <vector>
 
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 
 namespace kerf::sim {
 
-/// Keeps copies of the models that will be thrown next on the shelf, made by a thread of its own: a throw takes one
+/// Keeps copies of the models that will be thrown next in the library, made by a thread of its own: a throw takes one
 /// instead of preparing and copying a mesh while a frame waits. It changes when things are done and never what comes of
 /// them: whoever throws before the copy is there waits for it.
-class Stocker
+class ModelPreparer
 {
 public:
-    explicit Stocker(std::shared_ptr<ModelShelf> models);
+    explicit ModelPreparer(std::shared_ptr<ModelLibrary> models);
     /// Waits for the model that is under way.
-    ~Stocker();
-    Stocker(const Stocker&) = delete;
-    Stocker& operator=(const Stocker&) = delete;
+    ~ModelPreparer();
+    ModelPreparer(const ModelPreparer&) = delete;
+    ModelPreparer& operator=(const ModelPreparer&) = delete;
 
     /// From now on: these models for this back end, the first of them first. Does not wait. Cheap enough for every
     /// frame: O(models).
@@ -39,7 +39,7 @@ private:
     };
     void work();
 
-    std::shared_ptr<ModelShelf> models_;
+    std::shared_ptr<ModelLibrary> models_;
     std::mutex mutex_;  ///< of what follows
     std::condition_variable changed_;
     std::vector<Wish> wishes_;

@@ -33,13 +33,13 @@ struct Model
 struct Throwable
 {
     std::unique_ptr<Cuttable> object;  ///< null: the model can't be prepared
-    std::uint64_t copy = 0;            ///< which copy this is; counts up from 1 on its shelf
+    std::uint64_t copy = 0;            ///< which copy this is; counts up from 1 in each library
     MassProperties mass;
     Box bounds;
     std::shared_ptr<const CollisionProxy> proxy;
 };
 
-/// A copy that is ready and lies on the shelf until somebody takes it.
+/// A copy that is ready and lies in the library until somebody takes it.
 struct StockedCopy
 {
     Cuttable* object = nullptr;
@@ -62,7 +62,7 @@ std::span<const std::string_view> report_model_names();
 
 /// Models, and each prepared once for each back end that asks: throws are clones. Safe for use from several threads:
 /// preparing one model holds up nobody who wants another. Models stay, at their index.
-class ModelShelf
+class ModelLibrary
 {
 public:
     /// Returns the model's index.
@@ -123,7 +123,7 @@ private:
 
     mutable std::mutex mutex_;  ///< of the containers, never held for long
     std::vector<std::unique_ptr<Model>> models_;
-    /// Shared with whoever is at work on an entry while it is taken off the shelf.
+    /// Shared with whoever is at work on an entry while it is taken out of the library.
     std::map<std::pair<std::size_t, std::string>, std::shared_ptr<Prepared>> prepared_;
     std::atomic<std::uint64_t> copies_ = 0, late_preparations_ = 0, late_copies_ = 0;
 };

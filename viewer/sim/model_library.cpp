@@ -1,4 +1,4 @@
-#include "viewer/sim/model_shelf.h"
+#include "viewer/sim/model_library.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ std::span<const std::string_view> report_model_names()
     return kNames;
 }
 
-std::size_t ModelShelf::add(Model model)
+std::size_t ModelLibrary::add(Model model)
 {
     model.box = model.mesh->bounds();
     const std::lock_guard lock(mutex_);
@@ -39,7 +39,7 @@ std::size_t ModelShelf::add(Model model)
     return models_.size() - 1;
 }
 
-std::size_t ModelShelf::add(std::string name, ProvenMesh mesh, bool is_closed)
+std::size_t ModelLibrary::add(std::string name, ProvenMesh mesh, bool is_closed)
 {
     Model model;
     model.name = std::move(name);
@@ -48,7 +48,7 @@ std::size_t ModelShelf::add(std::string name, ProvenMesh mesh, bool is_closed)
     return add(std::move(model));
 }
 
-std::size_t ModelShelf::add_file(const std::filesystem::path& path)
+std::size_t ModelLibrary::add_file(const std::filesystem::path& path)
 {
     Model model;
     model.name = path.stem().string();
@@ -71,12 +71,12 @@ std::size_t ModelShelf::add_file(const std::filesystem::path& path)
     return add(std::move(model));
 }
 
-void ModelShelf::add_report_models(const std::filesystem::path& folder)
+void ModelLibrary::add_report_models(const std::filesystem::path& folder)
 {
     for (const std::string_view name : report_model_names()) add_file(folder / (std::string(name) + ".obj"));
 }
 
-void ModelShelf::empty_model(std::size_t index)
+void ModelLibrary::empty_model(std::size_t index)
 {
     // What is freed goes after the lock: it takes time.
     ProvenMesh mesh;
@@ -88,19 +88,19 @@ void ModelShelf::empty_model(std::size_t index)
     prepared_.erase(first, last);
 }
 
-std::size_t ModelShelf::size() const
+std::size_t ModelLibrary::size() const
 {
     const std::lock_guard lock(mutex_);
     return models_.size();
 }
 
-const Model& ModelShelf::model(std::size_t index) const
+const Model& ModelLibrary::model(std::size_t index) const
 {
     const std::lock_guard lock(mutex_);
     return *models_[index];
 }
 
-std::shared_ptr<ModelShelf::Prepared> ModelShelf::entry(std::size_t index, const std::string& backend)
+std::shared_ptr<ModelLibrary::Prepared> ModelLibrary::entry(std::size_t index, const std::string& backend)
 {
     const std::lock_guard lock(mutex_);
     std::shared_ptr<Prepared>& place = prepared_[{index, backend}];
@@ -108,14 +108,14 @@ std::shared_ptr<ModelShelf::Prepared> ModelShelf::entry(std::size_t index, const
     return place;
 }
 
-std::shared_ptr<ModelShelf::Prepared> ModelShelf::find_entry(std::size_t index, const std::string& backend) const
+std::shared_ptr<ModelLibrary::Prepared> ModelLibrary::find_entry(std::size_t index, const std::string& backend) const
 {
     const std::lock_guard lock(mutex_);
     const auto found = prepared_.find({index, backend});
     return found == prepared_.end() ? nullptr : found->second;
 }
 
-void ModelShelf::prepare_once(Prepared& entry, std::size_t index, const std::string& backend)
+void ModelLibrary::prepare_once(Prepared& entry, std::size_t index, const std::string& backend)
 {
     if (entry.ready) return;
     if (const std::unique_ptr<Backend> maker = make_backend(backend)) {
@@ -128,7 +128,7 @@ void ModelShelf::prepare_once(Prepared& entry, std::size_t index, const std::str
     entry.ready = true;
 }
 
-std::string ModelShelf::prepare(std::size_t index, const std::string& backend)
+std::string ModelLibrary::prepare(std::size_t index, const std::string& backend)
 {
     const std::shared_ptr<Prepared> wanted = entry(index, backend);
     const std::lock_guard lock(wanted->mutex);
@@ -136,13 +136,13 @@ std::string ModelShelf::prepare(std::size_t index, const std::string& backend)
     return wanted->error;
 }
 
-bool ModelShelf::is_prepared(std::size_t index, const std::string& backend) const
+bool ModelLibrary::is_prepared(std::size_t index, const std::string& backend) const
 {
     const std::shared_ptr<Prepared> found = find_entry(index, backend);
     return found && found->ready;
 }
 
-void ModelShelf::measure_once(Prepared& entry, ProxyKind proxy)
+void ModelLibrary::measure_once(Prepared& entry, ProxyKind proxy)
 {
     if (!entry.object) return;
     if (!entry.mass) entry.mass = entry.object->mass_properties();
@@ -150,7 +150,7 @@ void ModelShelf::measure_once(Prepared& entry, ProxyKind proxy)
     if (!known) known = std::make_shared<const CollisionProxy>(entry.object->collision_proxy(proxy));
 }
 
-void ModelShelf::stock(std::size_t index, const std::string& backend, ProxyKind proxy)
+void ModelLibrary::stock(std::size_t index, const std::string& backend, ProxyKind proxy)
 {
     const std::shared_ptr<Prepared> wanted = entry(index, backend);
     const std::lock_guard lock(wanted->mutex);
@@ -161,7 +161,7 @@ void ModelShelf::stock(std::size_t index, const std::string& backend, ProxyKind 
     wanted->spare_copy = ++copies_;
 }
 
-bool ModelShelf::is_stocked(std::size_t index, const std::string& backend, ProxyKind proxy) const
+bool ModelLibrary::is_stocked(std::size_t index, const std::string& backend, ProxyKind proxy) const
 {
     const std::shared_ptr<Prepared> found = find_entry(index, backend);
     if (!found) return false;
@@ -170,7 +170,7 @@ bool ModelShelf::is_stocked(std::size_t index, const std::string& backend, Proxy
     return !found->object || (found->spare && found->proxies.contains(proxy));
 }
 
-std::optional<StockedCopy> ModelShelf::stocked(std::size_t index, const std::string& backend) const
+std::optional<StockedCopy> ModelLibrary::stocked(std::size_t index, const std::string& backend) const
 {
     const std::shared_ptr<Prepared> found = find_entry(index, backend);
     if (!found) return std::nullopt;
@@ -179,7 +179,7 @@ std::optional<StockedCopy> ModelShelf::stocked(std::size_t index, const std::str
     return StockedCopy{found->spare.get(), found->spare_copy};
 }
 
-Throwable ModelShelf::take(std::size_t index, const std::string& backend, ProxyKind proxy)
+Throwable ModelLibrary::take(std::size_t index, const std::string& backend, ProxyKind proxy)
 {
     const std::shared_ptr<Prepared> wanted = entry(index, backend);
     const std::lock_guard lock(wanted->mutex);
@@ -202,7 +202,7 @@ Throwable ModelShelf::take(std::size_t index, const std::string& backend, ProxyK
     return taken;
 }
 
-std::unique_ptr<Cuttable> ModelShelf::make(std::size_t index, const std::string& backend)
+std::unique_ptr<Cuttable> ModelLibrary::make(std::size_t index, const std::string& backend)
 {
     const std::shared_ptr<Prepared> wanted = entry(index, backend);
     const std::lock_guard lock(wanted->mutex);

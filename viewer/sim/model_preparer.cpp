@@ -1,12 +1,15 @@
-#include "viewer/sim/stocker.h"
+#include "viewer/sim/model_preparer.h"
 
 #include <new>
 
 namespace kerf::sim {
 
-Stocker::Stocker(std::shared_ptr<ModelShelf> models) : models_(std::move(models)), thread_([this] { work(); }) {}
+ModelPreparer::ModelPreparer(std::shared_ptr<ModelLibrary> models)
+    : models_(std::move(models)), thread_([this] { work(); })
+{
+}
 
-Stocker::~Stocker()
+ModelPreparer::~ModelPreparer()
 {
     {
         const std::lock_guard lock(mutex_);
@@ -16,7 +19,7 @@ Stocker::~Stocker()
     thread_.join();
 }
 
-void Stocker::want(const std::vector<std::size_t>& models, const std::string& backend, ProxyKind proxy)
+void ModelPreparer::want(const std::vector<std::size_t>& models, const std::string& backend, ProxyKind proxy)
 {
     std::vector<Wish> wishes;
     for (const std::size_t model : models)
@@ -26,13 +29,13 @@ void Stocker::want(const std::vector<std::size_t>& models, const std::string& ba
     if (!wishes_.empty()) changed_.notify_all();
 }
 
-void Stocker::finish()
+void ModelPreparer::finish()
 {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return wishes_.empty() && !is_working_; });
 }
 
-void Stocker::work()
+void ModelPreparer::work()
 {
     std::unique_lock lock(mutex_);
     for (;;) {

@@ -1,4 +1,4 @@
-#include "viewer/app/drawn_world.h"
+#include "viewer/app/gpu_world.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace kerf::app {
 
-void DrawnWorld::sync(const sim::Simulation& simulation)
+void GpuWorld::sync(const sim::Simulation& simulation)
 {
     const std::size_t first_cut = cut_uploads_.size();
     cut_uploads_.resize(simulation.cuts().size());
@@ -27,7 +27,7 @@ void DrawnWorld::sync(const sim::Simulation& simulation)
 }
 
 /// Brings an object nearer as far as this frame's budget goes. True once all of it is there.
-bool DrawnWorld::bring(Cuttable& object, std::uint64_t copy)
+bool GpuWorld::bring(Cuttable& object, std::uint64_t copy)
 {
     wanted_.insert(copy);
     render::Arrival& arrival = arrivals_[copy];
@@ -39,7 +39,7 @@ bool DrawnWorld::bring(Cuttable& object, std::uint64_t copy)
     return arrival.is_whole;
 }
 
-void DrawnWorld::bring_whole_bodies(const sim::Simulation& simulation)
+void GpuWorld::bring_whole_bodies(const sim::Simulation& simulation)
 {
     for (const auto& body : simulation.bodies()) {
         const sim::Identity& identity = body->identity();
@@ -48,14 +48,14 @@ void DrawnWorld::bring_whole_bodies(const sim::Simulation& simulation)
     }
 }
 
-void DrawnWorld::bring_next(const sim::Simulation& simulation)
+void GpuWorld::bring_next(const sim::Simulation& simulation)
 {
     for (const std::size_t model : simulation.scene().next_models())
         if (const auto next = simulation.models().stocked(model, simulation.backend()))
             bring(*next->object, next->copy);
 }
 
-std::optional<double> DrawnWorld::arriving() const
+std::optional<double> GpuWorld::arriving() const
 {
     const render::Arrival* largest = nullptr;
     for (const auto& [copy, arrival] : arrivals_)
@@ -63,7 +63,7 @@ std::optional<double> DrawnWorld::arriving() const
     return largest == nullptr ? std::nullopt : std::optional(largest->share());
 }
 
-DrawnWorld::Uploads DrawnWorld::upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut)
+GpuWorld::Uploads GpuWorld::upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut)
 {
     std::map<sim::ObjectId, std::size_t> cut_of_piece;
     for (std::size_t i = first_cut; i < simulation.cuts().size(); ++i)
@@ -91,7 +91,7 @@ DrawnWorld::Uploads DrawnWorld::upload_new_bodies(const sim::Simulation& simulat
     return uploads;
 }
 
-void DrawnWorld::share_out(const sim::Simulation& simulation, std::size_t first_cut, Uploads& uploads)
+void GpuWorld::share_out(const sim::Simulation& simulation, std::size_t first_cut, Uploads& uploads)
 {
     // Each cut takes what it said that it made. The newest first: where pieces have buffers of their own, what an
     // earlier cut made of a piece that was cut again is gone, and must not be counted out of what the later one made.
@@ -112,7 +112,7 @@ void DrawnWorld::share_out(const sim::Simulation& simulation, std::size_t first_
     }
 }
 
-std::span<const render::DrawnObject> DrawnWorld::objects(const sim::Simulation& simulation, double fraction)
+std::span<const render::DrawnObject> GpuWorld::objects(const sim::Simulation& simulation, double fraction)
 {
     objects_.clear();
     for (const auto& body : simulation.bodies()) {

@@ -1,4 +1,4 @@
-#include "viewer/app/drawn_world.h"
+#include "viewer/app/gpu_world.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@ namespace kerf::test {
 
 namespace {
 
-class DrawnWorldTest : public GlTest, public ::testing::WithParamInterface<std::string>
+class GpuWorldTest : public GlTest, public ::testing::WithParamInterface<std::string>
 {
 protected:
-    sim::Simulation simulation{shelf_of({"torus", "box", "asteroid"}, 2000), settings()};
+    sim::Simulation simulation{library_of({"torus", "box", "asteroid"}, 2000), settings()};
     render::LookTable looks;
-    app::DrawnWorld world{looks};
+    app::GpuWorld world{looks};
 
     static sim::Settings settings()
     {
@@ -55,12 +55,12 @@ protected:
     std::size_t most_in_a_frame = 0;  ///< cuts
 };
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, DrawnWorldTest, ::testing::Values("halfedge", "baseline/hash"),
+INSTANTIATE_TEST_SUITE_P(BackEnds, GpuWorldTest, ::testing::Values("halfedge", "baseline/hash"),
                          [](const auto& param) { return param.param == "halfedge" ? "halfedge" : "baseline"; });
 
 }  // namespace
 
-TEST_P(DrawnWorldTest, UploadsForEachCutWhatTheBackEndSaid)
+TEST_P(GpuWorldTest, UploadsForEachCutWhatTheBackEndSaid)
 {
     play_until_cuts(5);
     ASSERT_EQ(world.cut_uploads().size(), simulation.cuts().size());
@@ -70,7 +70,7 @@ TEST_P(DrawnWorldTest, UploadsForEachCutWhatTheBackEndSaid)
     }
 }
 
-TEST_P(DrawnWorldTest, CountsForEachOfSeveralCutsInAFrameWhatItMade)
+TEST_P(GpuWorldTest, CountsForEachOfSeveralCutsInAFrameWhatItMade)
 {
     play_until_cuts(25, sim::kTicksPerFrame);
     EXPECT_GE(most_in_a_frame, 2u) << "pieces of one object are cut in one frame";
@@ -81,7 +81,7 @@ TEST_P(DrawnWorldTest, CountsForEachOfSeveralCutsInAFrameWhatItMade)
     EXPECT_EQ(bytes_of_cuts() + world.bytes_of_throws(), world.store().bytes_uploaded());
 }
 
-TEST_P(DrawnWorldTest, CountsWhatWasCutAgainBeforeItWasSeenOnceAtMost)
+TEST_P(GpuWorldTest, CountsWhatWasCutAgainBeforeItWasSeenOnceAtMost)
 {
     play_until_cuts(25, 100);
     bool some_were_cut_again = false;
@@ -94,7 +94,7 @@ TEST_P(DrawnWorldTest, CountsWhatWasCutAgainBeforeItWasSeenOnceAtMost)
     EXPECT_EQ(bytes_of_cuts() + world.bytes_of_throws(), world.store().bytes_uploaded());
 }
 
-TEST_P(DrawnWorldTest, DrawsEveryBodyAndNothingElse)
+TEST_P(GpuWorldTest, DrawsEveryBodyAndNothingElse)
 {
     play_until_cuts(3);
     const auto objects = world.objects(simulation);
@@ -105,7 +105,7 @@ TEST_P(DrawnWorldTest, DrawsEveryBodyAndNothingElse)
     }
 }
 
-TEST_P(DrawnWorldTest, HoldsNoMoreBuffersThanThereAreThrowsOrPieces)
+TEST_P(GpuWorldTest, HoldsNoMoreBuffersThanThereAreThrowsOrPieces)
 {
     play_until_cuts(6);
     for (int tick = 0; tick < 600; ++tick) {
@@ -117,10 +117,10 @@ TEST_P(DrawnWorldTest, HoldsNoMoreBuffersThanThereAreThrowsOrPieces)
 }
 
 // 400 000 triangles are more than 11 MB.
-TEST_P(DrawnWorldTest, AGiantComesBitByBitAndIsSeenWhenAllOfItIsThere)
+TEST_P(GpuWorldTest, AGiantComesBitByBitAndIsSeenWhenAllOfItIsThere)
 {
-    constexpr std::uint64_t kBudget = app::DrawnWorld::kBytesInAFrame;
-    const auto models = std::make_shared<sim::ModelShelf>();
+    constexpr std::uint64_t kBudget = app::GpuWorld::kBytesInAFrame;
+    const auto models = std::make_shared<sim::ModelLibrary>();
     sim::Simulation giant(models, settings(), game::make_scene("giant", models));
     giant.command("size 400000");
     std::vector<std::uint64_t> bytes;
@@ -147,7 +147,7 @@ TEST_P(DrawnWorldTest, AGiantComesBitByBitAndIsSeenWhenAllOfItIsThere)
     EXPECT_EQ(std::uint64_t(std::count(bytes.begin(), bytes.end(), kBudget)), whole / kBudget);
 }
 
-TEST_P(DrawnWorldTest, WhatIsThrownNextIsThereBeforeItsThrow)
+TEST_P(GpuWorldTest, WhatIsThrownNextIsThereBeforeItsThrow)
 {
     simulation.advance();
     world.sync(simulation);
@@ -164,9 +164,9 @@ TEST_P(DrawnWorldTest, WhatIsThrownNextIsThereBeforeItsThrow)
     EXPECT_EQ(world.objects(simulation).size(), 2u);
 }
 
-TEST_P(DrawnWorldTest, ACutBeforeAllOfItIsThereUploadsItsPieces)
+TEST_P(GpuWorldTest, ACutBeforeAllOfItIsThereUploadsItsPieces)
 {
-    const auto models = std::make_shared<sim::ModelShelf>();
+    const auto models = std::make_shared<sim::ModelLibrary>();
     sim::Simulation giant(models, settings(), game::make_scene("giant", models));
     giant.command("size 200000");
     giant.advance(400);
@@ -184,7 +184,7 @@ TEST_P(DrawnWorldTest, ACutBeforeAllOfItIsThereUploadsItsPieces)
     EXPECT_EQ(bytes_of_cuts() + world.bytes_of_throws(), world.store().bytes_uploaded());
 }
 
-TEST_P(DrawnWorldTest, SkipsPiecesThatNobodySaw)
+TEST_P(GpuWorldTest, SkipsPiecesThatNobodySaw)
 {
     game::Autopilot autopilot(1);
     for (int tick = 0; tick < 600; ++tick) {
