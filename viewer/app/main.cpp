@@ -4,11 +4,11 @@
 
 #include "common/io/unfinished_files.h"
 #include "viewer/app/exit_status.h"
-#include "viewer/app/game_window.h"
-#include "viewer/app/headless.h"
-#include "viewer/app/headless_game.h"
+#include "viewer/app/game/game_window.h"
+#include "viewer/app/headless/headless.h"
+#include "viewer/app/headless/headless_game.h"
+#include "viewer/app/inspect/player.h"
 #include "viewer/app/options.h"
-#include "viewer/app/player.h"
 #include "viewer/render/render_error.h"
 
 namespace {

@@ -8,8 +8,8 @@
 
 #include "common/cpu_stopwatch.h"
 #include "support/sanitized.h"
+#include "viewer/app/inspect/run_report.h"
 #include "viewer/app/painter.h"
-#include "viewer/app/run_report.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/stages.h"

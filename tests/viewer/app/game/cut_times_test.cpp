@@ -1,4 +1,4 @@
-#include "viewer/app/cut_times.h"
+#include "viewer/app/game/cut_times.h"
 
 #include <gtest/gtest.h>
 

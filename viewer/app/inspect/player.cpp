@@ -1,4 +1,4 @@
-#include "viewer/app/player.h"
+#include "viewer/app/inspect/player.h"
 
 #include <algorithm>
 #include <iostream>
@@ -7,8 +7,8 @@
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
-#include "viewer/app/game_overlay.h"
-#include "viewer/app/panel.h"
+#include "viewer/app/inspect/game_overlay.h"
+#include "viewer/app/inspect/panel.h"
 #include "viewer/app/picture_name.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"

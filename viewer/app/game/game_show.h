@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/app/cut_times.h"
-#include "viewer/app/duel_show.h"
 #include "viewer/app/frame_statistics.h"
+#include "viewer/app/game/cut_times.h"
+#include "viewer/app/game/duel_show.h"
+#include "viewer/app/game/soundtrack.h"
 #include "viewer/app/painter.h"
-#include "viewer/app/soundtrack.h"
 #include "viewer/app/view_settings.h"
 #include "viewer/app/window.h"
 #include "viewer/effects/effects.h"

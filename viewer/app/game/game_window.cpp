@@ -1,4 +1,4 @@
-#include "viewer/app/game_window.h"
+#include "viewer/app/game/game_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

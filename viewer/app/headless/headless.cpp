@@ -1,4 +1,4 @@
-#include "viewer/app/headless.h"
+#include "viewer/app/headless/headless.h"
 
 #include <iostream>
 #include <optional>
@@ -6,11 +6,11 @@
 #include "common/cpu_stopwatch.h"
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
-#include "viewer/app/game_overlay.h"
+#include "viewer/app/headless/run_length.h"
+#include "viewer/app/inspect/game_overlay.h"
+#include "viewer/app/inspect/panel.h"
+#include "viewer/app/inspect/run_report.h"
 #include "viewer/app/painter.h"
-#include "viewer/app/panel.h"
-#include "viewer/app/run_length.h"
-#include "viewer/app/run_report.h"
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/game/autopilot.h"

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "viewer/app/frame_statistics.h"
+#include "viewer/app/inspect/run_report.h"
 #include "viewer/app/options.h"
 #include "viewer/app/painter.h"
-#include "viewer/app/run_report.h"
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/app/window.h"

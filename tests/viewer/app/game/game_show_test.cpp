@@ -1,4 +1,4 @@
-#include "viewer/app/game_show.h"
+#include "viewer/app/game/game_show.h"
 
 #include <chrono>
 #include <cstdlib>

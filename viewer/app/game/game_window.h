@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "viewer/app/game_show.h"
+#include "viewer/app/game/game_show.h"
 #include "viewer/app/options.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/app/window.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "viewer/app/game_show.h"
+#include "viewer/app/game/game_show.h"
 #include "viewer/game/giant_scene.h"
 #include "viewer/game/giant_sizes.h"
 #include "viewer/render/offscreen_context.h"

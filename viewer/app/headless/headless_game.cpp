@@ -1,4 +1,4 @@
-#include "viewer/app/headless_game.h"
+#include "viewer/app/headless/headless_game.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -7,9 +7,9 @@
 
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
-#include "viewer/app/game_show.h"
+#include "viewer/app/game/game_show.h"
+#include "viewer/app/headless/run_length.h"
 #include "viewer/app/hexadecimal.h"
-#include "viewer/app/run_length.h"
 #include "viewer/app/session.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/render/gl_error_log.h"

@@ -1,4 +1,4 @@
-#include "viewer/app/soundtrack.h"
+#include "viewer/app/game/soundtrack.h"
 
 #include <algorithm>
 #include <cmath>

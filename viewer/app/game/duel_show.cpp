@@ -1,8 +1,8 @@
-#include "viewer/app/duel_show.h"
+#include "viewer/app/game/duel_show.h"
 
 #include <algorithm>
 
-#include "viewer/app/stone_asteroid.h"
+#include "viewer/app/game/stone_asteroid.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/ui/hud.h"
 #include "viewer/ui/texts.h"

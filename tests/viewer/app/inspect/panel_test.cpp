@@ -1,4 +1,4 @@
-#include "viewer/app/panel.h"
+#include "viewer/app/inspect/panel.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

@@ -1,4 +1,4 @@
-#include "viewer/app/game_overlay.h"
+#include "viewer/app/inspect/game_overlay.h"
 
 #include "viewer/ui/hud.h"
 #include "viewer/ui/screen_view.h"

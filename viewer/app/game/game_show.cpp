@@ -1,4 +1,4 @@
-#include "viewer/app/game_show.h"
+#include "viewer/app/game/game_show.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "viewer/app/stone_asteroid.h"
+#include "viewer/app/game/stone_asteroid.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_scene.h"
 #include "viewer/game/scenes.h"

@@ -1,4 +1,4 @@
-#include "viewer/app/player.h"
+#include "viewer/app/inspect/player.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

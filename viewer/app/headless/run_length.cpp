@@ -1,4 +1,4 @@
-#include "viewer/app/run_length.h"
+#include "viewer/app/headless/run_length.h"
 
 namespace kerf::app {
 
