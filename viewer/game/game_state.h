@@ -50,7 +50,7 @@ struct GameState
     std::vector<ActiveSpecial> specials;
     int wave = 0;  ///< counts up from 1; 0 before the first
 
-    // The balance at the end.
+    // The results at the end.
     std::int64_t fruit_cut = 0, fruit_missed = 0, criticals = 0, combos = 0, bombs_cut = 0;
     int longest_combo = 0;
 };

@@ -18,9 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-ShowSetup setup_of(const Options& options, const std::filesystem::path& user_folder)
+GameSetup setup_of(const Options& options, const std::filesystem::path& user_folder)
 {
-    ShowSetup setup;
+    GameSetup setup;
     setup.data_folder = options.data_folder;
     setup.user_folder = user_folder;
     if (!options.scene.empty()) setup.scene = options.scene;
@@ -41,37 +41,37 @@ GameWindow::GameWindow(const Options& options, const std::filesystem::path& user
       window_(options.width, options.height, options.fullscreen, "Kerf"),
       painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
       interface_(1.0f),
-      show_(setup_of(options, user_folder), painter_, speaker_)
+      flow_(setup_of(options, user_folder), painter_, speaker_)
 {
     window_.set_vsync(options.vsync);
     // What the command line said about the window goes before what is stored.
-    applied_ = show_.settings();
+    applied_ = flow_.settings();
     if (options.vsync) window_.set_vsync(applied_.vsync);
     if (!options.has_size && applied_.window_scale != 1.0) resize(applied_.window_scale);
     if (applied_.fullscreen) set_fullscreen(true);
-    applied_ = show_.settings();
+    applied_ = flow_.settings();
 }
 
 bool GameWindow::frame()
 {
     window_.poll();
-    if (window_.should_close() || show_.has_ended()) return false;
+    if (window_.should_close() || flow_.has_ended()) return false;
     const bool has_focus = window_.has_focus();
-    if (had_focus_ && !has_focus) show_.pause();
+    if (had_focus_ && !has_focus) flow_.pause();
     had_focus_ = has_focus;
     take_input();
     follow_settings();
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
-    show_.advance(seconds);
+    flow_.advance(seconds);
 
     if (const glm::ivec2 pixels = window_.framebuffer_size(); pixels.x > 0 && pixels.y > 0) {
         painter_.resize(pixels.x, pixels.y);
-        show_.paint(options_.view);
+        flow_.paint(options_.view);
         interface_.use_game_letters(pixels.x, pixels.y);
         interface_.begin(pixels.x, pixels.y, std::max(seconds, 1e-4));
         ui::Canvas canvas(interface_.letters(), glm::vec2(pixels));
-        show_.write(canvas);
+        flow_.write(canvas);
         interface_.draw();
         painter_.target().show(pixels.x, pixels.y);
         window_.swap();
@@ -91,7 +91,7 @@ void GameWindow::take_input()
     if (size.x < 1.0 || size.y < 1.0) return;
     for (WindowPointer change : window_.take_pointer()) {
         change.position *= pixels / size;
-        show_.point(change, glm::vec2(pixels));
+        flow_.point(change, glm::vec2(pixels));
     }
 }
 
@@ -100,15 +100,15 @@ void GameWindow::steer(const WindowKey& key)
     // By their places: on any keyboard these four lie together.
     switch (key.code) {
         case GLFW_KEY_W:
-            return show_.hold(ui::BladeKey::up, key.is_down);
+            return flow_.hold(ui::BladeKey::up, key.is_down);
         case GLFW_KEY_S:
-            return show_.hold(ui::BladeKey::down, key.is_down);
+            return flow_.hold(ui::BladeKey::down, key.is_down);
         case GLFW_KEY_A:
-            return show_.hold(ui::BladeKey::left, key.is_down);
+            return flow_.hold(ui::BladeKey::left, key.is_down);
         case GLFW_KEY_D:
-            return show_.hold(ui::BladeKey::right, key.is_down);
+            return flow_.hold(ui::BladeKey::right, key.is_down);
         case GLFW_KEY_SPACE:
-            return show_.hold(ui::BladeKey::cut, key.is_down);
+            return flow_.hold(ui::BladeKey::cut, key.is_down);
         default:
             return;
     }
@@ -118,30 +118,30 @@ void GameWindow::take_key(int key)
 {
     switch (key) {
         case GLFW_KEY_UP:
-            return show_.press(ui::MenuKey::up);
+            return flow_.press(ui::MenuKey::up);
         case GLFW_KEY_DOWN:
-            return show_.press(ui::MenuKey::down);
+            return flow_.press(ui::MenuKey::down);
         case GLFW_KEY_LEFT:
-            return show_.press(ui::MenuKey::left);
+            return flow_.press(ui::MenuKey::left);
         case GLFW_KEY_RIGHT:
-            return show_.press(ui::MenuKey::right);
+            return flow_.press(ui::MenuKey::right);
         case GLFW_KEY_ENTER:
         case GLFW_KEY_KP_ENTER:
         case GLFW_KEY_SPACE:
-            return show_.press(ui::MenuKey::accept);
+            return flow_.press(ui::MenuKey::accept);
         case GLFW_KEY_ESCAPE:
         case GLFW_KEY_P:
-            return show_.press(ui::MenuKey::back);
+            return flow_.press(ui::MenuKey::back);
         case GLFW_KEY_M:
-            return show_.toggle_mute();
+            return flow_.toggle_mute();
         case GLFW_KEY_B:
-            return show_.next_backend();
+            return flow_.next_backend();
         case GLFW_KEY_N:
-            return show_.next_giant();
+            return flow_.next_giant();
         case GLFW_KEY_R:
-            return show_.play_again();
+            return flow_.play_again();
         case GLFW_KEY_F11:
-            return show_.set_fullscreen(!show_.settings().fullscreen);
+            return flow_.set_fullscreen(!flow_.settings().fullscreen);
         case GLFW_KEY_F12:
             return save_picture();
         default:
@@ -155,26 +155,26 @@ void GameWindow::save_picture()
     std::error_code ignored;
     try {
         render::write_png(name, painter_.target().read());
-        show_.tell("Saved " + std::filesystem::absolute(name, ignored).string());
+        flow_.tell("Saved " + std::filesystem::absolute(name, ignored).string());
     } catch (const io::FileError& error) {
-        show_.tell(error.what());
+        flow_.tell(error.what());
     }
 }
 
 void GameWindow::follow_settings()
 {
-    const game::StoredSettings wanted = show_.settings();
+    const game::StoredSettings wanted = flow_.settings();
     if (wanted.vsync != applied_.vsync) window_.set_vsync(wanted.vsync);
     if (wanted.window_scale != applied_.window_scale) resize(wanted.window_scale);
     if (wanted.fullscreen != applied_.fullscreen) set_fullscreen(wanted.fullscreen);
-    applied_ = show_.settings();
+    applied_ = flow_.settings();
 }
 
 /// Where there is no whole screen to be had, the settings say so.
 void GameWindow::set_fullscreen(bool on)
 {
     window_.set_fullscreen(on);
-    if (window_.fullscreen() != on) show_.set_fullscreen(window_.fullscreen());
+    if (window_.fullscreen() != on) flow_.set_fullscreen(window_.fullscreen());
 }
 
 void GameWindow::resize(double scale)

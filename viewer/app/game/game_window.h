@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "viewer/app/game/game_show.h"
+#include "viewer/app/game/game_flow.h"
 #include "viewer/app/options.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/app/window.h"
@@ -21,7 +21,7 @@ public:
     /// One frame. False when it was the last. @throws render::RenderError
     bool frame();
 
-    GameShow& show() { return show_; }
+    GameFlow& flow() { return flow_; }
     Window& window() { return window_; }
     render::GlErrorLog& errors() { return errors_; }
 
@@ -40,7 +40,7 @@ private:
     Painter painter_;
     UserInterface interface_;
     sound::Speaker speaker_;
-    GameShow show_;
+    GameFlow flow_;
     game::StoredSettings applied_;  ///< to the window
     bool had_focus_ = false;
     std::chrono::steady_clock::time_point last_frame_ = std::chrono::steady_clock::now();

@@ -7,7 +7,7 @@
 
 #include "common/stopwatch.h"
 #include "viewer/app/exit_status.h"
-#include "viewer/app/game/game_show.h"
+#include "viewer/app/game/game_flow.h"
 #include "viewer/app/headless/run_length.h"
 #include "viewer/app/hexadecimal.h"
 #include "viewer/app/session.h"
@@ -29,12 +29,12 @@ Json report_of(const sim::Simulation& simulation)
             {"cuts", simulation.cuts().size()},     {"state_hash", hexadecimal(simulation.state_hash())}};
 }
 
-Json report_of(DuelShow& show)
+Json report_of(DuelView& view)
 {
     Json halves = Json::array();
     for (std::size_t i = 0; i < 2; ++i) {
-        Json half = report_of(show.duel().half(i).simulation());
-        const duel::Score score = show.duel().score(i);
+        Json half = report_of(view.duel().half(i).simulation());
+        const duel::Score score = view.duel().score(i);
         half["cut_ms"] = score.cut_ms;
         half["longest_cut_ms"] = score.worst_ms;
         half["worst_frame_ms"] = score.worst_frame_ms;
@@ -44,12 +44,12 @@ Json report_of(DuelShow& show)
     return halves;
 }
 
-ShowSetup setup_of(const Options& options, const sim::Script& script)
+GameSetup setup_of(const Options& options, const sim::Script& script)
 {
     const sim::Settings said = settings_of(options, script, "menu");
     if (said.record && (said.scene == "menu" || said.scene == "duel"))
         throw std::invalid_argument("menu and duel are not recorded");
-    ShowSetup setup;
+    GameSetup setup;
     setup.data_folder = options.data_folder;
     setup.scene = said.scene;
     setup.backend = said.backend;
@@ -76,10 +76,10 @@ int run_headless_game(const Options& options)
 
     sim::Script script;
     if (!options.script.empty()) script = sim::read_script(options.script);
-    const ShowSetup setup = setup_of(options, script);
-    GameShow show(setup, painter, speaker);
-    refuse_to_replace(options, show.models());
-    show.push(script.events);
+    const GameSetup setup = setup_of(options, script);
+    GameFlow flow(setup, painter, speaker);
+    refuse_to_replace(options, flow.models());
+    flow.push(script.events);
     game::Autopilot autopilot(setup.seed);
     const std::int64_t frames = frames_of(options, script);
     std::optional<render::Recording> recording;
@@ -88,35 +88,35 @@ int run_headless_game(const Options& options)
     Stopwatch frame_time;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
         const bool is_last = frame + 1 == frames;
-        if (is_last && !options.screen.empty()) show.show_screen(*ui::find_screen(options.screen));
-        if (options.autopilot) show.let_play(autopilot);
+        if (is_last && !options.screen.empty()) flow.show_screen(*ui::find_screen(options.screen));
+        if (options.autopilot) flow.let_play(autopilot);
         // What a frame took is shown by the giant's panel; the simulation goes in fixed steps.
-        show.advance(1e-3 * frame_time.lap());
+        flow.advance(1e-3 * frame_time.lap());
         const bool is_wanted = recording || (is_last && !options.screenshot.empty()) ||
                                (options.draw_every > 0 && frame % options.draw_every == 0);
         if (!is_wanted) {
-            show.sync();
+            flow.sync();
             continue;
         }
-        show.paint(options.view);
+        flow.paint(options.view);
         interface.use_game_letters(options.width, options.height);
         interface.begin(options.width, options.height, 1.0 / 60.0);
         ui::Canvas canvas(interface.letters(), {options.width, options.height});
-        show.write(canvas);
+        flow.write(canvas);
         interface.draw();
         if (recording) recording->add(painter.target().read());
         if (is_last && !options.screenshot.empty()) render::write_png(options.screenshot, painter.target().read());
     }
-    if (!options.save_script.empty()) sim::write_script(options.save_script, show.simulation()->recording());
+    if (!options.save_script.empty()) sim::write_script(options.save_script, flow.simulation()->recording());
     errors.check();
     Json report{{"version", KERF_VERSION},     {"graphics", render::describe_current_context()},
                 {"width", options.width},      {"height", options.height},
                 {"gl_errors", errors.count()}, {"gl_messages", errors.messages()},
-                {"scene", show.scene()},       {"screen", ui::screen_names()[std::size_t(show.screens().screen())]}};
-    if (show.duel() != nullptr)
-        report["halves"] = report_of(*show.duel());
+                {"scene", flow.scene()},       {"screen", ui::screen_names()[std::size_t(flow.screens().screen())]}};
+    if (flow.duel() != nullptr)
+        report["halves"] = report_of(*flow.duel());
     else
-        report["runs"] = Json::array({report_of(*show.simulation())});
+        report["runs"] = Json::array({report_of(*flow.simulation())});
     std::cout << report.dump(2) << "\n";
     for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
     return errors.count() == 0 ? kDone : kUnusable;

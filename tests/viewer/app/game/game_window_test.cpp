@@ -53,8 +53,8 @@ protected:
 
     void wait_for_scene(const std::string& scene)
     {
-        for (int i = 0; i < 600 && game.show().scene() != scene; ++i) ASSERT_TRUE(game.frame());
-        ASSERT_EQ(game.show().scene(), scene);
+        for (int i = 0; i < 600 && game.flow().scene() != scene; ++i) ASSERT_TRUE(game.frame());
+        ASSERT_EQ(game.flow().scene(), scene);
     }
 
     Quiet quiet;
@@ -67,18 +67,18 @@ protected:
 TEST_F(GameWindowTest, OpensWithTheMenuAndIsPlayedByKeys)
 {
     ASSERT_TRUE(game.frame());
-    EXPECT_EQ(game.show().scene(), "menu");
+    EXPECT_EQ(game.flow().scene(), "menu");
     press(GLFW_KEY_RIGHT);
     press(GLFW_KEY_ENTER);
     wait_for_scene("arcade");
     press(GLFW_KEY_ESCAPE);
-    EXPECT_EQ(game.show().screens().screen(), ui::Screen::paused);
+    EXPECT_EQ(game.flow().screens().screen(), ui::Screen::paused);
     press(GLFW_KEY_ENTER);
-    EXPECT_EQ(game.show().screens().screen(), ui::Screen::play);
+    EXPECT_EQ(game.flow().screens().screen(), ui::Screen::play);
     press(GLFW_KEY_P);
     press(GLFW_KEY_UP);
     press(GLFW_KEY_ENTER);
-    EXPECT_EQ(game.show().scene(), "menu");
+    EXPECT_EQ(game.flow().scene(), "menu");
 }
 
 TEST_F(GameWindowTest, KeysThatAreHeldSteerABladeWhileAGameIsPlayed)
@@ -95,23 +95,23 @@ TEST_F(GameWindowTest, KeysThatAreHeldSteerABladeWhileAGameIsPlayed)
     };
     key(GLFW_KEY_W, GLFW_PRESS);
     key(GLFW_KEY_SPACE, GLFW_PRESS);
-    EXPECT_EQ(game.show().screens().screen(), ui::Screen::play);
-    EXPECT_TRUE(game.show().keyboard_blade().is_cutting());
-    EXPECT_GT(game.show().keyboard_blade().place().y, 0.0);
+    EXPECT_EQ(game.flow().screens().screen(), ui::Screen::play);
+    EXPECT_TRUE(game.flow().round().blade_input().keyboard().is_cutting());
+    EXPECT_GT(game.flow().round().blade_input().keyboard().place().y, 0.0);
     key(GLFW_KEY_SPACE, GLFW_RELEASE);
     key(GLFW_KEY_W, GLFW_RELEASE);
-    EXPECT_FALSE(game.show().keyboard_blade().is_cutting());
-    const glm::dvec2 place = game.show().keyboard_blade().place();
+    EXPECT_FALSE(game.flow().round().blade_input().keyboard().is_cutting());
+    const glm::dvec2 place = game.flow().round().blade_input().keyboard().place();
     ASSERT_TRUE(game.frame());
-    EXPECT_EQ(game.show().keyboard_blade().place(), place);
+    EXPECT_EQ(game.flow().round().blade_input().keyboard().place(), place);
 }
 
 TEST_F(GameWindowTest, FollowsItsSettings)
 {
     ASSERT_TRUE(game.frame());
     press(GLFW_KEY_M);
-    EXPECT_TRUE(game.show().settings().mute);
-    game.show().show_screen(ui::Screen::settings);
+    EXPECT_TRUE(game.flow().settings().mute);
+    game.flow().show_screen(ui::Screen::settings);
     for (int i = 0; i < 4; ++i) press(GLFW_KEY_DOWN);
     press(GLFW_KEY_LEFT);
     for (int i = 0; i < 50 && game.window().size().x != 960; ++i) ASSERT_TRUE(game.frame());
@@ -127,11 +127,11 @@ TEST_F(GameWindowTest, TheKeyAndTheSettingForTheWholeScreenAreOne)
     press(GLFW_KEY_F11);
     ASSERT_TRUE(game.frame());
     EXPECT_TRUE(game.window().fullscreen());
-    EXPECT_TRUE(game.show().settings().fullscreen);
+    EXPECT_TRUE(game.flow().settings().fullscreen);
     press(GLFW_KEY_F11);
     ASSERT_TRUE(game.frame());
     EXPECT_FALSE(game.window().fullscreen());
-    EXPECT_FALSE(game.show().settings().fullscreen);
+    EXPECT_FALSE(game.flow().settings().fullscreen);
 }
 
 TEST_F(GameWindowTest, AKeyThatIsHeldGivesItsCommandOnce)
@@ -145,8 +145,8 @@ TEST_F(GameWindowTest, AKeyThatIsHeldGivesItsCommandOnce)
         pressed(window, key, 0, GLFW_REPEAT, 0);
         ASSERT_TRUE(game.frame());
     }
-    EXPECT_TRUE(game.show().settings().mute);
-    EXPECT_EQ(game.show().screens().selected(), 2u) << "arrows move on";
+    EXPECT_TRUE(game.flow().settings().mute);
+    EXPECT_EQ(game.flow().screens().selected(), 2u) << "arrows move on";
 }
 
 TEST_F(GameWindowTest, SurvivesAnySizeAndBeingMinimised)

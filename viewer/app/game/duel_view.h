@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "viewer/app/game/stage_layout.h"
 #include "viewer/app/gpu_world.h"
 #include "viewer/app/painter.h"
 #include "viewer/duel/duel.h"
@@ -18,7 +19,7 @@ namespace kerf::app {
 
 /// A duel as one sees it: both stages side by side, with what each half has spent on cutting. While the models are
 /// being prepared, on a thread of its own, there is a note instead.
-class DuelShow
+class DuelView
 {
 public:
     /// How much larger a half is shown than the window's shape asks for: the sides of the stage are left out.
@@ -29,11 +30,11 @@ public:
     /// @param models    with the fruit
     /// @param triangles of the boulder
     /// @param wanted    back ends: both, or one that meets the default; empty: the default and the baseline
-    DuelShow(std::shared_ptr<sim::ModelLibrary> models, const sim::Settings& settings,
+    DuelView(std::shared_ptr<sim::ModelLibrary> models, const sim::Settings& settings,
              std::int64_t triangles = kBoulder, const std::vector<std::string>& wanted = {});
-    ~DuelShow();
-    DuelShow(const DuelShow&) = delete;
-    DuelShow& operator=(const DuelShow&) = delete;
+    ~DuelView();
+    DuelView(const DuelView&) = delete;
+    DuelView& operator=(const DuelView&) = delete;
 
     /// The models are prepared. @throws what went wrong with them
     bool ready();
@@ -57,8 +58,8 @@ public:
     std::array<StagePicture, 2> stages(int width, int height) const;
     void write(ui::Canvas& canvas);
 
-    /// Where a half is on a picture. Pixels from the upper left corner.
-    static ui::Box2 box_of_half(std::size_t half, const glm::vec2& size);
+    /// Where both stages are on a picture.
+    static StageLayout layout() { return {2, double(kZoom)}; }
 
     /// The duel itself; once ready().
     duel::Duel& duel() { return *duel_; }

@@ -1,4 +1,4 @@
-#include "viewer/app/game/duel_show.h"
+#include "viewer/app/game/duel_view.h"
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ std::size_t add_boulder(sim::ModelLibrary& models, std::int64_t triangles)
     return models.add(name, stone_asteroid(static_cast<std::uint64_t>(triangles), 5), true);
 }
 
-/// Boulder and fruit in turn, prepared for both. @param steps  counts DuelShow::kSteps
+/// Boulder and fruit in turn, prepared for both. @param steps  counts DuelView::kSteps
 std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelLibrary& models, std::int64_t triangles,
                                                     const std::array<std::string, 2>& opponents, ProxyKind proxy,
                                                     std::atomic<int>& steps)
@@ -69,7 +69,7 @@ std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelLibrary& models, s
 
 }  // namespace
 
-DuelShow::DuelShow(std::shared_ptr<sim::ModelLibrary> models, const sim::Settings& settings, std::int64_t triangles,
+DuelView::DuelView(std::shared_ptr<sim::ModelLibrary> models, const sim::Settings& settings, std::int64_t triangles,
                    const std::vector<std::string>& wanted)
     : models_(std::move(models)),
       settings_(settings),
@@ -82,19 +82,19 @@ DuelShow::DuelShow(std::shared_ptr<sim::ModelLibrary> models, const sim::Setting
 {
 }
 
-DuelShow::~DuelShow()
+DuelView::~DuelView()
 {
     ends_ = true;
     if (stocking_.joinable()) stocking_.join();
 }
 
-void DuelShow::wait_until_ready()
+void DuelView::wait_until_ready()
 {
     if (preparing_.valid()) preparing_.wait();
     ready();
 }
 
-bool DuelShow::ready()
+bool DuelView::ready()
 {
     if (duel_) return true;
     if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
@@ -110,19 +110,19 @@ bool DuelShow::ready()
     return true;
 }
 
-bool DuelShow::is_over()
+bool DuelView::is_over()
 {
     if (!duel_ || duel_->now() < duel::TimetableScene::kLength) return false;
     return duel_->half(0).done() == duel_->now() && duel_->half(1).done() == duel_->now();
 }
 
-std::array<duel::Score, 2> DuelShow::scores()
+std::array<duel::Score, 2> DuelView::scores()
 {
     if (!duel_) return {};
     return {duel_->score(0), duel_->score(1)};
 }
 
-void DuelShow::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits)
+void DuelView::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& events, bool waits)
 {
     if (!ready()) return;
     duel_->advance(ticks, events);
@@ -132,7 +132,7 @@ void DuelShow::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& even
         duel_->wait_for(kPatience);
 }
 
-void DuelShow::sync(Painter& painter)
+void DuelView::sync(Painter& painter)
 {
     if (!duel_) return;
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
@@ -145,7 +145,7 @@ void DuelShow::sync(Painter& painter)
     }
 }
 
-std::array<StagePicture, 2> DuelShow::stages(int width, int height) const
+std::array<StagePicture, 2> DuelView::stages(int width, int height) const
 {
     std::array<StagePicture, 2> stages;
     for (int i = 0; i < 2; ++i) {
@@ -161,16 +161,10 @@ std::array<StagePicture, 2> DuelShow::stages(int width, int height) const
     return stages;
 }
 
-ui::Box2 DuelShow::box_of_half(std::size_t half, const glm::vec2& size)
-{
-    const float middle = 0.5f * size.x;
-    return half == 0 ? ui::Box2{{0.0f, 0.0f}, {middle, size.y}} : ui::Box2{{middle, 0.0f}, size};
-}
-
-void DuelShow::write_score(ui::Canvas& canvas, std::size_t half)
+void DuelView::write_score(ui::Canvas& canvas, std::size_t half)
 {
     const float u = canvas.unit();
-    const ui::Box2 box = box_of_half(half, canvas.size());
+    const ui::Box2 box = layout().box(half, canvas.size());
     const float middle = box.middle().x;
     const duel::Score score = duel_->score(half);
     const duel::Score other = duel_->score(1 - half);
@@ -198,7 +192,7 @@ void DuelShow::write_score(ui::Canvas& canvas, std::size_t half)
                     ui::milliseconds_text(score.behind_ms).append(" behind"), 34.0f, ui::kDanger);
 }
 
-void DuelShow::write(ui::Canvas& canvas)
+void DuelView::write(ui::Canvas& canvas)
 {
     const float u = canvas.unit();
     const glm::vec2 size = canvas.size();
@@ -215,7 +209,7 @@ void DuelShow::write(ui::Canvas& canvas)
     canvas.text({0.5f * size.x, 6.0f * u}, {0.5f, 0.0f}, ui::clock_text(double(left) * sim::kTickSeconds), 40.0f,
                 left < 10 * sim::kTicksPerSecond ? ui::kDanger : ui::kPaper);
     for (std::size_t half = 0; half < 2; ++half) {
-        ui::show_effects(canvas, effects_[half], box_of_half(half, size));
+        ui::show_effects(canvas, effects_[half], layout().box(half, size));
         write_score(canvas, half);
     }
     if (now() < 4 * sim::kTicksPerSecond)
