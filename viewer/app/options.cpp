@@ -82,7 +82,22 @@ std::vector<std::string> all_scenes()
     return names;
 }
 
+/// Whether a run is played by the program, for so long or to the end of its input.
+bool runs_by_itself(const Options& options)
+{
+    return options.frames > 0 || options.autopilot || !options.script.empty() || !options.record.empty();
+}
+
 }  // namespace
+
+bool wants_game(const Options& options)
+{
+    // Menu, screens and duel are more than one simulation.
+    if (options.headless) return options.scene == "menu" || options.scene == "duel" || !options.screen.empty();
+    // The game is played in real time and by hand; whoever brings models or input wants to see a simulation.
+    const bool brings_something = !options.files.empty() || runs_by_itself(options) || !options.save_script.empty();
+    return !brings_something && options.scene != "report";
+}
 
 ParsedOptions parse_options(int argc, char** argv)
 {
@@ -174,9 +189,7 @@ ParsedOptions parse_options(int argc, char** argv)
         const bool is_menu = options.scene.empty() && options.script.empty() && !options.screen.empty();
         if ((is_menu_or_duel || is_menu) && !options.save_script.empty())
             throw CLI::ValidationError("--save-script", "menu and duel are not recorded");
-        const bool has_steps =
-            options.frames > 0 || options.autopilot || !options.script.empty() || !options.record.empty();
-        if (is_menu_or_duel && !options.headless && has_steps)
+        if (is_menu_or_duel && !options.headless && runs_by_itself(options))
             throw CLI::ValidationError(
                 "--scene", "menu and duel take --frames, --autopilot, --script and --record only with --headless");
         if (!options.files.empty() && !options.scene.empty() && options.scene != "report")

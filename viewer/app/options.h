@@ -41,6 +41,9 @@ struct Options
     bool fullscreen = false;
 };
 
+/// Whether these ask for the game with its menu, or for one simulation to look at.
+bool wants_game(const Options& options);
+
 /// What parsing a command line led to: options, or an exit status when everything is said already.
 struct ParsedOptions
 {

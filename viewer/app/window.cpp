@@ -32,51 +32,20 @@ struct DestroyWindow
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
 
-std::optional<KeyAction> action_of(int key)
-{
-    switch (key) {
-        case GLFW_KEY_B:
-            return KeyAction::next_backend;
-        case GLFW_KEY_L:
-            return KeyAction::next_lookup;
-        case GLFW_KEY_K:
-            return KeyAction::next_proxy;
-        case GLFW_KEY_W:
-            return KeyAction::wireframe;
-        case GLFW_KEY_P:
-            return KeyAction::proxies;
-        case GLFW_KEY_I:
-            return KeyAction::lighting;
-        case GLFW_KEY_G:
-            return KeyAction::gesture;
-        case GLFW_KEY_SPACE:
-            return KeyAction::pause;
-        case GLFW_KEY_N:
-            return KeyAction::single_step;
-        case GLFW_KEY_M:
-            return KeyAction::slow_motion;
-        case GLFW_KEY_R:
-            return KeyAction::repeat_throw;
-        case GLFW_KEY_T:
-            return KeyAction::next_throw;
-        case GLFW_KEY_TAB:
-            return KeyAction::panel;
-        case GLFW_KEY_H:
-            return KeyAction::help;
-        case GLFW_KEY_F12:
-            return KeyAction::screenshot;
-        case GLFW_KEY_F11:
-            return KeyAction::fullscreen;
-        case GLFW_KEY_V:
-            return KeyAction::vsync;
-        case GLFW_KEY_ESCAPE:
-            return KeyAction::quit;
-        default:
-            return std::nullopt;
-    }
-}
-
 }  // namespace
+
+sim::PointerChange::Kind kind_of(WindowPointer::Kind kind)
+{
+    switch (kind) {
+        case WindowPointer::Kind::press:
+            return sim::PointerChange::Kind::press;
+        case WindowPointer::Kind::move:
+            return sim::PointerChange::Kind::move;
+        case WindowPointer::Kind::release:
+            break;
+    }
+    return sim::PointerChange::Kind::release;
+}
 
 struct Window::State
 {
@@ -85,8 +54,7 @@ struct Window::State
     bool vsync = true;
     glm::ivec2 place{60, 60}, size{1280, 720};  ///< to come back to from fullscreen
     std::vector<WindowPointer> pointer;
-    std::vector<KeyAction> keys;
-    std::vector<WindowKey> key_codes;
+    std::vector<WindowKey> keys;
 
     glm::dvec2 cursor() const
     {
@@ -120,9 +88,7 @@ void on_key(GLFWwindow* window, int key, int, int action, int)
 {
     // Arrows move on while they are held; a command is given once.
     const bool is_arrow = key == GLFW_KEY_UP || key == GLFW_KEY_DOWN || key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT;
-    if (action != GLFW_REPEAT || is_arrow) state_of(window).key_codes.push_back({key, action != GLFW_RELEASE});
-    if (action != GLFW_PRESS) return;
-    if (const auto wanted = action_of(key)) state_of(window).keys.push_back(*wanted);
+    if (action != GLFW_REPEAT || is_arrow) state_of(window).keys.push_back({key, action != GLFW_RELEASE});
 }
 
 /// A button that is released outside is never reported: losing the focus ends a swipe.
@@ -269,12 +235,7 @@ std::vector<WindowPointer> Window::take_pointer()
     return std::exchange(state_->pointer, {});
 }
 
-std::vector<WindowKey> Window::take_key_codes()
-{
-    return std::exchange(state_->key_codes, {});
-}
-
-std::vector<KeyAction> Window::take_keys()
+std::vector<WindowKey> Window::take_keys()
 {
     return std::exchange(state_->keys, {});
 }

@@ -2,11 +2,10 @@
 
 #include <glm/vec2.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "viewer/app/keys.h"
+#include "viewer/sim/pointer_sampler.h"
 
 struct GLFWwindow;
 
@@ -23,6 +22,9 @@ struct WindowPointer
     } kind = Kind::move;
     glm::dvec2 position{0.0};
 };
+
+/// What that means on a stage.
+sim::PointerChange::Kind kind_of(WindowPointer::Kind kind);
 
 /// A key that went down or up.
 struct WindowKey
@@ -65,9 +67,8 @@ public:
 
     /// What happened since the last call, in order.
     std::vector<WindowPointer> take_pointer();
-    std::vector<KeyAction> take_keys();
     /// Arrows that are held go down again and again.
-    std::vector<WindowKey> take_key_codes();
+    std::vector<WindowKey> take_keys();
 
     struct State;  ///< what the call-backs of GLFW work on
 

@@ -8,7 +8,7 @@
 
 #include "common/cpu_stopwatch.h"
 #include "support/sanitized.h"
-#include "viewer/app/inspect/run_report.h"
+#include "viewer/app/inspect/simulation_report.h"
 #include "viewer/app/painter.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"

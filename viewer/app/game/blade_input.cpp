@@ -7,23 +7,6 @@
 
 namespace kerf::app {
 
-namespace {
-
-sim::PointerChange::Kind kind_of(WindowPointer::Kind kind)
-{
-    switch (kind) {
-        case WindowPointer::Kind::press:
-            return sim::PointerChange::Kind::press;
-        case WindowPointer::Kind::move:
-            return sim::PointerChange::Kind::move;
-        case WindowPointer::Kind::release:
-            break;
-    }
-    return sim::PointerChange::Kind::release;
-}
-
-}  // namespace
-
 void BladeInput::hold(ui::BladeKey key, bool is_down)
 {
     if (!is_down || !is_swiping_) keyboard_.hold(key, is_down);

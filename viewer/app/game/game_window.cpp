@@ -3,20 +3,18 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <iostream>
 
 #include "common/io/mesh_file.h"
-#include "viewer/app/exit_status.h"
 #include "viewer/app/picture_name.h"
+#include "viewer/app/run_report.h"
 #include "viewer/game/user_folder.h"
-#include "viewer/sim/back_ends.h"
 
 namespace kerf::app {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 GameSetup setup_of(const Options& options, const std::filesystem::path& user_folder)
 {
@@ -30,60 +28,57 @@ GameSetup setup_of(const Options& options, const std::filesystem::path& user_fol
     setup.fullscreen = options.fullscreen;
     if (options.boulder > 0) setup.boulder = options.boulder;
     // Another game each time, unless somebody wants this one.
-    setup.seed = options.seed.value_or(static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()));
+    setup.seed =
+        options.seed.value_or(static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count()));
     return setup;
 }
 
 }  // namespace
 
-GameWindow::GameWindow(const Options& options, const std::filesystem::path& user_folder)
-    : options_(options),
-      window_(options.width, options.height, options.fullscreen, "Kerf"),
-      painter_(window_.framebuffer_size().x, window_.framebuffer_size().y),
+GameWindow::GameWindow(const Options& options, const std::filesystem::path& user_folder, Window& window)
+    : view_(options.view),
+      window_(window),
+      painter_(window.framebuffer_size().x, window.framebuffer_size().y),
       interface_(1.0f),
       flow_(setup_of(options, user_folder), painter_, speaker_)
 {
-    window_.set_vsync(options.vsync);
     // What the command line said about the window goes before what is stored.
     applied_ = flow_.settings();
-    if (options.vsync) window_.set_vsync(applied_.vsync);
+    window_.set_vsync(options.vsync && applied_.vsync);
     if (!options.has_size && applied_.window_scale != 1.0) resize(applied_.window_scale);
     if (applied_.fullscreen) set_fullscreen(true);
     applied_ = flow_.settings();
 }
 
-bool GameWindow::frame()
+void GameWindow::advance(const Frame& frame)
 {
-    window_.poll();
-    if (window_.should_close() || flow_.has_ended()) return false;
+    pause_without_focus();
+    take_input();
+    follow_settings();
+    flow_.advance(frame.seconds);
+}
+
+void GameWindow::pause_without_focus()
+{
     const bool has_focus = window_.has_focus();
     if (had_focus_ && !has_focus) flow_.pause();
     had_focus_ = has_focus;
-    take_input();
-    follow_settings();
-    const Clock::time_point now = Clock::now();
-    const double seconds = std::chrono::duration<double>(now - std::exchange(last_frame_, now)).count();
-    flow_.advance(seconds);
+}
 
-    if (const glm::ivec2 pixels = window_.framebuffer_size(); pixels.x > 0 && pixels.y > 0) {
-        painter_.resize(pixels.x, pixels.y);
-        flow_.paint(options_.view);
-        interface_.use_game_letters(pixels.x, pixels.y);
-        interface_.begin(pixels.x, pixels.y, std::max(seconds, 1e-4));
-        ui::Canvas canvas(interface_.letters(), glm::vec2(pixels));
-        flow_.write(canvas);
-        interface_.draw();
-        painter_.target().show(pixels.x, pixels.y);
-        window_.swap();
-    }
-    errors_.check();
-    return true;
+void GameWindow::draw(const Frame& frame, const glm::ivec2& size)
+{
+    painter_.resize(size.x, size.y);
+    flow_.paint(view_);
+    interface_.use_game_letters(size.x, size.y);
+    interface_.begin(size.x, size.y, std::max(frame.seconds, 1e-4));
+    ui::Canvas canvas(interface_.letters(), glm::vec2(size));
+    flow_.write(canvas);
+    interface_.draw();
 }
 
 void GameWindow::take_input()
 {
-    window_.take_keys();  // they mean something in the viewer of models only
-    for (const WindowKey& key : window_.take_key_codes()) {
+    for (const WindowKey& key : window_.take_keys()) {
         steer(key);
         if (key.is_down) take_key(key.code);
     }
@@ -184,12 +179,12 @@ void GameWindow::resize(double scale)
 
 int run_game(const Options& options)
 {
-    GameWindow game(options, game::user_folder());
-    while (game.frame()) {
-    }
-    const render::GlErrorLog& errors = game.errors();
-    for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
-    return errors.count() == 0 ? kDone : kUnusable;
+    Window window(options.width, options.height, options.fullscreen, "Kerf");
+    render::GlErrorLog errors;
+    GameWindow game(options, game::user_folder(), window);
+    WindowDisplay display(window);
+    MainLoop(game, display, errors, {}).run();
+    return finish_run(errors);
 }
 
 }  // namespace kerf::app

@@ -8,9 +8,9 @@ namespace kerf::app {
 namespace {
 
 /// From the choice to the game that begins: time to cut the fruit and to see its juice.
-constexpr sim::Tick kChoiceShown = 78;
+constexpr sim::Tick kChoiceTicks = 78;
 /// Who has just swiped need not be shown how.
-constexpr sim::Tick kPatience = 240;
+constexpr sim::Tick kDemoPatience = 240;
 
 RoundSetup with_menu(RoundSetup setup)
 {
@@ -52,7 +52,7 @@ void MenuRound::choose(const std::string& scene)
 
 std::string MenuRound::chosen() const
 {
-    return !wanted_.empty() && now() - wanted_at_ >= kChoiceShown ? wanted_ : std::string();
+    return !wanted_.empty() && now() - wanted_at_ >= kChoiceTicks ? wanted_ : std::string();
 }
 
 std::vector<std::size_t> MenuRound::next_models() const
@@ -69,7 +69,7 @@ const sim::Blade* MenuRound::demo_blade() const
 
 void MenuRound::watch(const RoundFrame& frame)
 {
-    if (frame.mode && wanted_.empty() && now() - touched_at_ >= kPatience)
+    if (frame.mode && wanted_.empty() && now() - touched_at_ >= kDemoPatience)
         demo_.show_on_menu(*simulation(), *frame.mode);
     if (!menu().chosen() || !wanted_.empty()) return;
     wanted_ = ui::modes()[*menu().chosen()].scene;

@@ -2,15 +2,14 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 
-#include "common/stopwatch.h"
-#include "viewer/app/exit_status.h"
 #include "viewer/app/game/game_flow.h"
 #include "viewer/app/headless/run_length.h"
 #include "viewer/app/hexadecimal.h"
-#include "viewer/app/session.h"
+#include "viewer/app/main_loop.h"
+#include "viewer/app/run_report.h"
+#include "viewer/app/run_setup.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/render/offscreen_context.h"
@@ -64,62 +63,74 @@ GameSetup setup_of(const Options& options, const sim::Script& script)
     return setup;
 }
 
+/// The game in fixed steps, which nobody sees.
+class HeadlessGame : public Program
+{
+public:
+    HeadlessGame(const Options& options, const GameSetup& setup, const sim::Script& script)
+        : options_(options),
+          painter_(options.width, options.height),
+          flow_(setup, painter_, speaker_),
+          autopilot_(setup.seed)
+    {
+        refuse_to_replace(options, flow_.models());
+        flow_.push(script.events);
+    }
+
+    void advance(const Frame& frame) override
+    {
+        if (frame.is_last && !options_.screen.empty()) flow_.show_screen(*ui::find_screen(options_.screen));
+        if (options_.autopilot) flow_.let_play(autopilot_);
+        flow_.advance(frame.seconds);
+    }
+    void sync() override { flow_.sync(); }
+    void draw(const Frame&, const glm::ivec2& size) override
+    {
+        flow_.paint(options_.view);
+        interface_.use_game_letters(size.x, size.y);
+        interface_.begin(size.x, size.y, 1.0 / 60.0);
+        ui::Canvas canvas(interface_.letters(), size);
+        flow_.write(canvas);
+        interface_.draw();
+    }
+    const render::FrameTarget& picture() const override { return painter_.target(); }
+
+    GameFlow& flow() { return flow_; }
+
+private:
+    const Options& options_;
+    Painter painter_;
+    UserInterface interface_{1.0f};
+    sound::Speaker speaker_ = sound::Speaker::silent();
+    GameFlow flow_;
+    game::Autopilot autopilot_;
+};
+
 }  // namespace
 
 int run_headless_game(const Options& options)
 {
     const render::OffscreenContext context;
     render::GlErrorLog errors;
-    Painter painter(options.width, options.height);
-    UserInterface interface(1.0f);
-    sound::Speaker speaker = sound::Speaker::silent();
-
     sim::Script script;
     if (!options.script.empty()) script = sim::read_script(options.script);
-    const GameSetup setup = setup_of(options, script);
-    GameFlow flow(setup, painter, speaker);
-    refuse_to_replace(options, flow.models());
-    flow.push(script.events);
-    game::Autopilot autopilot(setup.seed);
-    const std::int64_t frames = frames_of(options, script);
-    std::optional<render::Recording> recording;
-    if (!options.record.empty()) recording.emplace(options.record);
+    HeadlessGame game(options, setup_of(options, script), script);
+    OffscreenDisplay display({options.width, options.height});
+    MainLoop(game, display, errors,
+             {Pace::fixed_step, frames_of(options, script), options.draw_every, options.screenshot, options.record})
+        .run();
 
-    Stopwatch frame_time;
-    for (std::int64_t frame = 0; frame < frames; ++frame) {
-        const bool is_last = frame + 1 == frames;
-        if (is_last && !options.screen.empty()) flow.show_screen(*ui::find_screen(options.screen));
-        if (options.autopilot) flow.let_play(autopilot);
-        // What a frame took is shown by the giant's panel; the simulation goes in fixed steps.
-        flow.advance(1e-3 * frame_time.lap());
-        const bool is_wanted = recording || (is_last && !options.screenshot.empty()) ||
-                               (options.draw_every > 0 && frame % options.draw_every == 0);
-        if (!is_wanted) {
-            flow.sync();
-            continue;
-        }
-        flow.paint(options.view);
-        interface.use_game_letters(options.width, options.height);
-        interface.begin(options.width, options.height, 1.0 / 60.0);
-        ui::Canvas canvas(interface.letters(), {options.width, options.height});
-        flow.write(canvas);
-        interface.draw();
-        if (recording) recording->add(painter.target().read());
-        if (is_last && !options.screenshot.empty()) render::write_png(options.screenshot, painter.target().read());
-    }
+    GameFlow& flow = game.flow();
     if (!options.save_script.empty()) sim::write_script(options.save_script, flow.simulation()->recording());
-    errors.check();
-    Json report{{"version", KERF_VERSION},     {"graphics", render::describe_current_context()},
-                {"width", options.width},      {"height", options.height},
-                {"gl_errors", errors.count()}, {"gl_messages", errors.messages()},
-                {"scene", flow.scene()},       {"screen", ui::screen_names()[std::size_t(flow.screens().screen())]}};
+    Json report = report_head({options.width, options.height}, errors);
+    report["scene"] = flow.scene();
+    report["screen"] = ui::screen_names()[std::size_t(flow.screens().screen())];
     if (flow.duel() != nullptr)
         report["halves"] = report_of(*flow.duel());
     else
         report["runs"] = Json::array({report_of(*flow.simulation())});
     std::cout << report.dump(2) << "\n";
-    for (const std::string& message : errors.messages()) std::cerr << "kerf-viewer: GL: " << message << "\n";
-    return errors.count() == 0 ? kDone : kUnusable;
+    return finish_run(errors);
 }
 
 }  // namespace kerf::app

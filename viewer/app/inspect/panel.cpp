@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdio>
 
-#include "viewer/app/inspect/run_report.h"
-#include "viewer/app/keys.h"
+#include "viewer/app/inspect/keys.h"
+#include "viewer/app/inspect/simulation_report.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"

@@ -24,8 +24,8 @@ class GameWindowTest : public ::testing::Test
 protected:
     void TearDown() override
     {
-        game.errors().check();
-        for (const std::string& message : game.errors().messages()) ADD_FAILURE() << "GL: " << message;
+        errors.check();
+        for (const std::string& message : errors.messages()) ADD_FAILURE() << "GL: " << message;
     }
 
     static app::Options small_window()
@@ -43,30 +43,35 @@ protected:
     /// As GLFW reports it.
     void press(int key)
     {
-        GLFWwindow* const window = game.window().handle();
-        const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
-        glfwSetKeyCallback(window, pressed);
-        pressed(window, key, 0, GLFW_PRESS, 0);
-        pressed(window, key, 0, GLFW_RELEASE, 0);
-        ASSERT_TRUE(game.frame());
+        GLFWwindow* const handle = window.handle();
+        const GLFWkeyfun pressed = glfwSetKeyCallback(handle, nullptr);
+        glfwSetKeyCallback(handle, pressed);
+        pressed(handle, key, 0, GLFW_PRESS, 0);
+        pressed(handle, key, 0, GLFW_RELEASE, 0);
+        ASSERT_TRUE(loop.frame());
     }
 
     void wait_for_scene(const std::string& scene)
     {
-        for (int i = 0; i < 600 && game.flow().scene() != scene; ++i) ASSERT_TRUE(game.frame());
+        for (int i = 0; i < 600 && game.flow().scene() != scene; ++i) ASSERT_TRUE(loop.frame());
         ASSERT_EQ(game.flow().scene(), scene);
     }
 
     Quiet quiet;
     VirtualDisplay display;
-    app::GameWindow game{small_window(), {}};
+    app::Options options = small_window();
+    app::Window window{options.width, options.height, options.fullscreen, "Kerf"};
+    render::GlErrorLog errors;
+    app::GameWindow game{options, {}, window};
+    app::WindowDisplay seen{window};
+    app::MainLoop loop{game, seen, errors, {}};
 };
 
 }  // namespace
 
 TEST_F(GameWindowTest, OpensWithTheMenuAndIsPlayedByKeys)
 {
-    ASSERT_TRUE(game.frame());
+    ASSERT_TRUE(loop.frame());
     EXPECT_EQ(game.flow().scene(), "menu");
     press(GLFW_KEY_RIGHT);
     press(GLFW_KEY_ENTER);
@@ -83,15 +88,15 @@ TEST_F(GameWindowTest, OpensWithTheMenuAndIsPlayedByKeys)
 
 TEST_F(GameWindowTest, KeysThatAreHeldSteerABladeWhileAGameIsPlayed)
 {
-    ASSERT_TRUE(game.frame());
+    ASSERT_TRUE(loop.frame());
     press(GLFW_KEY_SPACE);
     wait_for_scene("classic");
     const auto key = [&](int code, int action) {
-        GLFWwindow* const window = game.window().handle();
-        const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
-        glfwSetKeyCallback(window, pressed);
-        pressed(window, code, 0, action, 0);
-        ASSERT_TRUE(game.frame());
+        GLFWwindow* const handle = window.handle();
+        const GLFWkeyfun pressed = glfwSetKeyCallback(handle, nullptr);
+        glfwSetKeyCallback(handle, pressed);
+        pressed(handle, code, 0, action, 0);
+        ASSERT_TRUE(loop.frame());
     };
     key(GLFW_KEY_W, GLFW_PRESS);
     key(GLFW_KEY_SPACE, GLFW_PRESS);
@@ -102,48 +107,48 @@ TEST_F(GameWindowTest, KeysThatAreHeldSteerABladeWhileAGameIsPlayed)
     key(GLFW_KEY_W, GLFW_RELEASE);
     EXPECT_FALSE(game.flow().round().blade_input().keyboard().is_cutting());
     const glm::dvec2 place = game.flow().round().blade_input().keyboard().place();
-    ASSERT_TRUE(game.frame());
+    ASSERT_TRUE(loop.frame());
     EXPECT_EQ(game.flow().round().blade_input().keyboard().place(), place);
 }
 
 TEST_F(GameWindowTest, FollowsItsSettings)
 {
-    ASSERT_TRUE(game.frame());
+    ASSERT_TRUE(loop.frame());
     press(GLFW_KEY_M);
     EXPECT_TRUE(game.flow().settings().mute);
     game.flow().show_screen(ui::Screen::settings);
     for (int i = 0; i < 4; ++i) press(GLFW_KEY_DOWN);
     press(GLFW_KEY_LEFT);
-    for (int i = 0; i < 50 && game.window().size().x != 960; ++i) ASSERT_TRUE(game.frame());
-    EXPECT_EQ(game.window().size(), glm::ivec2(960, 540));
+    for (int i = 0; i < 50 && window.size().x != 960; ++i) ASSERT_TRUE(loop.frame());
+    EXPECT_EQ(window.size(), glm::ivec2(960, 540));
     press(GLFW_KEY_DOWN);
     press(GLFW_KEY_RIGHT);
-    EXPECT_FALSE(game.window().vsync());
+    EXPECT_FALSE(window.vsync());
 }
 
 TEST_F(GameWindowTest, TheKeyAndTheSettingForTheWholeScreenAreOne)
 {
-    ASSERT_TRUE(game.frame());
+    ASSERT_TRUE(loop.frame());
     press(GLFW_KEY_F11);
-    ASSERT_TRUE(game.frame());
-    EXPECT_TRUE(game.window().fullscreen());
+    ASSERT_TRUE(loop.frame());
+    EXPECT_TRUE(window.fullscreen());
     EXPECT_TRUE(game.flow().settings().fullscreen);
     press(GLFW_KEY_F11);
-    ASSERT_TRUE(game.frame());
-    EXPECT_FALSE(game.window().fullscreen());
+    ASSERT_TRUE(loop.frame());
+    EXPECT_FALSE(window.fullscreen());
     EXPECT_FALSE(game.flow().settings().fullscreen);
 }
 
 TEST_F(GameWindowTest, AKeyThatIsHeldGivesItsCommandOnce)
 {
-    ASSERT_TRUE(game.frame());
-    GLFWwindow* const window = game.window().handle();
-    const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
-    glfwSetKeyCallback(window, pressed);
+    ASSERT_TRUE(loop.frame());
+    GLFWwindow* const handle = window.handle();
+    const GLFWkeyfun pressed = glfwSetKeyCallback(handle, nullptr);
+    glfwSetKeyCallback(handle, pressed);
     for (const int key : {GLFW_KEY_M, GLFW_KEY_RIGHT}) {
-        pressed(window, key, 0, GLFW_PRESS, 0);
-        pressed(window, key, 0, GLFW_REPEAT, 0);
-        ASSERT_TRUE(game.frame());
+        pressed(handle, key, 0, GLFW_PRESS, 0);
+        pressed(handle, key, 0, GLFW_REPEAT, 0);
+        ASSERT_TRUE(loop.frame());
     }
     EXPECT_TRUE(game.flow().settings().mute);
     EXPECT_EQ(game.flow().screens().selected(), 2u) << "arrows move on";
@@ -152,25 +157,25 @@ TEST_F(GameWindowTest, AKeyThatIsHeldGivesItsCommandOnce)
 TEST_F(GameWindowTest, SurvivesAnySizeAndBeingMinimised)
 {
     for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(1, 300), glm::ivec2(700, 2), glm::ivec2(320, 180)}) {
-        game.window().resize(size.x, size.y);
-        for (int i = 0; i < 3; ++i) ASSERT_TRUE(game.frame());
+        window.resize(size.x, size.y);
+        for (int i = 0; i < 3; ++i) ASSERT_TRUE(loop.frame());
     }
-    game.window().minimise();
-    ASSERT_TRUE(game.frame());
-    game.window().restore();
-    ASSERT_TRUE(game.frame());
+    window.minimise();
+    ASSERT_TRUE(loop.frame());
+    window.restore();
+    ASSERT_TRUE(loop.frame());
 }
 
 TEST_F(GameWindowTest, EndsWhenThePlayerQuits)
 {
-    ASSERT_TRUE(game.frame());
+    ASSERT_TRUE(loop.frame());
     press(GLFW_KEY_ESCAPE);  // chooses "Quit"
-    GLFWwindow* const window = game.window().handle();
-    const GLFWkeyfun pressed = glfwSetKeyCallback(window, nullptr);
-    glfwSetKeyCallback(window, pressed);
-    pressed(window, GLFW_KEY_ENTER, 0, GLFW_PRESS, 0);
-    game.frame();
-    EXPECT_FALSE(game.frame());
+    GLFWwindow* const handle = window.handle();
+    const GLFWkeyfun pressed = glfwSetKeyCallback(handle, nullptr);
+    glfwSetKeyCallback(handle, pressed);
+    pressed(handle, GLFW_KEY_ENTER, 0, GLFW_PRESS, 0);
+    loop.frame();
+    EXPECT_FALSE(loop.frame());
 }
 
 }  // namespace kerf::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "viewer/app/keys.h"
+#include "viewer/app/inspect/keys.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/game/autopilot.h"
 #include "viewer/render/gl_test.h"

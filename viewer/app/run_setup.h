@@ -14,7 +14,7 @@
 namespace kerf::app {
 
 /// What runs are made of: models, input and the settings they start with. With a window and without one alike.
-struct Session
+struct RunSetup
 {
     std::shared_ptr<sim::ModelLibrary> models;
     sim::Script script;  ///< empty without --script
@@ -40,7 +40,7 @@ sim::Settings settings_of(const Options& options, const sim::Script& script, con
 /// A model that cannot be read is a message as long as there is another one.
 /// @throws io::FileError          no model can be read, or the script cannot; or the run would write over one of them
 /// @throws std::invalid_argument  the script names a collision proxy that there is not
-Session open_session(const Options& options);
+RunSetup read_run_setup(const Options& options);
 
 /// @param models  what was read
 /// @throws io::FileError  a picture or the script that the run is to write would replace what it reads, or another one

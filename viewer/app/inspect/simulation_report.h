@@ -1,12 +1,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "viewer/app/frame_statistics.h"
 #include "viewer/app/gpu_world.h"
-#include "viewer/render/gl_error_log.h"
 #include "viewer/sim/simulation.h"
 
 namespace kerf::app {

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 namespace kerf::app {
 
-/// What a key does, in the words of the help overlay. The window translates key codes.
+/// What a key does, in the words of the help overlay.
 enum class KeyAction
 {
     next_backend,
@@ -54,5 +55,8 @@ inline constexpr std::array kKeyBindings{
     KeyBinding{KeyAction::vsync, "V", "wait for the screen or not"},
     KeyBinding{KeyAction::quit, "Esc", "quit"},
 };
+
+/// What the key of a code of GLFW does; empty: nothing.
+std::optional<KeyAction> action_of(int code);
 
 }  // namespace kerf::app

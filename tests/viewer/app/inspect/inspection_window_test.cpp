@@ -1,4 +1,4 @@
-#include "viewer/app/inspect/player.h"
+#include "viewer/app/inspect/inspection_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -27,33 +27,38 @@ app::Options small_window()
     return options;
 }
 
-class PlayerTest : public ::testing::Test
+class InspectionWindowTest : public ::testing::Test
 {
 protected:
     void TearDown() override
     {
-        player.errors().check();
-        for (const std::string& message : player.errors().messages()) ADD_FAILURE() << "GL: " << message;
+        errors.check();
+        for (const std::string& message : errors.messages()) ADD_FAILURE() << "GL: " << message;
     }
 
     void frames(int count)
     {
-        for (int i = 0; i < count; ++i) ASSERT_TRUE(player.frame());
+        for (int i = 0; i < count; ++i) ASSERT_TRUE(loop.frame());
     }
 
-    explicit PlayerTest(app::Options chosen = small_window()) : options(std::move(chosen)) {}
+    explicit InspectionWindowTest(app::Options chosen = small_window()) : options(std::move(chosen)) {}
 
     VirtualDisplay display;
     app::Options options;
-    app::Session session = app::open_session(options);
-    app::Player player{options, session};
+    app::RunSetup setup = app::read_run_setup(options);
+    app::Window window{options.width, options.height, options.fullscreen, "Kerf"};
+    render::GlErrorLog errors;
+    app::InspectionWindow inspection{options, setup, window};
+    app::WindowDisplay seen{window};
+    app::MainLoop loop{
+        inspection, seen, errors, {options.frames > 0 ? app::Pace::fixed_step : app::Pace::real_time, options.frames}};
 };
 
 /// What GLFW calls when the left button moves: the call-backs that the window and the panel have set.
 class Hand
 {
 public:
-    explicit Hand(app::Player& player) : window_(player.window().handle()) {}
+    explicit Hand(const app::Window& window) : window_(window.handle()) {}
 
     void move_to(const glm::dvec2& pixel)
     {
@@ -93,10 +98,10 @@ int code_of(const std::string& name)
 }
 
 /// In fixed steps, so that the hand is as fast on a slow machine; the panel is not in its way.
-class DraggingTest : public PlayerTest
+class DraggingTest : public InspectionWindowTest
 {
 protected:
-    DraggingTest() : PlayerTest(fixed_steps()) {}
+    DraggingTest() : InspectionWindowTest(fixed_steps()) {}
 
 private:
     static app::Options fixed_steps()
@@ -109,11 +114,11 @@ private:
 };
 
 /// A game that the program plays itself.
-class PlayerOfAGameTest : public PlayerTest
+class InspectionOfAGameTest : public InspectionWindowTest
 {
 protected:
-    PlayerOfAGameTest()
-        : PlayerTest([] {
+    InspectionOfAGameTest()
+        : InspectionWindowTest([] {
               app::Options chosen = small_window();
               chosen.scene = "classic";
               chosen.autopilot = true;
@@ -125,114 +130,108 @@ protected:
 
 }  // namespace
 
-TEST_F(PlayerOfAGameTest, ShowsTheGameInsteadOfThePanel)
+TEST_F(InspectionOfAGameTest, ShowsTheGameInsteadOfThePanel)
 {
-    EXPECT_FALSE(player.view().panel);
+    EXPECT_FALSE(inspection.view().panel);
     frames(20);
-    player.act(app::KeyAction::panel);
-    EXPECT_TRUE(player.view().panel);
+    inspection.act(app::KeyAction::panel);
+    EXPECT_TRUE(inspection.view().panel);
     frames(2);
 }
 
-TEST_F(PlayerTest, SurvivesAnySizeOfItsWindow)
+TEST_F(InspectionWindowTest, SurvivesAnySizeOfItsWindow)
 {
     for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(1, 400), glm::ivec2(900, 2), glm::ivec2(320, 180)}) {
-        player.window().resize(size.x, size.y);
+        window.resize(size.x, size.y);
         frames(3);
     }
-    EXPECT_EQ(player.painter().target().width(), 320);
-    EXPECT_EQ(player.painter().target().height(), 180);
+    EXPECT_EQ(inspection.picture().width(), 320);
+    EXPECT_EQ(inspection.picture().height(), 180);
 }
 
-TEST_F(PlayerTest, SurvivesBeingMinimised)
+TEST_F(InspectionWindowTest, SurvivesBeingMinimised)
 {
     frames(2);
-    player.window().minimise();
+    window.minimise();
     frames(3);
-    player.window().restore();
+    window.restore();
     frames(3);
 }
 
-TEST_F(PlayerTest, PausesWhileAnotherWindowHasTheFocus)
+TEST_F(InspectionWindowTest, PausesWhileAnotherWindowHasTheFocus)
 {
     const auto wait_for_focus = [&](bool wanted) {
-        for (int i = 0; i < 50 && player.window().has_focus() != wanted; ++i) frames(1);
-        ASSERT_EQ(player.window().has_focus(), wanted);
+        for (int i = 0; i < 50 && window.has_focus() != wanted; ++i) frames(1);
+        ASSERT_EQ(window.has_focus(), wanted);
         frames(1);
     };
-    glfwFocusWindow(player.window().handle());
+    glfwFocusWindow(window.handle());
     wait_for_focus(true);
-    EXPECT_FALSE(player.paused());
+    EXPECT_FALSE(inspection.paused());
     GLFWwindow* const other = glfwCreateWindow(50, 50, "other", nullptr, nullptr);
     ASSERT_NE(other, nullptr);
     glfwFocusWindow(other);
     wait_for_focus(false);
-    EXPECT_TRUE(player.paused());
-    glfwFocusWindow(player.window().handle());
+    EXPECT_TRUE(inspection.paused());
+    glfwFocusWindow(window.handle());
     wait_for_focus(true);
-    EXPECT_FALSE(player.paused());
+    EXPECT_FALSE(inspection.paused());
     glfwDestroyWindow(other);
 }
 
-TEST_F(PlayerTest, EveryKeyDoesSomethingAndNothingBreaks)
+TEST_F(InspectionWindowTest, EveryKeyDoesSomethingAndNothingBreaks)
 {
     frames(2);
     for (const app::KeyBinding& binding : app::kKeyBindings) {
         if (binding.action == app::KeyAction::screenshot || binding.action == app::KeyAction::quit) continue;
         for (int twice = 0; twice < 2; ++twice) {
-            player.act(binding.action);
+            inspection.act(binding.action);
             frames(2);
         }
     }
-    player.act(app::KeyAction::quit);
-    EXPECT_FALSE(player.frame());
+    inspection.act(app::KeyAction::quit);
+    EXPECT_FALSE(loop.frame());
 }
 
-TEST_F(PlayerTest, EveryKeyOfTheListMeansWhatTheListSays)
+TEST(Keys, MeanWhatTheirListSays)
 {
-    frames(1);
-    Hand hand(player);
-    for (const app::KeyBinding& binding : app::kKeyBindings) {
-        player.window().take_keys();
-        hand.key(code_of(binding.key));
-        EXPECT_EQ(player.window().take_keys(), std::vector{binding.action}) << binding.key;
-    }
-    hand.key(GLFW_KEY_F7);
-    EXPECT_TRUE(player.window().take_keys().empty());
+    for (const app::KeyBinding& binding : app::kKeyBindings)
+        EXPECT_EQ(app::action_of(code_of(binding.key)), binding.action) << binding.key;
+    EXPECT_FALSE(app::action_of(GLFW_KEY_F7));
 }
 
 TEST_F(DraggingTest, KeysChangeWhatTheySay)
 {
     frames(40);
-    Hand hand(player);
+    Hand hand(window);
     const auto press = [&](const char* key) {
         hand.key(code_of(key));
         frames(1);
     };
     for (const bool on : {true, false}) {
         press("Space");
-        EXPECT_EQ(player.paused(), on);
+        EXPECT_EQ(inspection.paused(), on);
     }
     for (const bool on : {true, false}) {
         press("M");
-        EXPECT_EQ(player.slow_motion(), on);
+        EXPECT_EQ(inspection.slow_motion(), on);
     }
     for (const bool on : {true, false}) {
         press("P");
-        EXPECT_EQ(player.view().proxies, on);
+        EXPECT_EQ(inspection.view().proxies, on);
         press("W");
-        EXPECT_EQ(player.view().wireframe, on);
+        EXPECT_EQ(inspection.view().wireframe, on);
         press("Tab");
-        EXPECT_EQ(player.view().panel, on);
+        EXPECT_EQ(inspection.view().panel, on);
         press("H");
-        EXPECT_EQ(player.view().help, on);
+        EXPECT_EQ(inspection.view().help, on);
         press("I");
-        EXPECT_EQ(player.view().lighting, on ? render::Lighting::lambert : render::Lighting::textured);
-        const bool vsync = player.window().vsync();
+        EXPECT_EQ(inspection.view().lighting, on ? render::Lighting::lambert : render::Lighting::textured);
+        const bool vsync = window.vsync();
         press("V");
-        EXPECT_NE(player.window().vsync(), vsync);
+        EXPECT_NE(window.vsync(), vsync);
     }
-    const sim::Simulation& simulation = player.simulation();
+    const sim::Simulation& simulation = inspection.simulation();
     ASSERT_EQ(simulation.bodies().size(), 1u);
     press("R");
     ASSERT_EQ(simulation.bodies().size(), 2u);
@@ -242,54 +241,54 @@ TEST_F(DraggingTest, KeysChangeWhatTheySay)
     ASSERT_EQ(simulation.bodies().size(), 3u);
     EXPECT_NE(model(2), model(0)) << "T throws the next";
     press("Esc");
-    EXPECT_FALSE(player.frame());
+    EXPECT_FALSE(loop.frame());
 }
 
-TEST_F(PlayerTest, FillsTheScreenAndComesBack)
+TEST_F(InspectionWindowTest, FillsTheScreenAndComesBack)
 {
     frames(1);
-    Hand hand(player);
+    Hand hand(window);
     hand.key(GLFW_KEY_F11);
     frames(3);
-    EXPECT_TRUE(player.window().fullscreen());
-    EXPECT_EQ(player.window().size(), glm::ivec2(1280, 1024)) << "the whole screen";
+    EXPECT_TRUE(window.fullscreen());
+    EXPECT_EQ(window.size(), glm::ivec2(1280, 1024)) << "the whole screen";
     hand.key(GLFW_KEY_F11);
     frames(3);
-    EXPECT_FALSE(player.window().fullscreen());
-    EXPECT_EQ(player.window().size(), glm::ivec2(320, 180));
+    EXPECT_FALSE(window.fullscreen());
+    EXPECT_EQ(window.size(), glm::ivec2(320, 180));
 }
 
-TEST_F(PlayerTest, SingleStepsWhilePaused)
+TEST_F(InspectionWindowTest, SingleStepsWhilePaused)
 {
     frames(1);
-    Hand hand(player);
+    Hand hand(window);
     hand.key(GLFW_KEY_SPACE);
     frames(1);
-    const sim::Tick before = player.simulation().now();
+    const sim::Tick before = inspection.simulation().now();
     frames(3);
-    EXPECT_EQ(player.simulation().now(), before);
+    EXPECT_EQ(inspection.simulation().now(), before);
     hand.key(GLFW_KEY_N);
     frames(3);
-    EXPECT_EQ(player.simulation().now(), before + sim::kTicksPerFrame);
+    EXPECT_EQ(inspection.simulation().now(), before + sim::kTicksPerFrame);
 }
 
-TEST_F(PlayerTest, ChoosesAndSaysSoWhilePaused)
+TEST_F(InspectionWindowTest, ChoosesAndSaysSoWhilePaused)
 {
     frames(1);
-    player.act(app::KeyAction::pause);
+    inspection.act(app::KeyAction::pause);
     frames(1);
-    const sim::Simulation& simulation = player.simulation();
+    const sim::Simulation& simulation = inspection.simulation();
     const std::string first = simulation.backend();
-    Hand hand(player);
+    Hand hand(window);
     const auto press = [&](const char* key) {
         hand.key(code_of(key));
         frames(1);
-        EXPECT_NE(player.message(), "") << key;
+        EXPECT_NE(inspection.message(), "") << key;
     };
     press("B");
     const std::string other = simulation.backend_to_come();
     EXPECT_NE(other, first);
-    EXPECT_NE(player.message().find(other), std::string::npos);
+    EXPECT_NE(inspection.message().find(other), std::string::npos);
     press("L");
     EXPECT_NE(simulation.backend_to_come(), other);
     press("B");
@@ -307,14 +306,14 @@ TEST_F(PlayerTest, ChoosesAndSaysSoWhilePaused)
     EXPECT_EQ(simulation.gesture_to_come(), sim::Gesture::blade);
     press("G");
     EXPECT_EQ(simulation.blade().gesture(), sim::Gesture::blade) << "nothing happens while paused";
-    player.act(app::KeyAction::single_step);
+    inspection.act(app::KeyAction::single_step);
     frames(2);
     EXPECT_EQ(simulation.blade().gesture(), sim::Gesture::segment);
     EXPECT_EQ(simulation.backend(), first);
     EXPECT_NE(simulation.proxy(), proxy);
 }
 
-TEST_F(PlayerTest, NeverOverwritesAPicture)
+TEST_F(InspectionWindowTest, NeverOverwritesAPicture)
 {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "kerf_pictures_test",
                                 here = std::filesystem::current_path();
@@ -324,7 +323,7 @@ TEST_F(PlayerTest, NeverOverwritesAPicture)
     std::ofstream("kerf_000.png") << "mine";
     std::ofstream("kerf_002.png") << "mine";
     frames(1);
-    for (int i = 0; i < 2; ++i) player.act(app::KeyAction::screenshot);
+    for (int i = 0; i < 2; ++i) inspection.act(app::KeyAction::screenshot);
     std::filesystem::current_path(here);
     for (const char* name : {"kerf_000.png", "kerf_002.png"})
         EXPECT_EQ(std::filesystem::file_size(folder / name), 4u) << name;
@@ -333,21 +332,21 @@ TEST_F(PlayerTest, NeverOverwritesAPicture)
     std::filesystem::remove_all(folder);
 }
 
-TEST_F(PlayerTest, TheBackEndKeySwitchesForTheNextThrow)
+TEST_F(InspectionWindowTest, TheBackEndKeySwitchesForTheNextThrow)
 {
     frames(1);
-    const std::string first = player.simulation().backend();
-    player.act(app::KeyAction::next_backend);
-    for (int i = 0; i < 100 && player.simulation().backend() == first; ++i) frames(1);
-    EXPECT_NE(player.simulation().backend(), first);
-    player.act(app::KeyAction::next_backend);
-    for (int i = 0; i < 100 && player.simulation().backend() != first; ++i) frames(1);
-    EXPECT_EQ(player.simulation().backend(), first);
+    const std::string first = inspection.simulation().backend();
+    inspection.act(app::KeyAction::next_backend);
+    for (int i = 0; i < 100 && inspection.simulation().backend() == first; ++i) frames(1);
+    EXPECT_NE(inspection.simulation().backend(), first);
+    inspection.act(app::KeyAction::next_backend);
+    for (int i = 0; i < 100 && inspection.simulation().backend() != first; ++i) frames(1);
+    EXPECT_EQ(inspection.simulation().backend(), first);
 }
 
 TEST_F(DraggingTest, CutsWhatThePointerCrosses)
 {
-    const sim::Simulation& simulation = player.simulation();
+    const sim::Simulation& simulation = inspection.simulation();
     for (int i = 0; i < 200 && (simulation.bodies().empty() || simulation.bodies().front()->centre().y < 0.0); ++i)
         frames(1);
     ASSERT_EQ(simulation.bodies().size(), 1u);
@@ -355,7 +354,7 @@ TEST_F(DraggingTest, CutsWhatThePointerCrosses)
     const sim::Body& body = *simulation.bodies().front();
     const glm::dvec3 middle = body.centre() + 0.05 * body.motion().velocity;
     const sim::Camera camera(320.0 / 180.0);
-    Hand hand(player);
+    Hand hand(window);
     for (int i = 0; i <= 6; ++i) {
         const glm::dvec2 stage(middle.x + 2.2 * (i - 3) / 3.0, middle.y);
         hand.move_to(camera.stage_to_screen(stage, {320.0, 180.0}));
@@ -372,16 +371,16 @@ TEST_F(DraggingTest, CutsWhatThePointerCrosses)
 TEST_F(DraggingTest, EndsASwipeWhenTheFocusIsLost)
 {
     frames(2);
-    Hand hand(player);
+    Hand hand(window);
     hand.move_to({100.0, 90.0});
     hand.button(GLFW_PRESS);
     frames(2);
-    EXPECT_TRUE(player.simulation().blade().pressed());
-    const GLFWwindowfocusfun focused = glfwSetWindowFocusCallback(player.window().handle(), nullptr);
-    glfwSetWindowFocusCallback(player.window().handle(), focused);
-    focused(player.window().handle(), GLFW_FALSE);
+    EXPECT_TRUE(inspection.simulation().blade().pressed());
+    const GLFWwindowfocusfun focused = glfwSetWindowFocusCallback(window.handle(), nullptr);
+    glfwSetWindowFocusCallback(window.handle(), focused);
+    focused(window.handle(), GLFW_FALSE);
     frames(2);
-    EXPECT_FALSE(player.simulation().blade().pressed());
+    EXPECT_FALSE(inspection.simulation().blade().pressed());
 }
 
 }  // namespace kerf::test

@@ -1,4 +1,4 @@
-#include "viewer/app/session.h"
+#include "viewer/app/run_setup.h"
 
 #include <array>
 #include <stdexcept>
@@ -24,19 +24,19 @@ const std::string& first_said(const std::string& by_command_line, const std::str
 }
 
 /// What the scene report throws.
-void add_thrown_models(Session& session, const Options& options)
+void add_thrown_models(RunSetup& setup, const Options& options)
 {
-    if (options.files.empty()) session.models->add_report_models(options.data_folder / "models");
+    if (options.files.empty()) setup.models->add_report_models(options.data_folder / "models");
     for (const std::filesystem::path& file : options.files) {
         try {
-            const std::size_t model = session.models->add_file(file);
-            if (session.models->model(model).coarse_coordinates)
-                session.messages.push_back(file.string() + ": " + kCoarseCoordinatesText);
+            const std::size_t model = setup.models->add_file(file);
+            if (setup.models->model(model).coarse_coordinates)
+                setup.messages.push_back(file.string() + ": " + kCoarseCoordinatesText);
         } catch (const io::FileError& error) {
-            session.messages.emplace_back(error.what());
+            setup.messages.emplace_back(error.what());
         }
     }
-    if (session.models->empty()) throw io::FileError(session.messages.front());
+    if (setup.models->empty()) throw io::FileError(setup.messages.front());
 }
 
 /// Runs in fixed steps must not depend on how fast a thread is, and recordings say themselves when a giant came.
@@ -68,26 +68,26 @@ sim::Settings settings_of(const Options& options, const sim::Script& script, con
     return settings;
 }
 
-Session open_session(const Options& options)
+RunSetup read_run_setup(const Options& options)
 {
-    Session session;
-    if (!options.script.empty()) session.script = sim::read_script(options.script);
-    session.settings = settings_of(options, session.script, "report");
-    const sim::Settings& settings = session.settings;
+    RunSetup setup;
+    if (!options.script.empty()) setup.script = sim::read_script(options.script);
+    setup.settings = settings_of(options, setup.script, "report");
+    const sim::Settings& settings = setup.settings;
     if (options.giant > 0 && settings.scene == "giant") {
         const std::string size = "size " + std::to_string(options.giant);
-        session.script.events.insert(session.script.events.begin(), {1, sim::InputKind::command, {}, size});
+        setup.script.events.insert(setup.script.events.begin(), {1, sim::InputKind::command, {}, size});
     }
-    session.arrival = arrival_for(options, session.script);
+    setup.arrival = arrival_for(options, setup.script);
 
-    session.models = std::make_shared<sim::ModelLibrary>();
+    setup.models = std::make_shared<sim::ModelLibrary>();
     if (settings.scene == "report") {
-        add_thrown_models(session, options);
+        add_thrown_models(setup, options);
     } else if (game::find_mode(settings.scene)) {
-        game::add_fruit_models(*session.models, options.data_folder / "fruit");
+        game::add_fruit_models(*setup.models, options.data_folder / "fruit");
     }
-    refuse_to_replace(options, *session.models);
-    return session;
+    refuse_to_replace(options, *setup.models);
+    return setup;
 }
 
 void refuse_to_replace(const Options& options, const sim::ModelLibrary& models)

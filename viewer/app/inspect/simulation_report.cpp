@@ -1,4 +1,4 @@
-#include "viewer/app/inspect/run_report.h"
+#include "viewer/app/inspect/simulation_report.h"
 
 #include "viewer/app/hexadecimal.h"
 #include "viewer/game/game_report.h"
