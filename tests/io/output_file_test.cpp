@@ -338,14 +338,15 @@ TEST_F(OutputFileTest, ReportsAFullDiskAndLeavesNothing)
 
 TEST_F(OutputFileTest, GetsNoNameWhenBytesAreMissing)
 {
-    OutputFile while_writing(file("a.txt")), at_the_end(file("b.txt"));
-    at_the_end.write(std::string(1000, 'b'));
+    OutputFile while_writing(file("a.txt")), synchronising(file("b.txt")), at_the_end(file("c.txt"));
+    for (OutputFile* out : {&synchronising, &at_the_end}) out->write(std::string(1000, 'b'));
     {
         const FileSizeLimit limit(100);
         EXPECT_THROW(while_writing.write(std::string(2 << 20, 'a')), FileError);
+        EXPECT_THROW(synchronising.synchronise(), FileError);
         EXPECT_THROW(at_the_end.finish(), FileError);
     }
-    for (OutputFile* out : {&while_writing, &at_the_end}) {
+    for (OutputFile* out : {&while_writing, &synchronising, &at_the_end}) {
         expect_too_late(*out);
         EXPECT_TRUE(contains(refusal_of([&] { out->commit(); }), "writing it failed"));
         EXPECT_FALSE(std::filesystem::exists(out->path()));

@@ -111,6 +111,15 @@ void OutputFile::write(std::string_view bytes)
     fail_to_write(reason);
 }
 
+void OutputFile::synchronise()
+{
+    expect(State::open);
+    if (std::fflush(file_.get()) == 0 && ::fsync(::fileno(file_.get())) == 0) return;
+    const int reason = errno;
+    state_ = State::failed;
+    fail_to_write(reason);
+}
+
 void OutputFile::finish()
 {
     expect(State::open);

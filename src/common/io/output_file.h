@@ -42,6 +42,10 @@ public:
     /// Appends bytes. @throws FileError  for example: the disk is full; it is finished
     void write(std::string_view bytes);
 
+    /// Waits until the disk holds what was written so far, so that not even a power cut after commit() leaves less.
+    /// Takes milliseconds. @throws FileError  for example: the disk is full; it is finished
+    void synchronise();
+
     /// Hands everything to the system and closes. @throws FileError  for example: the disk is full; it is finished
     void finish();
 
