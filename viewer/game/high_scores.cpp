@@ -96,7 +96,7 @@ void HighScores::read()
     may_write_ = stored.is_free;
     if (!stored.message.empty()) message_ = std::move(stored.message);
     if (stored.value.is_null()) return;
-    scores_.clear();
+    const auto known = std::exchange(scores_, {});
     for (const GameMode mode : kGameModes) {
         const std::string name(name_of(mode));
         if (!stored.value["modes"].contains(name)) continue;
@@ -105,6 +105,12 @@ void HighScores::read()
         std::stable_sort(scores.begin(), scores.end(), is_better);
         if (scores.size() > kKept) scores.resize(kKept);
     }
+    // What could not be stored is in no file.
+    for (const auto& [mode, scores] : known)
+        for (const HighScore& score : scores)
+            if (const auto stored_now = of(mode);
+                std::find(stored_now.begin(), stored_now.end(), score) == stored_now.end())
+                insert(mode, score);
 }
 
 void HighScores::write()
@@ -133,16 +139,10 @@ std::int64_t HighScores::best(GameMode mode) const
     return scores.empty() ? 0 : scores.front().score;
 }
 
-std::optional<std::size_t> HighScores::add(GameMode mode, const HighScore& score, const GivesUp& gives_up)
+std::optional<std::size_t> HighScores::add(GameMode mode, const HighScore& score)
 {
     if (score.score <= 0) return std::nullopt;
-    std::optional<FileLock> lock;
-    if (!path_.empty()) lock.emplace(path_, gives_up);
-    if (lock && lock->is_held_elsewhere()) {
-        message_ = path_.string() + " is held by another program: the score is not stored";
-        return insert(mode, score);
-    }
-    read();
+    read();  // another program may have added to the file meanwhile
     const std::optional<std::size_t> rank = insert(mode, score);
     if (rank) write();
     return rank;
@@ -150,7 +150,6 @@ std::optional<std::size_t> HighScores::add(GameMode mode, const HighScore& score
 
 std::optional<std::size_t> HighScores::insert(GameMode mode, const HighScore& score)
 {
-    if (score.score <= 0) return std::nullopt;
     std::vector<HighScore>& scores = scores_[mode];
     const auto place = std::upper_bound(scores.begin(), scores.end(), score, is_better);
     const auto rank = static_cast<std::size_t>(place - scores.begin());

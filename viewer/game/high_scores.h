@@ -47,17 +47,15 @@ public:
     std::int64_t best(GameMode mode) const;
 
     /// Puts a game into the list and stores it. Its place from 0; empty when ten others are at least as good, or when
-    /// there is nothing to be proud of (0 points).
-    /// @param gives_up  ends waiting for another program that writes; then nothing is stored, and a message says so
-    std::optional<std::size_t> add(GameMode mode, const HighScore& score, const GivesUp& gives_up = {});
-    /// The same without a file.
-    std::optional<std::size_t> insert(GameMode mode, const HighScore& score);
+    /// there is nothing to be proud of (0 points). What cannot be stored stays in the list until the program ends.
+    std::optional<std::size_t> add(GameMode mode, const HighScore& score);
 
     /// What went wrong with the file since the last call; empty: nothing. One sentence.
     std::string take_message() { return std::exchange(message_, {}); }
 
 private:
     void read();
+    std::optional<std::size_t> insert(GameMode mode, const HighScore& score);
     void write();
 
     std::filesystem::path path_;

@@ -66,12 +66,9 @@ LoadedSettings load_settings(const std::filesystem::path& folder)
     return loaded;
 }
 
-std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings, const GivesUp& gives_up)
+std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings)
 {
     if (folder.empty()) return {};
-    const FileLock lock(file_in(folder), gives_up);
-    if (lock.is_held_elsewhere())
-        return file_in(folder).string() + " is held by another program: the settings are not stored";
     StoredJson stored = load_json(file_in(folder), objection_to_settings);
     if (!stored.is_free) return stored.message;
     nlohmann::json json = stored.value.is_null() ? nlohmann::json::object() : std::move(stored.value);

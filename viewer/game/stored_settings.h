@@ -31,13 +31,11 @@ struct LoadedSettings
 };
 
 /// Reads `settings.json` of a folder; format: docs/game.md. What is missing, of the wrong type or out of range is as
-/// the default says: a setting is no reason not to start. A file that is no JSON is kept aside, as load_json() does.
+/// the default says: a setting is no reason not to start. A file that is no JSON is set aside, as load_json() does.
 /// @param folder  user_folder(); empty: the defaults
 LoadedSettings load_settings(const std::filesystem::path& folder);
 
 /// Stores them, as save_json() does; keys that this version does not know stay. One sentence when that failed.
-/// @param gives_up  ends waiting for another program that writes
-std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings,
-                          const GivesUp& gives_up = {});
+std::string save_settings(const std::filesystem::path& folder, const StoredSettings& settings);
 
 }  // namespace kerf::game

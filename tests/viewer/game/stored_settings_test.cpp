@@ -55,13 +55,13 @@ TEST_F(StoredSettingsTest, TakeTheDefaultForEachValueThatMakesNoSense)
     EXPECT_EQ(loaded.message, "");
 }
 
-TEST_F(StoredSettingsTest, KeepADamagedFileAside)
+TEST_F(StoredSettingsTest, SetADamagedFileAside)
 {
     write("settings.json", "{\"volume\": 0.");
     const LoadedSettings loaded = load_settings(folder_);
     EXPECT_EQ(loaded.settings, StoredSettings());
-    EXPECT_NE(loaded.message.find("settings.json.damaged-1"), std::string::npos) << loaded.message;
-    EXPECT_TRUE(exists("settings.json.damaged-1"));
+    EXPECT_NE(loaded.message.find("settings.json.damaged"), std::string::npos) << loaded.message;
+    EXPECT_TRUE(exists("settings.json.damaged"));
 }
 
 TEST_F(StoredSettingsTest, LeaveWhatALaterVersionStoredAlone)

@@ -32,7 +32,7 @@ GameFlow::GameFlow(const GameSetup& setup, Painter& painter, sound::Speaker& spe
       painter_(painter),
       speaker_(speaker),
       models_(setup.data_folder),
-      files_(setup.user_folder),
+      scores_(setup.user_folder),
       screens_({}, sim::backend_names())
 {
     std::string message;
@@ -45,6 +45,7 @@ GameFlow::GameFlow(const GameSetup& setup, Painter& painter, sound::Speaker& spe
 GameFlow::~GameFlow()
 {
     keep_score(true);
+    store_settings();
 }
 
 void GameFlow::start(const std::string& scene)
@@ -55,6 +56,7 @@ void GameFlow::start(const std::string& scene)
     else
         screens_.play(scene);
     apply_settings();
+    store_settings();
     round_.reset();
     painter_.forget_world();
     pointer_.forget_press();
@@ -97,7 +99,7 @@ std::unique_ptr<sim::Scene> GameFlow::make_scene(const std::string& scene)
     const std::optional<game::GameMode> mode = game::find_mode(scene);
     const auto arrival = setup_.fixed_step ? game::GiantArrival::at_once : game::GiantArrival::when_ready;
     try {
-        return game::make_scene(scene, models_.library(), {mode ? files_.best(*mode) : 0, arrival});
+        return game::make_scene(scene, models_.library(), {mode ? scores_.best(*mode) : 0, arrival});
     } catch (const std::invalid_argument& error) {
         tell(error.what());
         return nullptr;
@@ -139,9 +141,14 @@ void GameFlow::apply_settings()
 {
     speaker_.set_volume(settings().volume);
     speaker_.set_muted(settings().mute);
+}
+
+/// Takes milliseconds: not while a game is played or a slider is moved.
+void GameFlow::store_settings()
+{
     if (settings() == stored_) return;
     stored_ = settings();
-    files_.store(stored_);
+    notice_.say_next(game::save_settings(setup_.user_folder, stored_));
 }
 
 void GameFlow::toggle_mute()
@@ -263,7 +270,8 @@ void GameFlow::advance(double seconds)
     const double frame_seconds = setup_.fixed_step ? double(sim::kTicksPerFrame) * sim::kTickSeconds : seconds;
     notice_.advance(frame_seconds);
     unread_ = std::max(0.0, unread_ - frame_seconds);
-    notice_.say_next(files_.take_message());
+    notice_.say_next(scores_.take_message());
+    if (screens_.screen() != ui::Screen::play && screens_.screen() != ui::Screen::settings) store_settings();
 
     RoundFrame frame{seconds, {painter_.target().width(), painter_.target().height()}, attention()};
     if (screens_.screen() == ui::Screen::menu)
@@ -290,7 +298,7 @@ void GameFlow::follow_round()
 void GameFlow::keep_score(bool is_left)
 {
     const std::optional<PlayedGame> played = round_ ? round_->take_score(is_left) : std::nullopt;
-    if (played) latest_place_ = files_.add(played->mode, played->score);
+    if (played) latest_place_ = scores_.add(played->mode, played->score);
 }
 
 std::optional<double> GameFlow::giant_progress()
@@ -309,7 +317,7 @@ std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> GameFlow::score_
     std::vector<std::pair<std::string, std::vector<ui::ScoreLine>>> lists;
     for (const game::GameMode mode : game::kGameModes) {
         std::vector<ui::ScoreLine> lines;
-        for (const game::HighScore& score : files_.scores_of(mode)) {
+        for (const game::HighScore& score : scores_.of(mode)) {
             const bool is_latest = latest_place_ && scene() == name_of(mode) && lines.size() == *latest_place_;
             lines.push_back({score.score, score.date.substr(0, 10), is_latest});
         }

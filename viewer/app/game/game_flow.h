@@ -18,7 +18,8 @@
 #include "viewer/app/view_settings.h"
 #include "viewer/app/window.h"
 #include "viewer/game/autopilot.h"
-#include "viewer/game/user_files.h"
+#include "viewer/game/high_scores.h"
+#include "viewer/game/stored_settings.h"
 #include "viewer/sound/speaker.h"
 #include "viewer/ui/notice.h"
 #include "viewer/ui/screen_view.h"
@@ -110,7 +111,7 @@ public:
     const std::vector<ui::Hotspot>& hotspots() const { return pointer_.lines(); }
     /// What is said now; empty: nothing.
     const std::string& message() const { return notice_.text(); }
-    const game::UserFiles& files() const { return files_; }
+    const game::HighScores& scores() const { return scores_; }
 
 private:
     void start(const std::string& scene);
@@ -120,6 +121,7 @@ private:
     void carry_out(const ui::Request& request);
     void change_settings(game::StoredSettings changed);
     void apply_settings();
+    void store_settings();
     void choose_giant(std::int64_t triangles);
     bool press_button(const glm::vec2& place);
     bool point_at_screen(const WindowPointer& change);
@@ -131,9 +133,9 @@ private:
     Painter& painter_;
     sound::Speaker& speaker_;
     GameModels models_;
-    game::UserFiles files_;
+    game::HighScores scores_;
     ui::Screens screens_;
-    game::StoredSettings stored_;  ///< the settings as they are on disk, or soon will be
+    game::StoredSettings stored_;  ///< the settings as they are in their file
     LinePointer pointer_;
     ui::Notice notice_;
     FrameStatistics frames_;

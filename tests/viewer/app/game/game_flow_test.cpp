@@ -181,7 +181,7 @@ TEST_F(GameFlowTest, AScoreOfAnyLengthStaysOnItsCard)
         << R"({"format": "kerf-scores", "version": 1, "modes": {"classic": [{"score": 9223372036854775807,
                "date": "2026-11-21T15:08:00Z", "backend": "halfedge", "seed": 7, "fruit": 9, "longest_combo": 5}]}})";
     GameFlow flow(setup(), painter, speaker);
-    ASSERT_EQ(flow.files().best(game::GameMode::classic), 9223372036854775807);
+    ASSERT_EQ(flow.scores().best(game::GameMode::classic), 9223372036854775807);
     flow.show_screen(Screen::scores);
     const ui::Box2 reach = picture(flow, 1280, 720, false);
     constexpr float kHalfACard = 510.0f;
@@ -438,6 +438,20 @@ TEST_F(GameFlowTest, SettingsAreThereInTheNextProgram)
     EXPECT_TRUE(speaker.muted());
 }
 
+TEST_F(GameFlowTest, SettingsAreStoredWhenTheirScreenIsLeft)
+{
+    GameFlow flow(setup(), painter, speaker);
+    frames(flow, 2);
+    flow.show_screen(Screen::settings);
+    for (int i = 0; i < 4; ++i) flow.press(MenuKey::left);
+    frames(flow, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "settings.json"))
+        << "a slider that is moved does not wait for a disk";
+    flow.press(MenuKey::back);
+    frames(flow, 1);
+    EXPECT_NEAR(game::load_settings(folder).settings.volume, 0.5, 1e-9);
+}
+
 TEST_F(GameFlowTest, AGameThatIsLeftKeepsItsScore)
 {
     std::int64_t score = 0;
@@ -453,8 +467,8 @@ TEST_F(GameFlowTest, AGameThatIsLeftKeepsItsScore)
         ASSERT_GT(score, 0);
         flow.press(MenuKey::back);
         choose(flow, "Menu");
-        EXPECT_EQ(flow.files().best(game::GameMode::classic), score);
-        EXPECT_EQ(flow.files().scores_of(game::GameMode::classic).size(), 1u);
+        EXPECT_EQ(flow.scores().best(game::GameMode::classic), score);
+        EXPECT_EQ(flow.scores().of(game::GameMode::classic).size(), 1u);
     }
     EXPECT_EQ(game::HighScores(folder).best(game::GameMode::classic), score);
 }
