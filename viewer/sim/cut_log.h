@@ -18,7 +18,8 @@ struct PieceRecord
     std::uint64_t surface_hash = 0;  ///< surface_hash() when the simulation hashes surfaces, otherwise 0
 };
 
-/// One attempt to cut one object: everything the panel, the log and the games want to know.
+/// One attempt to cut one object: everything the panel, the log and the games want to know. It is a line of a log, and
+/// has a member for each thing that is written down.
 struct CutRecord
 {
     std::uint64_t number = 0;  ///< counts up from 1

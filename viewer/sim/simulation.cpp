@@ -35,7 +35,8 @@ Simulation::Simulation(std::shared_ptr<ModelLibrary> models, Settings settings, 
       settings_(std::move(settings)),
       scene_(scene_to_play(models_.get(), settings_.scene, std::move(scene))),
       world_(scene_->gravity()),
-      proxy_(settings_.proxy)
+      proxy_(settings_.proxy),
+      input_(settings_.record)
 {
     settings_.scene = scene_->name();
     backend_ = settings_.backend.empty() ? backend_names().front() : find_backend(settings_.backend);
@@ -49,13 +50,7 @@ Simulation::~Simulation() = default;
 void Simulation::push(InputEvent event)
 {
     event.time = std::max(event.time, time() + 1);
-    if (settings_.record) {
-        const auto later = [](Microseconds t, const InputEvent& other) { return t < other.time; };
-        recorded_.insert(std::upper_bound(recorded_.begin(), recorded_.end(), event.time, later), event);
-    }
-    const auto place = std::upper_bound(input_.begin(), input_.end(), event.time,
-                                        [](Microseconds t, const InputEvent& other) { return t < other.time; });
-    input_.insert(place, std::move(event));
+    input_.push(std::move(event));
 }
 
 void Simulation::push(const std::vector<InputEvent>& events)
@@ -68,18 +63,10 @@ void Simulation::command(const std::string& text)
     push(InputEvent{time() + 1, InputKind::command, {}, text});
 }
 
-/// Of the last command of this verb that the next tick carries out; empty: there is none.
+/// Of a command that the next tick carries out.
 std::string_view Simulation::waiting_argument(std::string_view verb) const
 {
-    std::string_view argument;
-    for (const InputEvent& event : input_) {
-        if (tick_of(event.time) > now() + 1) break;
-        if (event.kind != InputKind::command) continue;
-        const std::string_view text(event.text);
-        if (text.starts_with(verb) && text.size() > verb.size() && text[verb.size()] == ' ')
-            argument = text.substr(verb.size() + 1);
-    }
-    return argument;
+    return input_.argument_of(verb, now() + 1);
 }
 
 std::string Simulation::backend_to_come() const
@@ -119,11 +106,7 @@ void Simulation::advance(Tick ticks)
 
 void Simulation::take_input()
 {
-    while (!input_.empty() && tick_of(input_.front().time) <= now()) {
-        const InputEvent event = std::move(input_.front());
-        input_.pop_front();
-        carry_out(event);
-    }
+    while (const std::optional<InputEvent> event = input_.take(now())) carry_out(*event);
 }
 
 void Simulation::carry_out(const InputEvent& event)
@@ -289,13 +272,7 @@ std::uint64_t Simulation::state_hash() const
     hash.add(throws_);
     for (const std::unique_ptr<Body>& body : bodies()) body->hash(hash);
     blade_.hash(hash);
-    for (const InputEvent& event : input_) {
-        hash.add(event.time);
-        hash.add(std::uint64_t(event.kind));
-        hash.add(event.position.x);
-        hash.add(event.position.y);
-        hash.add(std::string_view(event.text));
-    }
+    input_.hash(hash);
     hash.add(std::string_view(backend_));
     hash.add(std::uint64_t(proxy_));
     scene_->hash(hash);
@@ -311,7 +288,7 @@ Script Simulation::recording() const
     script.seed = settings_.seed;
     if (settings_.gesture != Gesture::blade)
         script.events.push_back({1, InputKind::command, {}, "gesture " + std::string(name_of(settings_.gesture))});
-    script.events.insert(script.events.end(), recorded_.begin(), recorded_.end());
+    script.events.insert(script.events.end(), input_.recorded().begin(), input_.recorded().end());
     return script;
 }
 

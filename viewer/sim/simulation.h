@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "viewer/sim/camera.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/cutting_plane.h"
+#include "viewer/sim/input_queue.h"
 #include "viewer/sim/model_library.h"
 #include "viewer/sim/scene.h"
 #include "viewer/sim/script.h"
@@ -123,8 +123,7 @@ private:
     Blade blade_;
     std::string backend_;
     ProxyKind proxy_;
-    std::deque<InputEvent> input_;  ///< not yet taken in; sorted by time, stable
-    std::vector<InputEvent> recorded_;
+    InputQueue input_;
     std::vector<CutRecord> cuts_;
     std::optional<Throw> last_throw_;
     std::string message_;
