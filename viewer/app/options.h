@@ -11,7 +11,7 @@
 
 namespace kerf::app {
 
-/// The command line of kerf-viewer.
+/// The command line of kerf-viewer: it has a member for each option.
 struct Options
 {
     std::vector<std::filesystem::path> files;  ///< models to throw; empty: the report's fifteen

@@ -54,12 +54,12 @@ nlohmann::ordered_json report_of(const GameScene& game)
                 {"wave", state.wave}};
     if (state.lives_at_start > 0) report["lives"] = state.lives;
     if (state.seconds_left) report["seconds_left"] = *state.seconds_left;
-    report["fruit_cut"] = state.fruit_cut;
-    report["fruit_missed"] = state.fruit_missed;
-    report["criticals"] = state.criticals;
-    report["combos"] = state.combos;
-    report["longest_combo"] = state.longest_combo;
-    report["bombs_cut"] = state.bombs_cut;
+    report["fruit_cut"] = state.counts.fruit_cut;
+    report["fruit_missed"] = state.counts.fruit_missed;
+    report["criticals"] = state.counts.criticals;
+    report["combos"] = state.counts.combos;
+    report["longest_combo"] = state.counts.longest_combo;
+    report["bombs_cut"] = state.counts.bombs_cut;
     report["events"] = std::move(events);
     return report;
 }

@@ -96,20 +96,20 @@ void GameRules::cut(const Cut& cut)
 
 void GameRules::cut_fruit(const Cut& cut, const GameEvent& event)
 {
-    ++state_.fruit_cut;
+    ++state_.counts.fruit_cut;
     pay(combo_.add(cut.swipe, cut.tick, cut.place), cut.tick);
     earn(event, fruit_of(cut.kind).points);
     if (is_special(cut.kind)) {
         start_special(event);
     } else if (cut.lighter_share >= kCriticalShare) {
-        ++state_.criticals;
+        ++state_.counts.criticals;
         earn(as(GameEventKind::critical, event), kCriticalPoints);
     }
 }
 
 void GameRules::cut_bomb(GameEvent event)
 {
-    ++state_.bombs_cut;
+    ++state_.counts.bombs_cut;
     event.kind = GameEventKind::bomb;
     if (!rules_.bomb_ends) event.points = -std::min<std::int64_t>(kBombCost, state_.score);
     state_.score += event.points;
@@ -128,7 +128,7 @@ void GameRules::start_special(GameEvent event)
 void GameRules::gone(sim::Tick now, FruitKind kind, const glm::dvec2& place, sim::ObjectId object)
 {
     if (is_over() || kind == FruitKind::bomb || is_special(kind)) return;
-    ++state_.fruit_missed;
+    ++state_.counts.fruit_missed;
     GameEvent event = make_event(now, GameEventKind::missed, kind, place, object);
     events_.push_back(event);
     if (rules_.lives == 0) return;
@@ -160,8 +160,8 @@ void GameRules::earn(GameEvent event, std::int64_t points)
 void GameRules::pay(const std::optional<Combo::Closed>& combo, sim::Tick now)
 {
     if (!combo) return;
-    ++state_.combos;
-    state_.longest_combo = std::max(state_.longest_combo, combo->fruit);
+    ++state_.counts.combos;
+    state_.counts.longest_combo = std::max(state_.counts.longest_combo, combo->fruit);
     GameEvent event = make_event(now, GameEventKind::combo, 0, combo->fruit);
     event.place = combo->place;
     earn(event, combo->fruit);

@@ -33,6 +33,13 @@ enum class GameEnd : std::uint8_t
     given_up,
 };
 
+/// What has happened in a game so far, for its results.
+struct GameCounts
+{
+    std::int64_t fruit_cut = 0, fruit_missed = 0, criticals = 0, combos = 0, bombs_cut = 0;
+    int longest_combo = 0;  ///< fruit
+};
+
 /// All that a display shows of a game.
 struct GameState
 {
@@ -49,10 +56,7 @@ struct GameState
     int multiplier = 1;
     std::vector<ActiveSpecial> specials;
     int wave = 0;  ///< counts up from 1; 0 before the first
-
-    // The results at the end.
-    std::int64_t fruit_cut = 0, fruit_missed = 0, criticals = 0, combos = 0, bombs_cut = 0;
-    int longest_combo = 0;
+    GameCounts counts;
 };
 
 }  // namespace kerf::game

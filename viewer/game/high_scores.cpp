@@ -80,7 +80,7 @@ bool is_better(const HighScore& a, const HighScore& b)
 
 HighScore score_of(const GameState& state, const std::string& backend, std::uint64_t seed)
 {
-    return {state.score, now_as_text(), backend, seed, state.fruit_cut, state.longest_combo};
+    return {state.score, now_as_text(), backend, seed, state.counts.fruit_cut, state.counts.longest_combo};
 }
 
 HighScores::HighScores(std::filesystem::path folder)

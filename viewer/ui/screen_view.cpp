@@ -159,7 +159,7 @@ std::vector<Hotspot> show_over(Layout& layout, const Screens& screens, const Scr
     const game::GameState& state = *content.game;
     canvas.text({middle, card.low.y + 26.0f * u}, {0.5f, 0.0f}, why(state), 40.0f, kPaper);
     canvas.text({middle, card.low.y + 78.0f * u}, {0.5f, 0.0f}, std::to_string(state.score), 112.0f, kAccent);
-    if (state.fruit_cut == 0)
+    if (state.counts.fruit_cut == 0)
         canvas.text({middle, card.low.y + 194.0f * u}, {0.5f, 0.0f}, "Hold the left button and drag across the fruit",
                     22.0f, kPaper);
     else if (state.best > 0)
@@ -167,11 +167,11 @@ std::vector<Hotspot> show_over(Layout& layout, const Screens& screens, const Scr
                     state.is_best ? std::string("New best!") : std::string("Best ").append(std::to_string(state.best)),
                     26.0f, state.is_best ? kAccent : kDim);
     const float top = card.low.y + 252.0f * u;
-    const std::array<std::pair<const char*, std::int64_t>, 5> rows{{{"Fruit cut", state.fruit_cut},
-                                                                    {"Missed", state.fruit_missed},
-                                                                    {"Combos", state.combos},
-                                                                    {"Longest combo", state.longest_combo},
-                                                                    {"Critical cuts", state.criticals}}};
+    const std::array<std::pair<const char*, std::int64_t>, 5> rows{{{"Fruit cut", state.counts.fruit_cut},
+                                                                    {"Missed", state.counts.fruit_missed},
+                                                                    {"Combos", state.counts.combos},
+                                                                    {"Longest combo", state.counts.longest_combo},
+                                                                    {"Critical cuts", state.counts.criticals}}};
     for (std::size_t i = 0; i < rows.size(); ++i)
         row(layout, card, top + 30.0f * u * static_cast<float>(i), rows[i].first, std::to_string(rows[i].second));
     return show_buttons(layout, screens, {middle, card.high.y - 156.0f * u}, 320.0f);

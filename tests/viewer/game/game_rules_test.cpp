@@ -93,10 +93,10 @@ TEST(GameRules, PayACriticalCutMore)
     Table table(GameMode::classic);
     table.cut(apple, kCriticalShare);
     EXPECT_EQ(table.state().score, 1 + kCriticalPoints);
-    EXPECT_EQ(table.state().criticals, 1);
+    EXPECT_EQ(table.state().counts.criticals, 1);
     ASSERT_EQ(table.events(Kind::critical).size(), 1u);
     table.cut(apple, kCriticalShare - 0.001);
-    EXPECT_EQ(table.state().criticals, 1);
+    EXPECT_EQ(table.state().counts.criticals, 1);
 }
 
 TEST(GameRules, PayACombosFruitAgain)
@@ -108,8 +108,8 @@ TEST(GameRules, PayACombosFruitAgain)
     EXPECT_EQ(table.state().score, 2 + 3 + 3);
     table.swipe_through(5);
     EXPECT_EQ(table.state().score, 8 + 5 + 5);
-    EXPECT_EQ(table.state().combos, 2);
-    EXPECT_EQ(table.state().longest_combo, 5);
+    EXPECT_EQ(table.state().counts.combos, 2);
+    EXPECT_EQ(table.state().counts.longest_combo, 5);
     const auto combos = table.events(Kind::combo);
     ASSERT_EQ(combos.size(), 2u);
     EXPECT_EQ(combos[0].count, 3);
@@ -133,7 +133,7 @@ TEST(GameRules, KeepBombsOutOfCombos)
     table.cut_in_swipe(bomb);
     table.cut_in_swipe(apple);
     table.wait(1);
-    EXPECT_EQ(table.state().combos, 0);
+    EXPECT_EQ(table.state().counts.combos, 0);
 }
 
 TEST(Classic, EndsAfterThreeMisses)
@@ -253,7 +253,7 @@ TEST(Arcade, ForgivesMisses)
     for (int i = 0; i < 10; ++i) table.miss(apple);
     table.miss(freeze);
     EXPECT_FALSE(table.is_over());
-    EXPECT_EQ(table.state().fruit_missed, 10);
+    EXPECT_EQ(table.state().counts.fruit_missed, 10);
     EXPECT_TRUE(table.events(Kind::life_lost).empty());
 }
 

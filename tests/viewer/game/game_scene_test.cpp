@@ -81,7 +81,7 @@ TEST(GameScene, CallsACutThroughTheMiddleCritical)
 {
     Game game(GameMode::classic);
     cut_one(game, 0.0);
-    EXPECT_EQ(game.state().criticals, 1);
+    EXPECT_EQ(game.state().counts.criticals, 1);
     EXPECT_EQ(game.events(Kind::critical).size(), 1u);
 }
 
@@ -187,10 +187,10 @@ TEST(GameScene, MakesACombo)
     game.press({7.0, 4.0});
     while (game.find_fruit() != nullptr && game.state().combo < 3) game.sweep_through(*game.find_fruit());
     ASSERT_GE(game.state().combo, 3);
-    EXPECT_EQ(game.state().combos, 0) << "not before the swipe ends";
+    EXPECT_EQ(game.state().counts.combos, 0) << "not before the swipe ends";
     game.release();
     game.simulation().advance();
-    EXPECT_EQ(game.state().combos, 1);
+    EXPECT_EQ(game.state().counts.combos, 1);
     EXPECT_GE(game.events(Kind::combo)[0].points, 3);
 }
 
@@ -284,9 +284,9 @@ TEST(Autopilot, CutsFruitAndLeavesBombsAlone)
         const GameState& state = game.state();
         const auto bombs = std::ranges::count(game.events(Kind::thrown), FruitKind::bomb,
                                               [](const GameEvent& event) { return event.fruit; });
-        EXPECT_GT(state.fruit_cut, 5 * state.fruit_missed) << seed;
+        EXPECT_GT(state.counts.fruit_cut, 5 * state.counts.fruit_missed) << seed;
         EXPECT_GE(bombs, 3) << seed;
-        EXPECT_LE(state.bombs_cut, bombs / 3) << seed;
+        EXPECT_LE(state.counts.bombs_cut, bombs / 3) << seed;
     }
 }
 

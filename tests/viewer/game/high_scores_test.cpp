@@ -133,8 +133,8 @@ TEST_F(HighScoresTest, HoldWhatAGameOverSays)
 {
     GameState state;
     state.score = 123;
-    state.fruit_cut = 45;
-    state.longest_combo = 6;
+    state.counts.fruit_cut = 45;
+    state.counts.longest_combo = 6;
     const HighScore made = score_of(state, "baseline", 9);
     EXPECT_EQ(made.score, 123);
     EXPECT_EQ(made.fruit, 45);

@@ -56,9 +56,9 @@ TEST_P(ScriptedGame, EndsWithItsScore)
         EXPECT_EQ(state.phase, GamePhase::over);
         EXPECT_EQ(state.end, expected.end);
         EXPECT_EQ(state.score, expected.score);
-        EXPECT_EQ(state.fruit_cut, expected.fruit_cut);
-        EXPECT_EQ(state.criticals, expected.criticals);
-        EXPECT_EQ(state.combos, expected.combos);
+        EXPECT_EQ(state.counts.fruit_cut, expected.fruit_cut);
+        EXPECT_EQ(state.counts.criticals, expected.criticals);
+        EXPECT_EQ(state.counts.combos, expected.combos);
         EXPECT_EQ(game.events(GameEventKind::special_started).size(), expected.specials);
         EXPECT_EQ(game.events(GameEventKind::game_over).size(), 1u);
         std::int64_t sum = 0;
@@ -105,15 +105,15 @@ void expect_score_adds_up(const test::Game& game)
 void expect_counts_are_those_of_events(const test::Game& game)
 {
     const GameState& state = game.state();
-    EXPECT_EQ(state.fruit_cut, count_of(game, GameEventKind::fruit_cut));
-    EXPECT_EQ(state.fruit_missed, count_of(game, GameEventKind::missed));
-    EXPECT_EQ(state.criticals, count_of(game, GameEventKind::critical));
-    EXPECT_EQ(state.combos, count_of(game, GameEventKind::combo));
-    EXPECT_EQ(state.bombs_cut, count_of(game, GameEventKind::bomb));
+    EXPECT_EQ(state.counts.fruit_cut, count_of(game, GameEventKind::fruit_cut));
+    EXPECT_EQ(state.counts.fruit_missed, count_of(game, GameEventKind::missed));
+    EXPECT_EQ(state.counts.criticals, count_of(game, GameEventKind::critical));
+    EXPECT_EQ(state.counts.combos, count_of(game, GameEventKind::combo));
+    EXPECT_EQ(state.counts.bombs_cut, count_of(game, GameEventKind::bomb));
     EXPECT_EQ(state.wave, count_of(game, GameEventKind::wave));
     int longest = 0;
     for (const GameEvent& combo : game.events(GameEventKind::combo)) longest = std::max(longest, combo.count);
-    EXPECT_EQ(state.longest_combo, longest);
+    EXPECT_EQ(state.counts.longest_combo, longest);
 }
 
 void expect_lives_are_counted(const test::Game& game)

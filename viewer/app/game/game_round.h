@@ -15,7 +15,7 @@ public:
     GameRound(RoundSetup setup, bool is_new_player, sound::Speaker& speaker);
 
     bool is_over() override;
-    bool has_cut_fruit() const override { return state().fruit_cut > 0; }
+    bool has_cut_fruit() const override { return state().counts.fruit_cut > 0; }
     std::optional<PlayedGame> take_score(bool is_left) override;
     void describe(ui::ScreenContent& content, ui::Screen screen) override;
     const sim::Blade* demo_blade() const override;

@@ -12,7 +12,7 @@ void show_game(const UserInterface& interface, int width, int height, const game
     const game::GameState& state = game.state();
     ui::show_effects(canvas, effects, {{0.0f, 0.0f}, canvas.size()});
     if (state.phase != game::GamePhase::over)
-        return ui::show_hud(canvas, state, state.fruit_cut == 0 ? ui::kHowToCut : std::string_view());
+        return ui::show_hud(canvas, state, state.counts.fruit_cut == 0 ? ui::kHowToCut : std::string_view());
     ui::Screens screens({}, {});
     screens.play(std::string(game.name()));
     screens.show(ui::Screen::over);

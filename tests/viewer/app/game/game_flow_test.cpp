@@ -273,7 +273,7 @@ TEST_F(GameFlowTest, TheGiantHasAButtonForEveryKeyThatItNames)
 TEST_F(GameFlowTest, FruitIsCutByKeyboardAlone)
 {
     GameFlow flow(setup("zen"), painter, speaker);
-    const auto cut = [&] { return game::game_of(flow.simulation()->scene())->state().fruit_cut; };
+    const auto cut = [&] { return game::game_of(flow.simulation()->scene())->state().counts.fruit_cut; };
     using Key = ui::BladeKey;
     // As a player who looks for a fruit, goes beside it and swipes through it.
     for (int i = 0; i < 900 && cut() == 0; ++i) {
@@ -647,7 +647,7 @@ TEST_F(GameFlowTest, ShowsANewPlayerHowToCutUntilHeDoes)
         flow.let_play(autopilot);
         frames(flow, 1);
     }
-    ASSERT_GT(game::game_of(flow.simulation()->scene())->state().fruit_cut, 0);
+    ASSERT_GT(game::game_of(flow.simulation()->scene())->state().counts.fruit_cut, 0);
     for (int i = 0; i < 200; ++i) {
         frames(flow, 1);
         EXPECT_FALSE(is_shown(flow));
