@@ -22,7 +22,7 @@ using Objection = std::function<std::string(const nlohmann::json&)>;
 /// Larger files are no scores and no settings, bytes.
 inline constexpr std::uintmax_t kMostStoredBytes = std::uintmax_t(16) << 20;
 
-/// Reads a file that save_json() wrote. One that is damaged, or that `objection` objects to, is renamed to NAME.damaged,
+/// Reads a file that save_json() wrote. One that is damaged or that `objection` refuses is renamed to NAME.damaged,
 /// and a message says so. It stays where it is if there is such a file already: nothing is ever written over. One of
 /// Kerf's whose `version` is beyond `newest` stays as well: a later version of the program will want it.
 StoredJson load_json(const std::filesystem::path& path, const Objection& objection,

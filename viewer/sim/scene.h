@@ -35,8 +35,9 @@ public:
     virtual void on_gone(Simulation&, const Body&) {}
     /// A command of the scene's own; false: it has none of that name.
     virtual bool command(Simulation&, std::string_view /*verb*/, std::string_view /*argument*/) { return false; }
-    /// Models in the library that will be thrown next, the first of them first, to be made ready meanwhile (ModelPreparer) and
-    /// brought onto the graphics card. It says when things may be done and changes nothing of what happens.
+    /// Models in the library that will be thrown next, the first of them first, to be made ready meanwhile
+    /// (ModelPreparer) and brought onto the graphics card. It says when things may be done and changes nothing of what
+    /// happens.
     virtual std::vector<std::size_t> next_models() const { return {}; }
     virtual void hash(StateHash&) const {}
 };

@@ -8,7 +8,7 @@
 
 namespace kerf::app {
 
-/// A blade that shows how one cuts, and cuts nothing itself. Called after each batch of ticks, it moves when it is time.
+/// A blade that shows how one cuts, and cuts nothing. Called after each batch of ticks, it moves when it is time.
 class DemoBlade
 {
 public:
