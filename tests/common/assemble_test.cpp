@@ -9,9 +9,9 @@
 #include <limits>
 #include <random>
 
-#include "support/coinciding_solids.h"
 #include "common/mesh_facts.h"
 #include "common/shapes.h"
+#include "support/coinciding_solids.h"
 #include "support/small_meshes.h"
 #include "support/surface_referee.h"
 

@@ -14,8 +14,8 @@
 #include "common/cut_geometry.h"
 #include "common/io/mesh_file.h"
 #include "support/cgal_clip.h"
-#include "support/ray_winding.h"
 #include "support/fixtures.h"
+#include "support/ray_winding.h"
 
 namespace kerf {
 namespace {

@@ -10,11 +10,11 @@
 #include <memory>
 #include <random>
 
-#include "support/coinciding_solids.h"
 #include "common/io/mesh_file.h"
 #include "common/mesh_facts.h"
 #include "common/shapes.h"
 #include "support/backends.h"
+#include "support/coinciding_solids.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
 

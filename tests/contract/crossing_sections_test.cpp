@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "common/cut.h"
-#include "support/small_meshes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/prisms.h"
 #include "support/referee.h"
+#include "support/small_meshes.h"
 
 namespace kerf {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "common/cut.h"
 #include "common/shapes.h"
-#include "support/random_case.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
+#include "support/random_case.h"
 #include "support/referee.h"
 
 namespace kerf {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/surface_referee.h"
 #include "support/referee.h"
+#include "support/surface_referee.h"
 
 namespace kerf::test {
 

@@ -65,7 +65,7 @@ protected:
 TEST_F(KerfViewerTest, PlaysNinetyFramesOnBothBackEnds)
 {
     write_swipes();
-    const Json json = report("--headless --backend halfedge,baseline --script swipes.kerf --frames 90 --size 640x360");
+    const Json json = report("--headless --backend halfedge,baseline --script swipes.kerf --frames 90 --size 160x90");
     ASSERT_EQ(json["runs"].size(), 2u);
     for (const Json& run : json["runs"]) {
         EXPECT_EQ(run["ticks"], 180);
@@ -348,10 +348,10 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesInAWindowOnBothBackEnds)
     write_swipes();
     const VirtualDisplay display;
     for (const std::string backend : {"halfedge", "baseline/hash"}) {
-        const Json json = report("--script swipes.kerf --frames 90 --size 640x360 --backend " + backend);
+        const Json json = report("--script swipes.kerf --frames 90 --size 320x180 --backend " + backend);
         EXPECT_EQ(json["gl_errors"], 0);
-        EXPECT_EQ(json["width"], 640);
-        EXPECT_EQ(json["height"], 360);
+        EXPECT_EQ(json["width"], 320);
+        EXPECT_EQ(json["height"], 180);
         const Json& run = json["runs"][0];
         EXPECT_EQ(run["backend"], backend);
         EXPECT_EQ(run["ticks"], 180);
