@@ -11,8 +11,9 @@ add_library(kerf_flags INTERFACE)
 target_compile_features(kerf_flags INTERFACE cxx_std_20)
 target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-math
   -Wall -Wextra -Wpedantic -Wconversion
-  # In a unity build the files of a target would shadow one another's constants.
-  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
+  # In a unity build the files of a target would shadow one another's constants, and none is the main file, whose unnamed
+  # namespaces may be bases.
+  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>,-Wshadow>
   # What GCC counts as a conversion: the signs of indices are not.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 if(KERF_WERROR)

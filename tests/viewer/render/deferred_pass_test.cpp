@@ -25,7 +25,7 @@ using render::DrawOptions;
 using render::Lighting;
 using render::Picture;
 
-constexpr int kWidth = 200, kHeight = 160;
+constexpr int kSceneWidth = 200, kSceneHeight = 160;
 
 /// Nothing but asteroid is seen there.
 constexpr render::ScreenRectangle kMiddle{64, 48, 64, 64};
@@ -78,7 +78,7 @@ protected:
     {
         options.deferred = deferred;
         target.bind();
-        renderer.draw(near_viewpoint(kWidth, kHeight), objects, options, {0, 0, kWidth, kHeight});
+        renderer.draw(near_viewpoint(kSceneWidth, kSceneHeight), objects, options, {0, 0, kSceneWidth, kSceneHeight});
         target.resolve();
         return target.read();
     }
@@ -89,7 +89,7 @@ protected:
     render::LookTable looks;
     render::FragmentStore store{looks};
     render::SceneRenderer renderer{looks};
-    render::FrameTarget target{kWidth, kHeight};
+    render::FrameTarget target{kSceneWidth, kSceneHeight};
 };
 
 std::uint64_t DeferredPass::shader_runs(std::uint64_t triangles)
@@ -108,7 +108,7 @@ std::uint64_t DeferredPass::shader_runs(std::uint64_t triangles)
     glGetIntegerv(GL_SAMPLES, &samples);
     GLint framebuffer = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-    const render::PictureTarget onto{static_cast<GLuint>(framebuffer), samples, 0, 0, kWidth, kHeight};
+    const render::PictureTarget onto{static_cast<GLuint>(framebuffer), samples, 0, 0, kSceneWidth, kSceneHeight};
     const render::PlacedDraw draw{{&objects.front(), &fragments.front().batches.front()}, kMiddle};
     glEnable(GL_DEPTH_TEST);
     pass.fill(std::span(&draw, 1), onto, statistics);

@@ -9,7 +9,7 @@ namespace kerf::test {
 
 namespace {
 
-constexpr int kWidth = 200, kHeight = 100;
+constexpr int kWide = 200, kHigh = 100;
 
 /// Looks along -z from the origin; at a distance of 1 the picture is 4 wide and 2 high.
 const glm::mat4 kToClip = glm::frustum(-0.2f, 0.2f, -0.1f, 0.1f, 0.1f, 100.0f);
@@ -25,7 +25,7 @@ TEST(ScreenRectangle, HoldsAllThatIsSeenOfTheBoxAndHardlyMore)
 {
     // Its front is 1 away and 0.5 wide: an eighth of the picture's width, a quarter of its height.
     const render::ScreenRectangle part =
-        render::screen_rectangle(box_at({0.0f, 0.0f, -1.25f}, 0.25f), kToClip, kWidth, kHeight);
+        render::screen_rectangle(box_at({0.0f, 0.0f, -1.25f}, 0.25f), kToClip, kWide, kHigh);
     EXPECT_LE(part.x, 87);
     EXPECT_GE(part.x + part.width, 113);
     EXPECT_LE(part.y, 37);
@@ -37,9 +37,9 @@ TEST(ScreenRectangle, HoldsAllThatIsSeenOfTheBoxAndHardlyMore)
 TEST(ScreenRectangle, EndsAtThePicturesEdge)
 {
     const render::ScreenRectangle part =
-        render::screen_rectangle(box_at({-2.0f, 1.0f, -1.25f}, 0.25f), kToClip, kWidth, kHeight);
+        render::screen_rectangle(box_at({-2.0f, 1.0f, -1.25f}, 0.25f), kToClip, kWide, kHigh);
     EXPECT_EQ(part.x, 0);
-    EXPECT_EQ(part.y + part.height, kHeight);
+    EXPECT_EQ(part.y + part.height, kHigh);
     EXPECT_FALSE(part.is_empty());
 }
 
@@ -47,7 +47,7 @@ TEST(ScreenRectangle, IsEmptyBesideThePicture)
 {
     for (const glm::vec3 middle : {glm::vec3(5.0f, 0.0f, -1.0f), glm::vec3(-5.0f, 0.0f, -1.0f),
                                    glm::vec3(0.0f, 3.0f, -1.0f), glm::vec3(0.0f, -3.0f, -1.0f)}) {
-        const render::ScreenRectangle part = render::screen_rectangle(box_at(middle, 0.25f), kToClip, kWidth, kHeight);
+        const render::ScreenRectangle part = render::screen_rectangle(box_at(middle, 0.25f), kToClip, kWide, kHigh);
         EXPECT_TRUE(part.is_empty());
         EXPECT_EQ(part.pixels(), 0);
     }
@@ -56,11 +56,11 @@ TEST(ScreenRectangle, IsEmptyBesideThePicture)
 TEST(ScreenRectangle, IsTheWholePictureForABoxThatReachesBehindTheEye)
 {
     const render::ScreenRectangle part =
-        render::screen_rectangle(box_at({0.5f, 0.0f, 0.0f}, 0.25f), kToClip, kWidth, kHeight);
+        render::screen_rectangle(box_at({0.5f, 0.0f, 0.0f}, 0.25f), kToClip, kWide, kHigh);
     EXPECT_EQ(part.x, 0);
     EXPECT_EQ(part.y, 0);
-    EXPECT_EQ(part.width, kWidth);
-    EXPECT_EQ(part.height, kHeight);
+    EXPECT_EQ(part.width, kWide);
+    EXPECT_EQ(part.height, kHigh);
 }
 
 }  // namespace kerf::test
