@@ -225,7 +225,7 @@ private:
             Patch& patch = patches_[side.owner];
             if (patch.last_side == 0) patch.first_side = i;
             patch.last_side = i + 1;
-            balance_[side.edge] += side.direction * patch.strength;
+            balance_[side.edge] += std::int64_t{side.direction} * patch.strength;
             ++patches_at_[side.edge + 1];
         }
         std::partial_sum(patches_at_.begin(), patches_at_.end(), patches_at_.begin());
@@ -243,8 +243,10 @@ private:
     std::int64_t cost(const Patch& patch, int change) const
     {
         std::int64_t cost = 0;
-        for (const Side& side : sides_of(patch))
-            cost += std::abs(balance_[side.edge] + side.direction * change) - std::abs(balance_[side.edge]);
+        for (const Side& side : sides_of(patch)) {
+            const std::int64_t before = balance_[side.edge], after = before + std::int64_t{side.direction} * change;
+            cost += std::abs(after) - std::abs(before);
+        }
         return cost;
     }
 
@@ -253,7 +255,7 @@ private:
         Patch& patch = patches_[m.patch];
         open_ += cost(patch, m.change);
         patch.strength += m.change;
-        for (const Side& side : sides_of(patch)) balance_[side.edge] += side.direction * m.change;
+        for (const Side& side : sides_of(patch)) balance_[side.edge] += std::int64_t{side.direction} * m.change;
     }
 
     void move_and_queue(const Move& m)

@@ -76,9 +76,11 @@ Buffer<std::uint32_t> first_equal_vertices(const Weld& weld, std::span<const Ver
 {
     const auto equal = [&](std::uint32_t a, std::uint32_t b) {
         if (weld.points[a] != weld.points[b]) return false;
+        // NOLINTBEGIN(bugprone-suspicious-memory-comparison): equal means bit for bit
         if (std::memcmp(&vertices[a].uv, &vertices[b].uv, sizeof(glm::vec2)) != 0) return false;
         if (!ignore_normals && std::memcmp(&vertices[a].normal, &vertices[b].normal, sizeof(glm::vec3)) != 0)
             return false;
+        // NOLINTEND(bugprone-suspicious-memory-comparison)
         for (const VertexStream& stream : streams) {
             const float* values = stream.values.data();
             const std::size_t width = stream.width;
@@ -93,8 +95,10 @@ Buffer<std::uint32_t> first_equal_vertices(const Weld& weld, std::span<const Ver
             h = mix(h, bits(vertices[v].normal.x, vertices[v].normal.y));
             h = mix(h, bits(vertices[v].normal.z, 0.0f));
         }
-        for (const VertexStream& stream : streams)
-            for (std::size_t i = 0; i < stream.width; ++i) h = mix(h, bits(stream.values[v * stream.width + i], 0.0f));
+        for (const VertexStream& stream : streams) {
+            const std::size_t first = std::size_t{v} * stream.width;
+            for (std::size_t i = 0; i < stream.width; ++i) h = mix(h, bits(stream.values[first + i], 0.0f));
+        }
         return h;
     };
 

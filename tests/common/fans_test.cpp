@@ -17,7 +17,7 @@ LinkedSurface leaves(const std::vector<std::uint32_t>& next, NonmanifoldEdge& ed
 {
     LinkedSurface surface;
     const auto k = static_cast<std::uint32_t>(next.size());
-    surface.mates.assign(6 * k, kNoTwin);
+    surface.mates.assign(6 * next.size(), kNoTwin);
     for (std::uint32_t i = 0; i < k; ++i) {
         surface.corners.push_back({0, 1, 2 + i});
         surface.corners.push_back({1, 0, 2 + i});
@@ -112,7 +112,7 @@ TEST(FindFans, DividesTheSameFansOfAnySurfaceAndNumbersThemInTheSameOrder)
             while (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]);
             surface.corners.push_back(triangle);
         }
-        surface.mates.assign(3 * triangle_count, kNoTwin);
+        surface.mates.assign(std::size_t{3} * triangle_count, kNoTwin);
         std::vector<NonmanifoldEdge> resolved;
         EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> sides) {
             NonmanifoldEdge &edge = resolved.emplace_back(), there, back;

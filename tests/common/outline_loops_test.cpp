@@ -187,7 +187,10 @@ RC_GTEST_PROP(DivideOutline, DependsNeitherOnTheOrderOfEdgesNorOnNumbersNorOnThe
     RC_PRE(!edges.empty());
     std::vector<glm::vec3> points;
     // Some points are in one place.
-    for (std::uint32_t i = 0; i < 8; ++i) points.push_back({float(i / 2 % 2), float(i / 4), 0.0f});
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        const std::uint32_t x = i / 2 % 2, y = i / 4;
+        points.push_back({float(x), float(y), 0.0f});
+    }
     const std::vector<OutlineEdge> outline = outline_of(edges);
 
     std::mt19937 random(*rc::gen::inRange(0u, 1000000u));

@@ -83,7 +83,7 @@ public:
 
     std::vector<std::uint32_t> pieces() const
     {
-        const Pieces positive = pieces_of(plane_, Side::positive, parts_, loops_, no_crossings);
+        Pieces positive = pieces_of(plane_, Side::positive, parts_, loops_, no_crossings);
         EXPECT_EQ(positive, pieces_of(plane_, Side::negative, parts_, loops_, no_crossings));
         return positive;
     }
@@ -422,7 +422,8 @@ RC_GTEST_PROP(Pieces, DoNotDependOnTheOrderOfEdgesAndPoints, ())
     const auto number = [](std::uint32_t end) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0u, end)); };
     // Closed walks over a small lattice: they touch, cross, and run forth and back.
     Drawing d;
-    for (std::uint32_t i = 0; i < 16; ++i) d.points.push_back({float(i % 4), float(i / 4), 0.0f});
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) d.points.push_back({float(x), float(y), 0.0f});
     for (int i = 0; i < 3; ++i) {
         d.add_part(Side::negative);
         d.add_part(Side::positive);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 
@@ -39,7 +40,7 @@ TriangleSoup sphere(float radius, const glm::vec3& centre = glm::vec3(0.0f))
     for (Vertex& v : mesh.vertices) v.position += centre;
     return mesh;
 }
-constexpr std::size_t kSphereTriangles = 20 * 4 * 4;
+constexpr std::size_t kSphereTriangles = std::size_t{20} * 4 * 4;
 
 TEST(Solids, AnOuterShellAndItsCavityAreOneSolid)
 {
@@ -146,7 +147,7 @@ struct NestedCubes
         std::vector<std::uint32_t> place(order.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
         for (std::uint32_t i = 0; i < order.size(); ++i) {
-            for (std::size_t t = 0; t < 12; ++t) soup.triangles[i * 12 + t] = triangles[order[i] * 12 + t];
+            std::copy_n(&triangles[12 * std::size_t{order[i]}], 12, &soup.triangles[12 * std::size_t{i}]);
             parent[i] = old_parent[order[i]] == kNone ? kNone : place[old_parent[order[i]]];
             inverted[i] = old_inverted[order[i]];
         }
@@ -213,7 +214,8 @@ TEST(Solids, ThousandsOfShellsTakeNoQuadraticStep)
     // minutes.
     TriangleSoup many;
     for (int i = 0; i < 10000; ++i) {
-        const TriangleSoup one = inside_out(cube(glm::vec3(float(i % 25), float(i / 25 % 20), float(i / 500)), 0.5f));
+        const int x = i % 25, y = i / 25 % 20, z = i / 500;
+        const TriangleSoup one = inside_out(cube(glm::vec3(float(x), float(y), float(z)), 0.5f));
         const auto offset = static_cast<std::uint32_t>(many.vertices.size());
         many.vertices.insert(many.vertices.end(), one.vertices.begin(), one.vertices.end());
         for (const auto& [a, b, c] : one.triangles) many.triangles.push_back({a + offset, b + offset, c + offset});

@@ -177,8 +177,7 @@ private:
         std::array<double, 16> m{};
         if (numbers(node, "matrix", m)) {
             glm::dmat4 matrix(1.0);
-            for (int column = 0; column < 4; ++column)
-                for (int row = 0; row < 4; ++row) matrix[column][row] = m[static_cast<std::size_t>(4 * column + row)];
+            for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m[static_cast<std::size_t>(i)];  // by columns
             return matrix;
         }
         std::array<double, 3> translation{0, 0, 0}, scale{1, 1, 1};

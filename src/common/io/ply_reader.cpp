@@ -413,7 +413,7 @@ TriangleSoup read_text(const std::filesystem::path& path, const PlyHeader& heade
         ReadingNotes ordered_notes = notes;
         TextSource source(path, body, header, ordered_notes);
         source.take_elements_in_order();
-        TriangleSoup ordered = PlyReader(path, header, std::move(source), ordered_notes).read();
+        TriangleSoup ordered = PlyReader(path, header, source, ordered_notes).read();
         notes = std::move(ordered_notes);
         return ordered;
     } catch (const FileError&) {

@@ -117,7 +117,7 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) {
             const char* xyz = at + 12 * (k + 1);
-            const auto coordinate = [&](int axis) { return load<float>(xyz + 4 * axis, Endian::little); };
+            const auto coordinate = [&](std::size_t axis) { return load<float>(xyz + 4 * axis, Endian::little); };
             corners[k] = builder.add_vertex({{coordinate(0), coordinate(1), coordinate(2)}, kNoNormal, {}});
         }
         builder.add_face(corners);

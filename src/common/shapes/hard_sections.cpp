@@ -71,8 +71,10 @@ HardSection pores(std::uint32_t n)
 {
     const std::uint32_t side = square_side(n);
     TriangleSoup soup = plate(side);
-    for (std::uint32_t i = 0; i < n; ++i)
-        append(soup, block({float(i % side) + 0.5f, float(i / side) + 0.5f, 0}, {0.5f, 0.5f, 1}, true));
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t x = i % side, y = i / side;
+        append(soup, block({float(x) + 0.5f, float(y) + 0.5f, 0}, {0.5f, 0.5f, 1}, true));
+    }
     return {std::move(soup), across(2, 0.125)};
 }
 
@@ -80,8 +82,10 @@ HardSection loose_parts(std::uint32_t n)
 {
     const std::uint32_t side = square_side(n);
     TriangleSoup soup;
-    for (std::uint32_t i = 0; i < n; ++i)
-        append(soup, block({float(i % side), float(i / side), 0}, {0.5f, 0.5f, 1}, false));
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t x = i % side, y = i / side;
+        append(soup, block({float(x), float(y), 0}, {0.5f, 0.5f, 1}, false));
+    }
     return {std::move(soup), across(2, 0.125)};
 }
 

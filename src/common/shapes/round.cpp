@@ -20,8 +20,8 @@ TriangleSoup icosphere(float radius, std::uint32_t frequency)
     corner[11] = {0, 0, -1};
     for (int k = 0; k < 5; ++k) {
         const double upper = 0.4 * std::numbers::pi * k, lower = upper + 0.2 * std::numbers::pi;
-        corner[std::size_t(1 + k)] = {ring * std::cos(upper), ring * std::sin(upper), height};
-        corner[std::size_t(6 + k)] = {ring * std::cos(lower), ring * std::sin(lower), -height};
+        corner[std::size_t(k) + 1] = {ring * std::cos(upper), ring * std::sin(upper), height};
+        corner[std::size_t(k) + 6] = {ring * std::cos(lower), ring * std::sin(lower), -height};
     }
     TriangleSoup soup;
     frequency = std::max(frequency, 1u);

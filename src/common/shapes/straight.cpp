@@ -39,7 +39,7 @@ TriangleSoup surface_of_blocks(const Lattice& planes, Filled filled)
     const auto plane = [&](int axis, std::uint32_t i) { return planes[std::size_t(axis)][i]; };
     const auto vertex = [&](const glm::uvec3& point, int axis, bool plus) {
         const std::size_t place = (std::size_t(point.z) * (cells.y + 1) + point.y) * (cells.x + 1) + point.x;
-        std::uint32_t& slot = index[place][std::size_t(2 * axis + (plus ? 0 : 1))];
+        std::uint32_t& slot = index[place][2 * std::size_t(axis) + (plus ? 0u : 1u)];
         if (slot == kUnused) {
             slot = std::uint32_t(soup.vertices.size());
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;
