@@ -15,7 +15,7 @@ void prefer_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_
     const auto first = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t from = (first + kHugePage - 1) & ~(kHugePage - 1), to = (first + bytes) & ~(kHugePage - 1);
     // Advice: whether it is taken or not makes no difference to what is computed.
-    if (from < to) static_cast<void>(madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE));
+    if (from < to) static_cast<void>(madvise(static_cast<char*>(begin) + (from - first), to - from, MADV_HUGEPAGE));
 #endif
 }
 

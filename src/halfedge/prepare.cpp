@@ -176,7 +176,7 @@ void build_connectivity(Universe& u, const std::vector<Triangle>& points, const 
         }
     }
     for (Index f = 0; f < points.size(); ++f) {
-        const Index* h = &id[3 * f];
+        const Index* h = &id[std::size_t{3} * f];
         mesh.set_triangle(f, h[0], h[1], h[2]);
         for (Index c = 0; c < 3; ++c) {
             mesh.set_to(h[c], points[f][c == 2 ? 0 : c + 1]);
@@ -245,7 +245,7 @@ void reserve_for_cuts(Universe& u, std::size_t crossings)
     // Per crossing triangle: what a regular cut adds to connectivity exactly; what it rewrites about.
     u.mesh.reserve(u.mesh.vertices() + 2 * crossings, u.mesh.edges() + 6 * crossings, u.mesh.faces() + 4 * crossings);
     u.vertices.reserve(u.vertices.size() + 3 * crossings);
-    for (Stream& stream : u.streams) stream.values.reserve(stream.values.size() + 3 * stream.width * crossings);
+    for (Stream& stream : u.streams) stream.values.reserve(stream.values.size() + 3 * crossings * stream.width);
     u.slots.reserve(u.slots.size() + 18 * crossings);
     u.face_of_slot.reserve(u.face_of_slot.size() + 18 * crossings);
     u.source_of_face.reserve(u.source_of_face.size() + 4 * crossings);
@@ -335,8 +335,10 @@ Prepared prepare_universe(const ProvenMesh& proven)
         copy.width = stream.width;
         copy.values.reserve((old_vertex.size() + 3 * crossings) * stream.width);
         copy.values.set_size(old_vertex.size() * stream.width);
-        for (std::size_t v = 0; v < old_vertex.size(); ++v)
-            std::copy_n(&stream.values[old_vertex[v] * stream.width], stream.width, &copy.values[v * stream.width]);
+        for (std::size_t v = 0; v < old_vertex.size(); ++v) {
+            const std::size_t from = std::size_t{old_vertex[v]} * stream.width;
+            std::copy_n(&stream.values[from], stream.width, &copy.values[v * stream.width]);
+        }
     }
 
     // One subtree for each run of slots of the same group and shell; the runs of a shell meet at its root.
@@ -350,7 +352,7 @@ Prepared prepare_universe(const ProvenMesh& proven)
             visit(static_cast<Index>(first), static_cast<Index>(last - first), g, s);
         }
     };
-    for_each_run([&](Index, Index count, Index, Index) { nodes += 2 * ((count - 1) / kLeafTriangles + 1); });
+    for_each_run([&](Index, std::size_t count, Index, Index) { nodes += 2 * ((count - 1) / kLeafTriangles + 1); });
     u.tree.reserve(nodes + crossings + crossings / 4 + 64);
     for_each_run([&](Index first, Index count, Index g, Index s) {
         Shell& shell = prepared.shells[s];

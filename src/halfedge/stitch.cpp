@@ -363,7 +363,7 @@ private:
                 negative[i] = cap_half(seam, Side::negative);
                 positive[i] = cap_half(seam, Side::positive);
             } else {
-                negative[i] = plan_.cap_edge_[3 * t + i];
+                negative[i] = plan_.cap_edge_[std::size_t{3} * t + i];
                 positive[i] = negative[i] + 2 * plan_.cap_edge_count_;
             }
             mesh_.set_to(negative[i], outline_vertex(cap.corner[(i + 1) % 3], Side::negative));

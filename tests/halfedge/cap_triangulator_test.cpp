@@ -304,15 +304,17 @@ TEST(ConstrainedTriangulator, TakesAFewStepsForEachPointWhereverPointsCluster)
                                       [](double t) {
                                           const auto i = static_cast<std::size_t>(std::round(t * kPoints));
                                           if (i < 2) return glm::dvec2(double(i), -1);
-                                          return glm::dvec2(power_of_two(double(i / 2 - 1) * 2 / kPoints),
+                                          const std::size_t pair = i / 2;
+                                          return glm::dvec2(power_of_two(double(pair - 1) * 2 / kPoints),
                                                             (i - 1) / 2 % 2);
                                       })},
         {"steps to a corner", polygon(kPoints,
                                       [](double t) {
                                           const auto i = static_cast<std::size_t>(std::round(t * kPoints));
                                           if (i == 0) return glm::dvec2(1, 0);
-                                          return glm::dvec2(power_of_two(double(i / 2) * 2 / kPoints),
-                                                            power_of_two(double((i - 1) / 2) * 2 / kPoints));
+                                          const std::size_t across = i / 2, up = (i - 1) / 2;
+                                          return glm::dvec2(power_of_two(double(across) * 2 / kPoints),
+                                                            power_of_two(double(up) * 2 / kPoints));
                                       })},
         {"spiral to a point", polygon(kPoints,
                                       [](double t) {
