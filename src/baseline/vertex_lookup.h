@@ -27,6 +27,7 @@ namespace kerf::baseline {
 inline bool same_vertex(const IndexedMesh& mesh, std::uint32_t a, std::uint32_t b)
 {
     if (mesh.points[a] != mesh.points[b]) return false;
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): that is what "bit for bit" means
     if (std::memcmp(&mesh.vertices[a], &mesh.vertices[b], sizeof(Vertex)) != 0) return false;
     for (const VertexStream& stream : mesh.streams) {
         const float* values = stream.values.data();
