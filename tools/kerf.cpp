@@ -51,12 +51,8 @@ int report_wrong_use(const CLI::App& program, const CLI::ParseError& error)
     return kWrongUse;
 }
 
-}  // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
-    kerf::io::remove_unfinished_files_on_signals();
-
     CLI::App program("Kerf cuts triangle meshes by a plane.", "kerf");
     program.set_version_flag("--version", "kerf " KERF_VERSION);
     program.require_subcommand(1);
@@ -76,6 +72,16 @@ int main(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         const bool is_help = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
         return is_help ? program.exit(error) : report_wrong_use(program, error);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    kerf::io::remove_unfinished_files_on_signals();
+    try {
+        return run(argc, argv);
     } catch (const std::bad_alloc&) {
         std::cerr << "kerf: there is not enough memory; give it a smaller mesh, or free some\n";
     } catch (const std::exception& error) {

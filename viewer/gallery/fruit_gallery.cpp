@@ -205,18 +205,13 @@ int run(int argc, char** argv)
     program.add_option("--height", height, "of a tile in pixels")->check(CLI::Range(16, 2048));
     CLI11_PARSE(program, argc, argv);
     if (names.empty()) names.assign(kNames.begin(), kNames.end());
-    try {
-        const render::OffscreenContext context;
-        Gallery gallery(std::filesystem::path(data) / "fruit", backend, height);
-        const render::Picture sheet = gallery.draw(names);
-        if (std::filesystem::path(picture).extension() == ".jpg")
-            render::write_jpeg(picture, sheet);
-        else
-            render::write_png(picture, sheet);
-    } catch (const std::exception& error) {
-        std::cerr << "fruit_gallery: " << error.what() << "\n";
-        return 1;
-    }
+    const render::OffscreenContext context;
+    Gallery gallery(std::filesystem::path(data) / "fruit", backend, height);
+    const render::Picture sheet = gallery.draw(names);
+    if (std::filesystem::path(picture).extension() == ".jpg")
+        render::write_jpeg(picture, sheet);
+    else
+        render::write_png(picture, sheet);
     return 0;
 }
 
@@ -225,5 +220,10 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    return kerf::app::run(argc, argv);
+    try {
+        return kerf::app::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "fruit_gallery: " << error.what() << "\n";
+        return 1;
+    }
 }
