@@ -17,7 +17,7 @@ void instance_attribute(GLuint location, GLint components, std::size_t stride, s
 {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
+                          buffer_offset(offset));
     glVertexAttribDivisor(location, 1);
 }
 

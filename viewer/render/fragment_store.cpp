@@ -14,8 +14,7 @@ void describe_vertices(const SharedBuffers& buffers)
     glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
     const auto attribute = [](GLuint location, GLint floats, std::size_t offset) {
         glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offset));
+        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex), buffer_offset(offset));
     };
     attribute(0, 3, offsetof(Vertex, position));
     attribute(1, 3, offsetof(Vertex, normal));
@@ -73,7 +72,7 @@ IndexRuns everything_of(const DrawView& view)
 void IndexRuns::add(std::uint32_t first_index, std::uint32_t index_count)
 {
     counts.push_back(static_cast<GLsizei>(index_count));
-    offsets.push_back(reinterpret_cast<const void*>(sizeof(std::uint32_t) * std::size_t{first_index}));
+    offsets.push_back(buffer_offset(sizeof(std::uint32_t) * std::size_t{first_index}));
 }
 
 std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, Room room, bool& is_new)

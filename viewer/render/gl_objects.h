@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace kerf::render {
@@ -83,5 +84,11 @@ using GlTexture = GlObject<gl_kind::Texture>;
 using GlFramebuffer = GlObject<gl_kind::Framebuffer>;
 using GlRenderbuffer = GlObject<gl_kind::Renderbuffer>;
 using GlProgram = GlObject<gl_kind::Program>;
+
+/// An offset into the buffer that is bound, as GL takes it: in a pointer.
+inline const void* buffer_offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): it points to nothing
+}
 
 }  // namespace kerf::render

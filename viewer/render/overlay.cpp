@@ -50,8 +50,7 @@ Overlay::Overlay()
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex), nullptr);
     glEnableVertexAttribArray(1);
-    glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex),
-                          reinterpret_cast<const void*>(offsetof(RibbonVertex, life)));
+    glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex), buffer_offset(offsetof(RibbonVertex, life)));
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
