@@ -30,7 +30,7 @@ struct FreePixels
 /// GL's rows begin at the bottom, as uv do.
 void turn_over(Picture& picture)
 {
-    const auto row = static_cast<std::ptrdiff_t>(4 * picture.width);
+    const auto row = std::ptrdiff_t{4} * picture.width;
     for (std::ptrdiff_t top = 0, bottom = picture.height - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(picture.rgba.begin() + top * row, picture.rgba.begin() + (top + 1) * row,
                          picture.rgba.begin() + bottom * row);

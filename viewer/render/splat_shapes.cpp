@@ -60,13 +60,15 @@ void add_ray(HeightField& field, shapes::Random& random, float angle)
     const float reach = 0.55f + 0.62f * power * power;
     const float width = between(0.035f, 0.10f);
     const float bow = between(-0.05f, 0.05f);
-    for (float far = 0.3f; far < reach; far += 0.025f) {
+    float far = 0.3f;
+    while (far < reach) {
         const float share = (far - 0.3f) / (reach - 0.3f);
         const float thin = 1.0f - 0.78f * std::sqrt(share);
         field.add_drop(along * far + across * (bow * share * share), width * thin, 0.6f);
+        far += 0.025f;
     }
     field.add_drop(along * reach + across * bow, width * between(0.45f, 0.85f));
-    float far = reach;
+    far = reach;
     for (int drops = static_cast<int>(between(0.0f, 4.0f)); drops > 0; --drops) {
         far += between(0.06f, 0.26f);
         const float size = between(0.012f, 0.055f);
