@@ -165,9 +165,12 @@ public:
     {
         constexpr double kStep = 0.02;
         std::vector<glm::dvec3> candidates;
-        for (double y = -0.98; y < 1.1; y += kStep)
-            for (double x = 2 * kStep; x < 1.4; x += kStep)
+        double y = -0.98;
+        for (int row = 0; row < 104; ++row, y += kStep) {
+            double x = 2 * kStep;
+            for (int column = 0; column < 68; ++column, x += kStep)
                 if (is_inside({x, y})) candidates.push_back({x, y, height_({x, y})});
+        }
         std::vector<double> distance(candidates.size(), 1e9);
         const auto take = [&](const glm::dvec3& p) {
             for (std::size_t i = 0; i < candidates.size(); ++i)

@@ -103,9 +103,9 @@ PolyMesh make_pineapple()
         const int a = below.points[std::size_t(i)], b = below.points[std::size_t((i + 1) % kStalkSegments)];
         constexpr int kStep = kSegments / kStalkSegments;
         for (int k = 0; k < kStep; ++k) {
-            const int p = top.points[std::size_t(i * kStep + k)];
-            const int q = top.points[std::size_t((i * kStep + k + 1) % kSegments)];
-            const double u0 = double(i * kStep + k) / kSegments, u1 = double(i * kStep + k + 1) / kSegments;
+            const int at = i * kStep + k;
+            const int p = top.points[std::size_t(at)], q = top.points[std::size_t((at + 1) % kSegments)];
+            const double u0 = double(at) / kSegments, u1 = double(at + 1) / kSegments;
             mesh.add_facet({p, q, k < kStep / 2 ? a : b}, "pineapple", {{u0, v}, {u1, v}, {0.5 * (u0 + u1), v + 0.1}},
                            1);
             if (k == kStep / 2 - 1)

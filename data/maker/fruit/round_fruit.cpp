@@ -29,7 +29,7 @@ Ring stalk(Lathe& lathe, int segments, const Ring& from, const std::vector<Stati
 {
     lathe.use("stalk");
     lathe.smooth(kStalk);
-    const Ring end = grow_tube(lathe, segments, from, stations);
+    Ring end = grow_tube(lathe, segments, from, stations);
     lathe.smooth(kEnd);
     const Station& last = stations.back();
     const Station& before = stations[stations.size() - 2];
