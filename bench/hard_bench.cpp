@@ -54,8 +54,8 @@ void hard_section(benchmark::State& state, const Backend& backend, const std::st
         if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
         state.counters["assemble"] =
             least_ms([&] { return section.soup; }, [](TriangleSoup soup) { return assemble(std::move(soup)); });
-        state.counters["prepare"] =
-            least_ms([&] { return mesh; }, [&](ProvenMesh copy) { return backend.prepare(std::move(copy)); });
+        state.counters["prepare"] = least_ms([&] { return ProvenMesh(mesh); },
+                                             [&](ProvenMesh copy) { return backend.prepare(std::move(copy)); });
 
         const auto clone = [&] { return prepared.object->clone(); };
         CutOptions pieces;

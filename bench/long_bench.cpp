@@ -22,9 +22,9 @@ namespace kerf::bench {
 
 namespace {
 
-constexpr std::uint64_t kPlaneSeed = 31;
+constexpr std::uint64_t kLongPlaneSeed = 31;
 
-struct Piece
+struct HeapPiece
 {
     std::unique_ptr<Cuttable> object;
     MassProperties mass;
@@ -33,7 +33,7 @@ struct Piece
 
 struct SmallerVolume
 {
-    bool operator()(const Piece& a, const Piece& b) const { return a.mass.volume < b.mass.volume; }
+    bool operator()(const HeapPiece& a, const HeapPiece& b) const { return a.mass.volume < b.mass.volume; }
 };
 
 constexpr std::uint32_t kManyCuts = 200;
@@ -44,21 +44,21 @@ constexpr std::array kMarks{1, 3, 10, 30, 100, 300, 1000};
 void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t size, bool compacts)
 {
     const ProvenMesh& mesh = timed_shape("asteroid", size);
-    const auto planes = planes_through_the_middle(mesh->bounds(), kMarks.back(), kPlaneSeed);
+    const auto planes = planes_through_the_middle(mesh->bounds(), kMarks.back(), kLongPlaneSeed);
     const PrepareResult prepared = backend.prepare(mesh);
     if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
     const MassProperties whole = prepared.object->mass_properties();
 
     for (auto _ : state) {
         // A heap by volume: the largest piece is in front.
-        std::vector<Piece> pieces;
+        std::vector<HeapPiece> pieces;
         pieces.push_back({prepared.object->clone(), whole, 1});
         double total = 0.0, since_mark = 0.0, worst = 0.0, compacting = 0.0, rest = 0.0;
         std::size_t ranges = 0, most_ranges = 0, compactions = 0, mark = 0;
         int at_mark = 0;
         for (int i = 0; i < kMarks.back(); ++i) {
             std::pop_heap(pieces.begin(), pieces.end(), SmallerVolume{});
-            Piece largest = std::move(pieces.back());
+            HeapPiece largest = std::move(pieces.back());
             pieces.pop_back();
             ranges -= i == 0 ? 0 : largest.ranges;
             const Plane plane = *Plane::through(largest.mass.centre, planes[std::size_t(i)].normal);
@@ -106,7 +106,7 @@ void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t s
         }
         state.SetIterationTime(total);
         double volume = 0.0;
-        for (const Piece& piece : pieces) volume += piece.mass.volume;
+        for (const HeapPiece& piece : pieces) volume += piece.mass.volume;
         constexpr double kShare = 1e-6;  // what rounding cut points to float may change
         if (!(std::abs(volume - whole.volume) <= kShare * std::abs(whole.volume)))
             return state.SkipWithError("the volumes of the pieces do not add up");
@@ -119,7 +119,7 @@ std::vector<Plane> planes_anywhere(const Box& bounds, std::uint32_t count)
 {
     std::vector<Plane> planes;
     // Two directions make a place: their sum lies in a ball, thicker towards its middle.
-    const auto normals = planes_through_the_middle(bounds, 3 * count, kPlaneSeed);
+    const auto normals = planes_through_the_middle(bounds, 3 * count, kLongPlaneSeed);
     const glm::dvec3 half = 0.5 * (glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec3 place =
