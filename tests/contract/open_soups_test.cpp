@@ -96,7 +96,7 @@ public:
     /// What all of them say; `complaints` gets a line for each that says something else than the first.
     Outcome cut_by_all(const Plane& plane, const CutOptions& how, std::vector<std::string>& complaints) const
     {
-        const Outcome expected = outcome_of(cut(objects_.front()->clone(), plane, how));
+        Outcome expected = outcome_of(cut(objects_.front()->clone(), plane, how));
         for (std::size_t i = 1; i < objects_.size(); ++i) {
             const std::string what = difference(expected, outcome_of(cut(objects_[i]->clone(), plane, how)));
             if (!what.empty()) complaints.push_back(names_[i] + ": other " + what);
@@ -159,7 +159,7 @@ Outcome expect_alike(const IndexedMesh& mesh, const Plane& plane, const std::str
     const Prepared prepared(mesh);
     std::vector<std::string> complaints;
     const Outcome whole = prepared.cut_by_all(plane, options(false, true), complaints);
-    const Outcome apart = prepared.cut_by_all(plane, options(true, true), complaints);
+    Outcome apart = prepared.cut_by_all(plane, options(true, true), complaints);
     if (prepared.cut_by_all(plane, options(true, false), complaints) != apart)
         complaints.push_back("caps: other pieces with them than without");
     expect_none(complaints, what, counts);

@@ -103,7 +103,7 @@ TEST_F(OutputFileTest, RefusesEverythingAfterItWasMovedAway)
         to.finish();
         to.commit();
         OutputFile last(std::move(to));
-        to.withdraw();
+        to.withdraw();  // NOLINT(bugprone-use-after-move): that is the test
         EXPECT_EQ(read_text(file("a.txt")), "hello");
         last.withdraw();
         EXPECT_EQ(read_text(file("a.txt")), "old");

@@ -201,12 +201,11 @@ TEST_F(PlyTest, TakesIndicesAndLengthsOfEveryTypeAndTheListByEachOfItsNames)
         for (const char* type : {"char", "uint16", "int64", "uint64", "float", "double"}) {
             const std::string face =
                 "element face 1\nproperty list " + std::string(type) + " " + type + " " + name + "\nend_header\n";
-            const std::string what = face;
             const Read text = read("a.ply", kAsciiHead + kVertex + face + points + "3 0 1 2\n");
-            expect_this_triangle(text.soup, what);
+            expect_this_triangle(text.soup, face);
             EXPECT_EQ(text.notes, "");
             const Read floats = read("a.ply", kAsciiHead + kVertex + face + points + "3.0 0.0 1e0 2\n");
-            expect_this_triangle(floats.soup, what);
+            expect_this_triangle(floats.soup, face);
             EXPECT_EQ(floats.notes, "3 integers written with a point or an exponent read");
 
             for (const Endian order : {Endian::little, Endian::big}) {
@@ -223,7 +222,7 @@ TEST_F(PlyTest, TakesIndicesAndLengthsOfEveryTypeAndTheListByEachOfItsNames)
                 const std::string head =
                     "ply\nformat binary_" + std::string(order == Endian::little ? "little" : "big") + "_endian 1.0\n";
                 const Read binary = read("a.ply", head + kVertex + face + body.bytes());
-                expect_this_triangle(binary.soup, what);
+                expect_this_triangle(binary.soup, face);
                 const bool is_float = type == std::string_view("float") || type == std::string_view("double");
                 EXPECT_EQ(binary.notes, is_float ? "4 integers stored as floating point read" : "");
             }

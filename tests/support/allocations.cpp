@@ -80,6 +80,7 @@ void operator delete[](void* p, std::size_t) noexcept
 }
 
 // The linker's names (--wrap=realloc): calls of realloc() go to the first, the second is the library's.
+// NOLINTBEGIN(bugprone-reserved-identifier): the linker prescribes them
 extern "C" {
 void* __real_realloc(void* block, std::size_t size);
 void* __wrap_realloc(void* block, std::size_t size)
@@ -88,6 +89,7 @@ void* __wrap_realloc(void* block, std::size_t size)
     return may_allocate(size) ? __real_realloc(block, size) : nullptr;
 }
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace kerf::test {
 

@@ -99,7 +99,8 @@ TriangleSoup open_boxes(Random& random, std::uint32_t triangles)
     for (std::uint32_t i = 0; soup.triangles.size() < triangles; ++i) {
         glm::vec3 low = lattice_point(random, size), extent = lattice_point(random, size) + glm::vec3(1.0f);
         if (stacked) {
-            low = {float(i % size), float(i / size % size), float(i / (size * size))};
+            const std::uint32_t x = i % size, y = i / size % size, z = i / (size * size);
+            low = {float(x), float(y), float(z)};
             extent = glm::vec3(1.0f);
         }
         const auto first = static_cast<std::uint32_t>(soup.vertices.size());

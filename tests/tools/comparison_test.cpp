@@ -329,8 +329,9 @@ TEST(SectionFacts, TellWhatWindsBackwardsOrTwice)
 SectionLoop star(int points)
 {
     SectionLoop made;
+    const int step = points / 2;
     for (int i = 0; i < points; ++i) {
-        const double angle = 2 * std::acos(-1.0) * i * (points / 2) / points;
+        const double angle = 2 * std::acos(-1.0) * i * step / points;
         made.points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
     }
     return made;

@@ -34,7 +34,7 @@ protected:
                    const glm::dvec3& normal)
     {
         const auto text = [](const glm::dvec3& v) { return Json({v.x, v.y, v.z}).dump(); };
-        const auto bare = [](std::string list) { return list.substr(1, list.size() - 2); };
+        const auto bare = [](const std::string& list) { return list.substr(1, list.size() - 2); };
         SCOPED_TRACE(file.filename().string() + " through " + text(point) + " across " + text(normal));
         const Json cut = kerf_json("cut '" + file.string() + "' --point " + bare(text(point)) + " --normal " +
                                    bare(text(normal)) + " --format ply --out half");

@@ -66,7 +66,7 @@ protected:
         const Outcome outcome = kerf(arguments + " --json");
         EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.err;
         EXPECT_EQ(outcome.err, "");
-        const Json json = Json::parse(outcome.out, nullptr, false);
+        Json json = Json::parse(outcome.out, nullptr, false);
         EXPECT_FALSE(json.is_discarded()) << outcome.out;
         return json;
     }

@@ -54,7 +54,7 @@ IndexedMesh renumbered(const IndexedMesh& mesh)
     for (std::size_t v = 0; v < to.size(); ++v) {
         other.vertices[to[v]] = mesh.vertices[v];
         other.points[to[v]] = mesh.points[v];
-        for (std::size_t i = 0; i < 3; ++i) other.streams[0].values[3 * to[v] + i] = mesh.streams[0].values[3 * v + i];
+        std::copy_n(&mesh.streams[0].values[3 * v], 3, &other.streams[0].values[3 * std::size_t{to[v]}]);
     }
     for (const TriangleGroup& group : mesh.groups) {
         std::vector<std::uint32_t> from(group.count);

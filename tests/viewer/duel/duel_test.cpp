@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "viewer/duel/timetable_scene.h"
 #include "viewer/sim/back_ends.h"
@@ -40,7 +41,7 @@ public:
 Duel unfair_duel(std::shared_ptr<sim::ModelLibrary> models)
 {
     int made = 0;
-    return {models, {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
+    return {std::move(models), {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
                 if (made++ == 0) return timetable();
                 return std::make_unique<SlowCuts>(std::vector<TimetableScene::Item>{{0}});
             }};

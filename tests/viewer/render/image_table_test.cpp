@@ -95,7 +95,8 @@ TEST_F(ImageTest, StaysWhereItsUvSay)
                 for (int y = 1; y + 1 < kSheetHeight; ++y)
                     for (int x = 1; x + 1 < kSheetWidth; ++x) {
                         const auto at = [&](int dx, int dy) -> const render::PixelFacts& {
-                            return seen[static_cast<std::size_t>((y + dy) * kSheetWidth + x + dx)];
+                            const auto column = static_cast<std::size_t>(x + dx);
+                            return seen[static_cast<std::size_t>(y + dy) * kSheetWidth + column];
                         };
                         const render::PixelFacts& pixel = at(0, 0);
                         if (pixel.object == 0 || pixel.is_cap()) continue;

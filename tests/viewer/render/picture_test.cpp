@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdlib>
 
 #pragma GCC diagnostic push
@@ -27,7 +28,7 @@ render::Picture some_picture()
 
 std::filesystem::path empty_folder()
 {
-    const std::filesystem::path folder =
+    std::filesystem::path folder =
         std::filesystem::path(::testing::TempDir()) /
         (std::string("kerf_picture_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::remove_all(folder);
@@ -46,7 +47,7 @@ TEST(Picture, ReadsBackAsItWasWritten)
     stbi_uc* const pixels = stbi_load(path.c_str(), &width, &height, &channels, 4);
     ASSERT_NE(pixels, nullptr);
     EXPECT_EQ(channels, 3);
-    const render::Picture read{width, height, {pixels, pixels + 4 * width * height}};
+    const render::Picture read{width, height, {pixels, pixels + std::ptrdiff_t{4} * width * height}};
     stbi_image_free(pixels);
     EXPECT_TRUE(read == picture);
 }
@@ -62,7 +63,7 @@ TEST(Picture, LosesLittleAsJpeg)
     int width = 0, height = 0, channels = 0;
     stbi_uc* const pixels = stbi_load(path.c_str(), &width, &height, &channels, 4);
     ASSERT_NE(pixels, nullptr);
-    const render::Picture read{width, height, {pixels, pixels + 4 * width * height}};
+    const render::Picture read{width, height, {pixels, pixels + std::ptrdiff_t{4} * width * height}};
     stbi_image_free(pixels);
     ASSERT_EQ(read.rgba.size(), smooth.rgba.size());
     double sum = 0.0;

@@ -102,11 +102,17 @@ std::vector<int> kinds_by_rays(const std::vector<StagedPiece>& pieces)
     return kinds;
 }
 
+/// In a list of all pixels.
+std::size_t place_of(int x, int y)
+{
+    return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
+}
+
 /// A pixel whose neighbours see the same: rounding at an outline decides nothing there.
 bool is_inner(const std::vector<int>& kinds, int x, int y)
 {
     if (x < 1 || y < 1 || x >= kWidth - 1 || y >= kHeight - 1) return false;
-    const auto at = [&](int px, int py) { return kinds[static_cast<std::size_t>(py * kWidth + px)]; };
+    const auto at = [&](int px, int py) { return kinds[place_of(px, py)]; };
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
             if (at(x + dx, y + dy) != at(x, y)) return false;
@@ -155,7 +161,7 @@ TEST_P(SceneRendererTest, ShowsSurfacesAndCapsWhereRaysMeetThem)
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 if (!is_inner(expected, x, y)) continue;
-                const auto pixel = static_cast<std::size_t>(y * kWidth + x);
+                const auto pixel = place_of(x, y);
                 ++compared[static_cast<std::size_t>(expected[pixel])];
                 ASSERT_EQ(seen[pixel].kind, static_cast<std::uint32_t>(expected[pixel]))
                     << model << " at " << x << ", " << y;

@@ -48,7 +48,7 @@ TEST(Blade, AZigZagIsAsFastAsItsPathIsLong)
 {
     Blade blade;
     blade.press(0, {0, 0});
-    for (int i = 1; i <= 20; ++i) blade.move(i * 5000, {0.0, i % 2 == 1 ? 0.1 : 0.0});
+    for (int i = 1; i <= 20; ++i) blade.move(Microseconds{5000} * i, {0.0, i % 2 == 1 ? 0.1 : 0.0});
     EXPECT_NEAR(blade.speed(100'000), 20.0, 1e-9);
 }
 
@@ -154,7 +154,7 @@ TEST(Blade, TheTrailIsTheLastMomentsOfThePath)
 {
     Blade blade;
     blade.press(0, {0, 0});
-    for (int i = 1; i <= 100; ++i) blade.move(i * 10'000, {0.1 * i, 0});
+    for (int i = 1; i <= 100; ++i) blade.move(Microseconds{10'000} * i, {0.1 * i, 0});
     const auto trail = blade.trail(1'000'000);
     ASSERT_EQ(trail.size(), std::size_t(kTrail / 10'000) + 1);
     EXPECT_EQ(trail.back().position, glm::dvec2(10, 0));
@@ -165,7 +165,7 @@ TEST(Blade, ForgetsAnEndlessSwipe)
 {
     Blade blade;
     blade.press(0, {0, 0});
-    for (int i = 1; i <= 200'000; ++i) blade.move(i * 1000, {std::sin(i * 0.1), std::cos(i * 0.1)});
+    for (int i = 1; i <= 200'000; ++i) blade.move(Microseconds{1000} * i, {std::sin(i * 0.1), std::cos(i * 0.1)});
     EXPECT_LE(blade.remembered(), 600u);
 }
 

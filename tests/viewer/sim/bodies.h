@@ -11,7 +11,7 @@
 namespace kerf::test {
 
 /// A body out of a mesh, one metre a unit, with its box's centre at `centre`.
-inline std::unique_ptr<sim::Body> body_of(IndexedMesh mesh, sim::ObjectId id, const glm::dvec3& centre,
+inline std::unique_ptr<sim::Body> body_of(const IndexedMesh& mesh, sim::ObjectId id, const glm::dvec3& centre,
                                           const sim::Motion& motion = {}, ProxyKind proxy = ProxyKind::full_hull,
                                           const std::string& backend = "baseline/remap")
 {

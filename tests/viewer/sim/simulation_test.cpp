@@ -355,9 +355,10 @@ TEST(Simulation, APieceIsCutOncePerSwipe)
     const glm::dvec2 middle = first_seen_at(models, 1, 90);
     std::vector<InputEvent> events{{time_of(88), InputKind::press, middle + glm::dvec2(-2, 0), {}}};
     // To and fro through the object, several times within the swipe.
-    for (int i = 1; i <= 8; ++i)
-        events.push_back(
-            {time_of(88) + i * 8000, InputKind::move, middle + glm::dvec2(i % 2 == 1 ? 2 : -2, 0.05 * i), {}});
+    for (int i = 1; i <= 8; ++i) {
+        const Microseconds time = time_of(88) + Microseconds{8000} * i;
+        events.push_back({time, InputKind::move, middle + glm::dvec2(i % 2 == 1 ? 2 : -2, 0.05 * i), {}});
+    }
     Simulation run(models, with_backend(backend_names().front()));
     run.push(events);
     run.advance(100);
@@ -469,7 +470,7 @@ TEST(ReportScene, ThrowsTheModelsOneAtATimeInOrder)
     Simulation run(models, with_backend(backend_names().front()));
     std::vector<std::size_t> thrown;
     std::uint64_t last = 0;
-    while (thrown.size() < 17 && run.now() < 17 * 600) {
+    while (thrown.size() < 17 && run.now() < Tick{17} * 600) {
         run.advance();
         ASSERT_LE(run.bodies().size(), 1u);
         for (const auto& body : run.bodies()) {
