@@ -47,7 +47,7 @@ bool has_only_numbers(const IndexedMesh& mesh)
 }
 
 /// A plane that meets a mesh in an interesting way. Valid.
-Plane some_plane(const IndexedMesh& mesh, Random& random)
+Plane trial_plane(const IndexedMesh& mesh, Random& random)
 {
     const auto vertex = [&] {
         return glm::dvec3(mesh.vertices[random.below(static_cast<std::uint32_t>(mesh.vertices.size()))].position);
@@ -169,7 +169,7 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
     const bool comparable = has_only_numbers(mesh);
     IndexedMesh whole = mesh;
     for (int cuts = 0; cuts < kMostCuts; ++cuts) {
-        const Plane plane = some_plane(whole, random);
+        const Plane plane = trial_plane(whole, random);
         CutOptions options;
         options.split_components = random.below(2) == 0;
         options.build_caps = random.below(8) != 0;
@@ -212,7 +212,7 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
         whole = side[random.below(static_cast<std::uint32_t>(side.size()))]->to_indexed_mesh();
         for (CutResult& result : results)
             for (Fragments* fragments : {&result.positive, &result.negative})
-                cut(std::move(fragments->front()), some_plane(whole, random), options);
+                cut(std::move(fragments->front()), trial_plane(whole, random), options);
         objects.clear();
         for (const auto& backend : backends) {
             PrepareResult prepared = backend->prepare(whole);
