@@ -67,7 +67,7 @@ Difference difference(const Picture& a, const Picture& b)
         }
         found.off += most > 16;
     }
-    const double pixels = static_cast<double>(a.rgba.size() / 4);
+    const double pixels = static_cast<double>(a.rgba.size()) / 4.0;
     return {found.mean / (3.0 * pixels), found.off / pixels};
 }
 

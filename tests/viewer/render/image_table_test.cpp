@@ -24,6 +24,12 @@ using render::Picture;
 constexpr int kSheetWidth = 240, kSheetHeight = 180;
 constexpr int kCells = 8;
 
+/// In a list of all pixels.
+std::size_t sheet_place_of(int x, int y)
+{
+    return static_cast<std::size_t>(y) * kSheetWidth + static_cast<std::size_t>(x);
+}
+
 using Rgb = std::array<std::uint8_t, 3>;
 constexpr Rgb kRed{200, 20, 20}, kGreen{20, 160, 30};
 
@@ -95,8 +101,7 @@ TEST_F(ImageTest, StaysWhereItsUvSay)
                 for (int y = 1; y + 1 < kSheetHeight; ++y)
                     for (int x = 1; x + 1 < kSheetWidth; ++x) {
                         const auto at = [&](int dx, int dy) -> const render::PixelFacts& {
-                            const auto column = static_cast<std::size_t>(x + dx);
-                            return seen[static_cast<std::size_t>(y + dy) * kSheetWidth + column];
+                            return seen[sheet_place_of(x + dx, y + dy)];
                         };
                         const render::PixelFacts& pixel = at(0, 0);
                         if (pixel.object == 0 || pixel.is_cap()) continue;
