@@ -111,7 +111,7 @@ TEST(AppendBuffer, ACopyIsIndependentAndHasTheSameRoom)
 TEST(AppendBuffer, ACopyOfAnEmptyOneIsEmpty)
 {
     const Numbers empty;
-    const Numbers copy = empty;
+    const Numbers copy = empty;  // NOLINT(performance-unnecessary-copy-initialization): that is what is tested
     EXPECT_TRUE(copy.empty());
 }
 

@@ -3,6 +3,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <utility>
+
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body.h"
 #include "viewer/sim/stages.h"
@@ -11,17 +13,18 @@
 namespace kerf::test {
 
 /// A body out of a mesh, one metre a unit, with its box's centre at `centre`.
-inline std::unique_ptr<sim::Body> body_of(const IndexedMesh& mesh, sim::ObjectId id, const glm::dvec3& centre,
+inline std::unique_ptr<sim::Body> body_of(IndexedMesh mesh, sim::ObjectId id, const glm::dvec3& centre,
                                           const sim::Motion& motion = {}, ProxyKind proxy = ProxyKind::full_hull,
                                           const std::string& backend = "baseline/remap")
 {
-    std::unique_ptr<Cuttable> object = std::move(sim::make_backend(backend)->prepare(mesh).object);
+    const glm::dvec3 middle = mesh.bounds().centre();
+    std::unique_ptr<Cuttable> object = std::move(sim::make_backend(backend)->prepare(std::move(mesh)).object);
     sim::Identity identity;
     identity.id = id;
     identity.origin.backend = backend;
-    identity.origin.centre = mesh.bounds().centre();
+    identity.origin.centre = middle;
     sim::MeshPose pose;
-    pose.translation = centre - mesh.bounds().centre();
+    pose.translation = centre - middle;
     const sim::Solid solid = sim::solid_of(object->mass_properties(), object->bounds(), 1.0);
     return std::make_unique<sim::Body>(std::move(identity), std::move(object), solid, pose, motion, proxy);
 }
