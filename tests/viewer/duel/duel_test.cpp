@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 
 #include "viewer/duel/timetable_scene.h"
 #include "viewer/sim/back_ends.h"
@@ -38,10 +37,10 @@ public:
 };
 
 /// A duel whose second half is slowed down.
-Duel unfair_duel(std::shared_ptr<sim::ModelLibrary> models)
+Duel unfair_duel(const std::shared_ptr<sim::ModelLibrary>& models)
 {
     int made = 0;
-    return {std::move(models), {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
+    return {models, {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
                 if (made++ == 0) return timetable();
                 return std::make_unique<SlowCuts>(std::vector<TimetableScene::Item>{{0}});
             }};
