@@ -81,7 +81,7 @@ void GameScene::run_waves(sim::Simulation& simulation)
         if (number > 0 && flying_.empty()) next_wave_ = std::min(next_wave_, now + difficulty_of(mode_, number).pause);
         if (now < next_wave_) return;
         rules_.start_wave(now);
-        wave_ = plan_wave(mode_, number + 1, simulation.seed_for(std::uint64_t(number + 1)));
+        wave_ = plan_wave(mode_, number + 1, simulation.seed_for(std::uint64_t(number) + 1));
         wave_start_ = now;
         next_throw_ = 0;
     }

@@ -83,7 +83,7 @@ HighScore score_of(const GameState& state, const std::string& backend, std::uint
     return {state.score, now_as_text(), backend, seed, state.counts.fruit_cut, state.counts.longest_combo};
 }
 
-HighScores::HighScores(std::filesystem::path folder)
+HighScores::HighScores(const std::filesystem::path& folder)
     : path_(folder.empty() ? std::filesystem::path() : folder / "scores.json")
 {
     read();

@@ -39,7 +39,7 @@ public:
     static constexpr std::size_t kKept = 10;
 
     /// Reads the file. @param folder  user_folder(); empty: nothing is stored
-    explicit HighScores(std::filesystem::path folder);
+    explicit HighScores(const std::filesystem::path& folder);
 
     /// Best first; of equal scores the earlier game.
     std::span<const HighScore> of(GameMode mode) const;

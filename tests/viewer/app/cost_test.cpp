@@ -115,7 +115,7 @@ TEST_F(GlTest, ThreeHundredPiecesAreSimulatedAndSubmittedWithinAFrame)
         }
     // One stroke along each row cuts every object of it.
     for (int row = 0; row < kRows; ++row) {
-        const double height = simulation.bodies()[static_cast<std::size_t>(row * kColumns)]->centre().y;
+        const double height = simulation.bodies()[static_cast<std::size_t>(row) * kColumns]->centre().y;
         simulation.push(stroke(simulation.time() + 1, 8'000, {-7.5, height}, {7.5, height}, 500));
         simulation.advance(2);
     }

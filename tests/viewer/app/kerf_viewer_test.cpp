@@ -51,7 +51,8 @@ protected:
         stbi_uc* const pixels = stbi_load((folder_ / name).c_str(), &png.width, &png.height, &channels, 3);
         if (pixels == nullptr) return png;
         std::vector<int> colours;
-        for (int i = 0; i < png.width * png.height; ++i)
+        const std::ptrdiff_t size = std::ptrdiff_t{png.width} * png.height;
+        for (std::ptrdiff_t i = 0; i < size; ++i)
             colours.push_back((pixels[3 * i] << 16) | (pixels[3 * i + 1] << 8) | pixels[3 * i + 2]);
         stbi_image_free(pixels);
         std::sort(colours.begin(), colours.end());

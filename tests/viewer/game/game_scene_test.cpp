@@ -226,7 +226,8 @@ TEST(GameScene, ThrowsFromTheSidesInAFrenzy)
         const std::size_t before = game.events(Kind::thrown).size();
         game.simulation().advance(kFrenzyTicks - 2);
         const std::vector<GameEvent> thrown = game.events(Kind::thrown);
-        EXPECT_NEAR(double(thrown.size() - before), double(kFrenzyTicks / kFrenzyGap), 1.0);
+        constexpr sim::Tick kThrows = kFrenzyTicks / kFrenzyGap;
+        EXPECT_NEAR(double(thrown.size() - before), double(kThrows), 1.0);
         for (std::size_t i = before; i < thrown.size(); ++i)
             EXPECT_NEAR(std::abs(thrown[i].place.x), sim::kStageHalfWidth, 1e-9);
     }

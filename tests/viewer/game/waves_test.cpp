@@ -42,7 +42,12 @@ double mean_fruit(GameMode mode, int number)
 double apex_by_steps(const sim::Flight& flight)
 {
     double y = flight.centre.y, v = flight.motion.velocity.y, highest = y;
-    for (constexpr double dt = 1e-4; v > 0.0; v -= kGameGravity * dt) highest = std::max(highest, y += v * dt);
+    constexpr double kStep = 1e-4;  // seconds
+    while (v > 0.0) {
+        y += v * kStep;
+        highest = std::max(highest, y);
+        v -= kGameGravity * kStep;
+    }
     return highest;
 }
 

@@ -96,13 +96,14 @@ protected:
         picture(flow, 1280, 720, false);
         const glm::dvec2 again(flow.hotspots().at(0).box.middle());
         const std::string scene = flow.scene();
-        for (double shown = 0.0; shown < GameFlow::kResultsShown - 1.0 / 60.0; shown += 1.0 / 60.0) {
+        const int shown_frames = static_cast<int>(60.0 * GameFlow::kResultsShown) - 1;
+        for (int frame = 0; frame < shown_frames; ++frame) {
             flow.point({Kind::press, again}, {1280.0f, 720.0f});
             flow.point({Kind::release, again}, {1280.0f, 720.0f});
             flow.press(MenuKey::accept);
             flow.press(MenuKey::back);
             flow.play_again();
-            ASSERT_EQ(flow.screens().screen(), Screen::over) << "after " << shown << " s";
+            ASSERT_EQ(flow.screens().screen(), Screen::over) << "after " << frame << " frames";
             frames(flow, 1);
         }
         // A swipe that goes on beyond that, and ends on the button.
