@@ -18,7 +18,7 @@
 
 #ifndef KERF_OPEN_SOUPS
 #ifdef KERF_BRIEF_TESTS
-#define KERF_OPEN_SOUPS 100
+#define KERF_OPEN_SOUPS 300
 #else
 #define KERF_OPEN_SOUPS 2000  // at a time; times KERF_OPEN_SOUP_RUNS
 #endif
