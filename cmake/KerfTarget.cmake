@@ -33,6 +33,16 @@ set(KERF_COLD_OPTIMIZATION -O1 CACHE STRING "Optimisation of test files and comm
 add_library(kerf_cold_flags INTERFACE)
 target_compile_options(kerf_cold_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:${KERF_COLD_OPTIMIZATION}>)
 
+# Where nobody compiles a second time: headers are read once, and a change of one file compiles all of its target again.
+option(KERF_UNITY_TESTS "Compile the files of each test program as one" OFF)
+option(KERF_UNITY_PROGRAMS "Compile the files of each target outside the library as one, tests among them" OFF)
+
+# The files of each target that this folder makes from here on, as one.
+macro(kerf_compile_as_one)
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 0)
+endmacro()
+
 # kerf_library(NAME SOURCES...): a static library kerf_NAME with the alias kerf::NAME; includes are written from src/.
 function(kerf_library name)
   add_library(kerf_${name} STATIC ${ARGN})

@@ -79,7 +79,7 @@ struct Fault
 };
 
 /// Attempts something for each of its allocations, which fails, alone or with all that follow, until there is none left
-/// to fail. Stops where a test has failed. A brief build tries every third.
+/// to fail. Stops where a test has failed. A brief build tries every seventh.
 ///
 /// @param attempt  takes a Fault; returns whether it came to that allocation
 /// @return         how many failures that stands for
@@ -87,7 +87,7 @@ template <class Attempt>
 std::uint64_t with_every_fault(Attempt attempt)
 {
     std::uint64_t faults = 0;
-    constexpr std::uint64_t kStep = test::kBrief ? 3 : 1;
+    constexpr std::uint64_t kStep = test::kBrief ? 7 : 1;
     for (const Failure failure : {Failure::once, Failure::for_good})
         for (std::uint64_t number = failure == Failure::once ? 0 : kStep - 1; attempt(Fault{number, failure});
              number += kStep) {

@@ -6,6 +6,7 @@
 #include "common/io/bytes.h"
 #include "io/glb_sample.h"
 #include "io/test_files.h"
+#include "support/brief.h"
 
 namespace kerf::io {
 namespace {
@@ -190,7 +191,8 @@ TEST_F(GlbTest, ReadsTheSceneThatTheFileOpensWith)
 
 TEST_F(GlbTest, RefusesDeeplyNestedJson)
 {
-    const std::size_t depth = 1'000'000;
+    // Either is more than a call for each bracket has stack for.
+    const std::size_t depth = test::kBrief ? 200'000 : 1'000'000;
     EXPECT_TRUE(contains(error_of("a.gltf", std::string(depth, '[')), "malformed"));
     // Balanced, so that it is parsed to its end.
     EXPECT_TRUE(contains(error_of("a.gltf", std::string(depth, '[') + std::string(depth, ']')), "not an object"));

@@ -11,8 +11,10 @@ const std::vector<NamedBackend>& backends()
 {
     using baseline::VertexLookup;
     static const std::vector<NamedBackend> all{
+#ifndef KERF_BRIEF_TESTS
         {"baseline_scan", [] { return baseline::make_backend(VertexLookup::scan); }},
         {"baseline_two_bucket_hash", [] { return baseline::make_backend(VertexLookup::two_bucket_hash); }},
+#endif
         {"baseline_hash", [] { return baseline::make_backend(VertexLookup::hash); }},
         {"baseline_remap", [] { return baseline::make_backend(VertexLookup::remap); }},
 #ifdef KERF_HAS_HALFEDGE
