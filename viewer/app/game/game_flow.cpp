@@ -131,7 +131,7 @@ void GameFlow::carry_out(const ui::Request& request)
     }
 }
 
-void GameFlow::change_settings(game::StoredSettings changed)
+void GameFlow::change_settings(const game::StoredSettings& changed)
 {
     screens_.set_settings(changed);
     apply_settings();

@@ -119,7 +119,7 @@ private:
     std::unique_ptr<sim::Scene> make_scene(const std::string& scene);
     void follow_round();
     void carry_out(const ui::Request& request);
-    void change_settings(game::StoredSettings changed);
+    void change_settings(const game::StoredSettings& changed);
     void apply_settings();
     void store_settings();
     void choose_giant(std::int64_t triangles);
