@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <semaphore>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "viewer/duel/timetable_scene.h"
 #include "viewer/sim/back_ends.h"
@@ -36,14 +39,39 @@ public:
     }
 };
 
+/// As a timetable, but the first cut says when it has begun, and goes on once it has been seen.
+class ACutThatIsSeen : public TimetableScene
+{
+public:
+    ACutThatIsSeen(std::binary_semaphore& began, std::binary_semaphore& seen)
+        : TimetableScene(std::vector<Item>{{0}}), began_(began), seen_(seen)
+    {
+    }
+    void on_cut(sim::Simulation&, const sim::CutRecord&) override
+    {
+        if (!std::exchange(first_, false)) return;
+        began_.release();
+        seen_.acquire();
+        std::this_thread::sleep_for(50ms);
+    }
+
+private:
+    std::binary_semaphore &began_, &seen_;
+    bool first_ = true;
+};
+
+/// A duel with another scene for its second half.
+Duel unfair_duel(const std::shared_ptr<sim::ModelLibrary>& models,
+                 const std::function<std::unique_ptr<sim::Scene>()>& second)
+{
+    int made = 0;
+    return {models, {}, kBackEnds, [&] { return made++ == 0 ? timetable() : second(); }};
+}
+
 /// A duel whose second half is slowed down.
 Duel unfair_duel(const std::shared_ptr<sim::ModelLibrary>& models)
 {
-    int made = 0;
-    return {models, {}, kBackEnds, [&]() -> std::unique_ptr<sim::Scene> {
-                if (made++ == 0) return timetable();
-                return std::make_unique<SlowCuts>(std::vector<TimetableScene::Item>{{0}});
-            }};
+    return unfair_duel(models, [] { return std::make_unique<SlowCuts>(std::vector<TimetableScene::Item>{{0}}); });
 }
 
 /// A swipe across the stage when the first throw is near its apex.
@@ -158,13 +186,16 @@ TEST(Duel, TheBladeFollowsThePlayerWhateverTheHalvesDo)
 TEST(Duel, EndsInTheMiddleOfACut)
 {
     const auto models = library_of({"icosphere"});
-    Duel duel = unfair_duel(models);
+    std::binary_semaphore began{0}, seen{0};
+    Duel duel = unfair_duel(models, [&] { return std::make_unique<ACutThatIsSeen>(began, seen); });
     for (int frame = 0; frame < 140; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
-    duel.half(0).finish();
-    // All that the second half owes, so that it is in the middle of its cut now: leaving must neither hang nor crash.
-    duel.half(1).wait_for(1s);
-    duel.half(1).resume(duel.half(1).owed());
-    EXPECT_FALSE(duel.half(1).wait_for(60ms));
+    // Until the second half is in the middle of its cut: leaving must neither hang nor crash.
+    while (!began.try_acquire_for(1ms)) {
+        ASSERT_TRUE(duel.half(1).owed() > 0 || !duel.half(1).idle()) << "it came to its end without a cut";
+        duel.half(1).resume(duel.half(1).owed());
+    }
+    EXPECT_FALSE(duel.half(1).idle());
+    seen.release();
 }
 
 TEST(Duel, HandsOnWhatGoesWrongInAHalf)
