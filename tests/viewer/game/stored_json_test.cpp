@@ -144,7 +144,7 @@ TEST_F(StoredJsonTest, WritesTextThatIsNoUtf8)
 TEST_F(StoredJsonTest, SurvivesKillsInTheMiddleOfWriting)
 {
     constexpr int kKills = test::kBrief ? 8 : 60;  // under a sanitizer a child takes a second
-    constexpr std::size_t kNumbers = 200'000;
+    constexpr std::size_t kNumbers = 50'000;
     const auto value = [](int n) { return Json(std::vector<int>(kNumbers, n)); };
     ASSERT_EQ(save_json(file_, value(0)), "");
     shapes::Random random(5);
