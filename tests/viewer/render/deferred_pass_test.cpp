@@ -30,10 +30,11 @@ constexpr int kSceneWidth = 200, kSceneHeight = 160;
 /// Nothing but asteroid is seen there.
 constexpr render::ScreenRectangle kMiddle{64, 48, 64, 64};
 
-/// An asteroid of stone that fills most of the picture's height.
-std::vector<StagedPiece> asteroid(std::uint64_t triangles, const char* material = "rock")
+/// An asteroid of stone that fills most of the picture's height, in a mesh of any unit.
+std::vector<StagedPiece> asteroid(std::uint64_t triangles, const char* material = "rock", float unit = 1.0f)
 {
     TriangleSoup soup = shapes::asteroid(triangles, 5);
+    for (Vertex& vertex : soup.vertices) vertex.position *= unit;
     Material stone;
     stone.name = material;
     soup.materials = {stone};
@@ -157,6 +158,20 @@ TEST_F(DeferredPass, LooksLikeShadingWhileDrawing)
             }
 }
 
+TEST_F(DeferredPass, LooksTheSameInAnyUnit)
+{
+    for (const float unit : {1e-9f, 1e-6f, 1e6f, 1e9f}) {
+        std::vector<StagedPiece> pieces = asteroid(20'000, "rock", unit);
+        const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
+        const std::vector<DrawnObject> objects = drawn(pieces, fragments);
+        const Difference apart = difference(picture_of(objects, {}, false), picture_of(objects, {}, true));
+        SCOPED_TRACE("unit " + std::to_string(unit));
+        EXPECT_GT(apart.mean, 0.0) << "it was not deferred";
+        EXPECT_LT(apart.mean, 0.01);
+        EXPECT_LE(apart.off, 0.01);
+    }
+}
+
 TEST_F(DeferredPass, HidesAndIsHiddenLikeWhatIsShadedWhileDrawing)
 {
     // A cube, which is shaded while it is drawn, stands half in an asteroid, which is not.
@@ -181,6 +196,7 @@ TEST_F(DeferredPass, KeepsEdgesOfTrianglesOnTheirSurface)
     DrawOptions wired;
     wired.wireframe = true;
     const Difference apart = difference(picture_of(objects, wired, false), picture_of(objects, wired, true));
+    EXPECT_GT(apart.mean, 0.0) << "it was not deferred";
     EXPECT_LT(apart.mean, 0.01);
     EXPECT_LE(apart.off, 0.01);
     EXPECT_FALSE(picture_of(objects, wired, true) == picture_of(objects, {}, true));

@@ -6,5 +6,7 @@ out vec4 surface;
 
 void main()
 {
-    surface = vec4(gl_FrontFacing ? world_normal : -world_normal, batch);
+    // As long as the mesh's unit is in metres: half a float has neither micrometres nor megametres.
+    vec3 normal = normalize(world_normal);
+    surface = vec4(gl_FrontFacing ? normal : -normal, batch);
 }
