@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::bench {
 

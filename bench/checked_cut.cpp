@@ -6,8 +6,8 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
-#include "common/convex_hull.h"
-#include "common/mesh_facts.h"
+#include "common/proxy/convex_hull.h"
+#include "common/repair/mesh_facts.h"
 
 namespace kerf::bench {
 

@@ -1,6 +1,6 @@
 // Sections that are hard on a cutter (shapes/hard_sections.h), at a quarter of the size and at full size: a step that
 // is quadratic somewhere shows as a factor of sixteen.
-//   Hard/<back end>/<section>/<size>   the cut (time), and counters in ms: `assemble`, `prepare`, `pieces` (the same
+//   Hard/<back end>/<section>/<size>   the cut (time), and counters in ms: `assemble` (repair()), `prepare`, `pieces` (the same
 //                                      cut into connected pieces), `again` (both fragments of the cut, cut into pieces
 //                                      by a plane at right angles)
 
@@ -10,8 +10,8 @@
 #include <array>
 
 #include "bench/back_ends.h"
-#include "common/cpu_stopwatch.h"
 #include "common/shapes/hard_sections.h"
+#include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
 
@@ -49,11 +49,11 @@ void hard_section(benchmark::State& state, const Backend& backend, const std::st
     for (auto _ : state) {
         const shapes::HardSection section = *shapes::hard_section(name, size);
         const Plane& plane = section.plane;
-        const ProvenMesh mesh = assemble(section.soup).mesh;
+        const ProvenMesh mesh = repair(section.soup).mesh;
         const PrepareResult prepared = backend.prepare(mesh);
         if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
         state.counters["assemble"] =
-            least_ms([&] { return section.soup; }, [](TriangleSoup soup) { return assemble(std::move(soup)); });
+            least_ms([&] { return section.soup; }, [](TriangleSoup soup) { return repair(std::move(soup)); });
         state.counters["prepare"] = least_ms([&] { return ProvenMesh(mesh); },
                                              [&](ProvenMesh copy) { return backend.prepare(std::move(copy)); });
 

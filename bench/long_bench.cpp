@@ -16,7 +16,7 @@
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/timed_shapes.h"
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
 

@@ -13,7 +13,7 @@
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/models.h"
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
 

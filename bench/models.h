@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "common/plane.h"
-#include "common/proven_mesh.h"
+#include "common/mesh/plane.h"
+#include "common/repair/proven_mesh.h"
 
 namespace kerf::bench {
 

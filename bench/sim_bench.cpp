@@ -14,7 +14,7 @@
 #include <string>
 
 #include "bench/timed_shapes.h"
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/proxy_names.h"
 #include "viewer/sim/simulation.h"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "bench/checked_cut.h"
-#include "common/assemble.h"
-#include "common/shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::bench {
 
@@ -24,7 +24,7 @@ const ProvenMesh& timed_shape(const std::string& name, std::uint64_t triangles)
         mesh = {};
         TriangleSoup soup = shapes::asteroid(triangles, kSeed);
         if (name == "shuffled") soup = shapes::shuffled(std::move(soup), kSeed);
-        mesh = assemble(std::move(soup)).mesh;
+        mesh = repair(std::move(soup)).mesh;
         key = {name, triangles};
     }
     return mesh;

@@ -18,7 +18,7 @@ int main(int argc, char** argv)
     int failures = 0;
     for (const auto& fruit : kerf::maker::kFruit) {
         try {
-            const kerf::Assembled made = kerf::assemble(kerf::maker::soup_of(fruit.make()));
+            const kerf::Repaired made = kerf::repair(kerf::maker::soup_of(fruit.make()));
             if (!made.error.empty()) throw std::logic_error(made.error);
             if (!made.repairs.none()) throw std::logic_error(made.repairs.describe());
             const std::string path = std::string(argv[1]) + '/' + std::string(fruit.name) + ".glb";

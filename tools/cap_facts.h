@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::tools {
 

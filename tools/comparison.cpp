@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/stopwatch.h"
+#include "common/support/stopwatch.h"
 #include "tools/open_edges.h"
 #include "tools/section_facts.h"
 #include "tools/text.h"

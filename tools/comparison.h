@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "tools/cap_facts.h"
 #include "tools/comparison_planes.h"
 #include "tools/surface_keys.h"

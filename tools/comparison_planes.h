@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/plane.h"
+#include "common/mesh/plane.h"
 #include "tools/surface_keys.h"
 
 namespace kerf::tools {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/coordinate_grain.h"
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "common/io/mesh_file.h"
+#include "common/mesh/coordinate_grain.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
 #include "tools/notes_json.h"

@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "common/indexed_mesh.h"
-#include "common/mass_properties.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/mass_properties.h"
 #include "tools/text.h"
 
 namespace kerf::tools {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::tools {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "command_line/whole_number.h"
-#include "common/assemble.h"
 #include "common/io/mesh_file.h"
-#include "common/shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 #include "tools/commands.h"
 #include "tools/text.h"
 
@@ -27,10 +27,10 @@ void run(const ShapeOptions& options)
 {
     std::optional<TriangleSoup> soup = shapes::make(options.name, options.triangles, options.seed);
     if (!soup) throw std::runtime_error("there is no shape called '" + options.name + "'");
-    const Assembled assembled = assemble(std::move(*soup));
-    if (!assembled.error.empty()) throw std::runtime_error(options.name + ": " + assembled.error);
-    io::write_mesh(options.out, assembled.mesh);
-    print(options.out + ": " + counted(assembled.mesh->triangles.size(), "triangle") + "\n");
+    const Repaired repaired = repair(std::move(*soup));
+    if (!repaired.error.empty()) throw std::runtime_error(options.name + ": " + repaired.error);
+    io::write_mesh(options.out, repaired.mesh);
+    print(options.out + ": " + counted(repaired.mesh->triangles.size(), "triangle") + "\n");
 }
 
 std::string list_of_names()

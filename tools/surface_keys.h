@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::tools {
 

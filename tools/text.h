@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/plane.h"
+#include "common/mesh/plane.h"
 
 // How the program writes numbers and reads vectors.
 

@@ -11,7 +11,7 @@
 #include <exception>
 #include <map>
 
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
 

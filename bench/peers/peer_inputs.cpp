@@ -6,7 +6,7 @@
 #include "baseline/baseline.h"
 #include "bench/models.h"
 #include "bench/timed_shapes.h"
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::bench {
 

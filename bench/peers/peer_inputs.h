@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/indexed_mesh.h"
-#include "common/plane.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/plane.h"
 
 // What other libraries are given: the meshes and planes of kerf_bench, as bare triangles that share their corners.
 

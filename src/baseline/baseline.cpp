@@ -2,7 +2,7 @@
 
 #include "baseline/fragment.h"
 #include "baseline/slice.h"
-#include "common/stopwatch.h"
+#include "common/support/stopwatch.h"
 
 namespace kerf::baseline {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::baseline {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/cut_geometry.h"
-#include "common/cut_point_classes.h"
-#include "common/indexed_mesh.h"
+#include "baseline/cut_point_classes.h"
+#include "common/cutting/cut_geometry.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::baseline {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "common/cut.h"
-#include "common/indexed_mesh.h"
+#include "common/cutting/cut.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::baseline {
 

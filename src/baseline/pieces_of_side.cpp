@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "baseline/pair_table.h"
-#include "common/disjoint_sets.h"
-#include "common/half_edge_pairs.h"
-#include "common/mass_properties.h"
-#include "common/parallel_rays.h"
+#include "common/geometry/disjoint_sets.h"
+#include "common/geometry/parallel_rays.h"
+#include "common/mesh/mass_properties.h"
+#include "common/repair/edge_runs.h"
 
 namespace kerf::baseline {
 

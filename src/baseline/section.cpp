@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "baseline/pair_table.h"
-#include "common/section_area.h"
+#include "common/caps/section_area.h"
 
 namespace kerf::baseline {
 

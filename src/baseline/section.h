@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "baseline/crossing.h"
-#include "common/cut.h"
-#include "common/outline_loops.h"
+#include "common/caps/outline_loops.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::baseline {
 

@@ -11,8 +11,8 @@
 #include "baseline/section.h"
 #include "baseline/side_builder.h"
 #include "baseline/vertex_lookup.h"
-#include "common/cut_geometry.h"
-#include "common/stopwatch.h"
+#include "common/cutting/cut_geometry.h"
+#include "common/support/stopwatch.h"
 
 namespace kerf::baseline {
 

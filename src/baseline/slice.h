@@ -5,7 +5,7 @@
 
 #include "baseline/baseline.h"
 #include "baseline/fragment.h"
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::baseline {
 

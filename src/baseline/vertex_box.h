@@ -3,8 +3,8 @@
 #include <cstring>
 #include <limits>
 
-#include "common/box.h"
-#include "common/indexed_mesh.h"
+#include "common/mesh/box.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::baseline {
 

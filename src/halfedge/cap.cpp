@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/section_area.h"
+#include "common/caps/section_area.h"
 
 namespace kerf::halfedge {
 

@@ -1,4 +1,4 @@
-#include "common/turn.h"
+#include "common/geometry/turn.h"
 #include "halfedge/cap_triangulator.h"
 #include "halfedge/run_boxes.h"
 

@@ -1,6 +1,6 @@
 #include "halfedge/cap_halving.h"
 
-#include "common/turn.h"
+#include "common/geometry/turn.h"
 
 namespace kerf::halfedge {
 

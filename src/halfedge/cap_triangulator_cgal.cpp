@@ -15,7 +15,7 @@
 #include <tuple>
 #include <utility>
 
-#include "common/turn.h"
+#include "common/geometry/turn.h"
 #include "halfedge/cap_triangulator.h"
 
 // The only file that includes CGAL, whose triangulations are under the GPL.

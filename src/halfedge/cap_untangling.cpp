@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "common/turn.h"
+#include "common/geometry/turn.h"
 #include "halfedge/cap_triangulator.h"
 #include "halfedge/near_places.h"
 #include "halfedge/run_boxes.h"

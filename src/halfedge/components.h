@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "common/cut_geometry.h"
+#include "common/cutting/cut_geometry.h"
 #include "halfedge/cut_plan.h"
 
 namespace kerf::halfedge {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "common/cut.h"
-#include "common/cut_geometry.h"
+#include "common/cutting/cut.h"
+#include "common/cutting/cut_geometry.h"
 #include "halfedge/universe.h"
 
 // What a cut is planned in. All vectors keep their memory from cut to cut.

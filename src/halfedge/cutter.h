@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "halfedge/piece_plan.h"
 #include "halfedge/universe.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "halfedge/universe.h"
 
 namespace kerf::halfedge {

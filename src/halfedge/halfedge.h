@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::halfedge {
 

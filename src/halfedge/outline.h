@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/outline_loops.h"
+#include "common/caps/outline_loops.h"
 #include "halfedge/cut_plan.h"
 
 namespace kerf::halfedge {

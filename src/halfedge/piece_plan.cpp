@@ -4,10 +4,10 @@
 #include <map>
 #include <unordered_map>
 
-#include "common/disjoint_sets.h"
-#include "common/mass_properties.h"
-#include "common/parallel_rays.h"
-#include "common/pieces.h"
+#include "common/cutting/pieces.h"
+#include "common/geometry/disjoint_sets.h"
+#include "common/geometry/parallel_rays.h"
+#include "common/mesh/mass_properties.h"
 #include "halfedge/export.h"
 #include "halfedge/outline.h"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/mass_properties.h"
-#include "common/plane.h"
+#include "common/mesh/mass_properties.h"
+#include "common/mesh/plane.h"
 #include "halfedge/cut_plan.h"
 #include "halfedge/universe.h"
 

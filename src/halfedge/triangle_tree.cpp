@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "common/cut_geometry.h"
+#include "common/cutting/cut_geometry.h"
 
 namespace kerf::halfedge {
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "common/box.h"
-#include "common/collision_proxy.h"
-#include "common/mass_properties.h"
-#include "common/plane.h"
+#include "common/mesh/box.h"
+#include "common/mesh/mass_properties.h"
+#include "common/mesh/plane.h"
+#include "common/proxy/collision_proxy.h"
 #include "halfedge/append_buffer.h"
 #include "halfedge/surface_mesh.h"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
-#include "common/indexed_mesh.h"
-#include "common/proven_mesh.h"
+#include "common/cutting/cut.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/repair/proven_mesh.h"
 #include "halfedge/append_buffer.h"
 #include "halfedge/fair_shared_mutex.h"
 #include "halfedge/surface_mesh.h"

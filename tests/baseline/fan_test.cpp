@@ -10,8 +10,8 @@
 namespace kerf::baseline {
 namespace {
 
-using test::assembled;
 using test::closed_shape;
+using test::repaired;
 
 const Plane kAcross{{0, 0, 1}, 0.0};
 
@@ -84,7 +84,7 @@ TEST(Fan, EachLoopHasACentreOfItsOwn)
 /// A chevron whose inner corner, (0, -1), is the mean of its four: the fan's centre falls on the rim.
 IndexedMesh chevron_prism()
 {
-    return assembled(prism({{0, 3}, {-3, -3}, {0, -1}, {3, -3}}, {{0, 1, 2}, {0, 2, 3}}));
+    return repaired(prism({{0, 3}, {-3, -3}, {0, -1}, {3, -3}}, {{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(Fan, ACentreOnTheRimMovesAside)

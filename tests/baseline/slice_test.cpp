@@ -6,7 +6,7 @@
 #include <map>
 
 #include "baseline/slices.h"
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "support/referee.h"
 
 namespace kerf::baseline {
@@ -39,7 +39,7 @@ TEST(Slice, StreamsOfAnyWidthAreCarriedAndInterpolated)
         for (const Vertex& v : soup.vertices)
             for (std::uint32_t w = 0; w < width; ++w) stream.values.push_back(value(v.position, w));
         soup.streams = {std::move(stream)};
-        const IndexedMesh mesh = test::assembled(std::move(soup));
+        const IndexedMesh mesh = test::repaired(std::move(soup));
         for_each_cut(mesh, [&](const Slices& slices, const Plane&) {
             for (const Fragment& side : {slices.positive.at(0), slices.negative.at(0)}) {
                 ASSERT_EQ(side.mesh.streams.size(), 1u);
@@ -68,7 +68,7 @@ TEST(Slice, TrianglesKeepTheMaterialAndTheAreaOfTheirSource)
     for (std::size_t i = 0; i < 5; ++i) soup.materials[i].name = "material " + std::to_string(i);
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) soup.triangle_materials.push_back(random.below(5));
     const std::vector<std::uint32_t> material_of_source = soup.triangle_materials;
-    const IndexedMesh mesh = test::assembled(std::move(soup));
+    const IndexedMesh mesh = test::repaired(std::move(soup));
     const auto area_by_source = [](const std::vector<const IndexedMesh*>& meshes) {
         std::map<std::uint32_t, double> areas;
         for (const IndexedMesh* m : meshes)
@@ -198,7 +198,7 @@ TEST(Slice, ALinearCutterTouchesEveryTriangleAndTheBoundsSpareItAMiss)
 TEST(Slice, ASideOfWhichNothingIsLeftIsAMiss)
 {
     // The spike reaches a whole unit above the plane, but all its pieces there collapse into one point.
-    const Fragment whole = fragment_of(test::assembled(spike()));
+    const Fragment whole = fragment_of(test::repaired(spike()));
     for (const VertexLookup lookup : kAllLookups) {
         const Slices slices = slice(whole, {{0, 0, 1}, 0.0}, {}, lookup);
         EXPECT_EQ(slices.status, Status::missed) << name_of(lookup);

@@ -2,7 +2,7 @@
 
 #include "baseline/fragment.h"
 #include "baseline/slice.h"
-#include "common/assemble.h"
+#include "common/mesh/triangle_soup.h"
 #include "support/fixtures.h"
 
 // What the tests of the baseline's inside share.

@@ -106,7 +106,7 @@ TEST(VertexLookup, ASpikeWhoseCutPointsFallTogetherLeavesNoVertexBehind)
 {
     // Nothing of the spike is left above the plane; its tip must go too, though no cut point fell on a corner.
     const IndexedMesh mesh =
-        test::assembled(joined(prism({{4, 4}, {5, 4}, {5, 5}, {4, 5}}, {{0, 1, 2}, {0, 2, 3}}), spike()));
+        test::repaired(joined(prism({{4, 4}, {5, 4}, {5, 5}, {4, 5}}, {{0, 1, 2}, {0, 2, 3}}), spike()));
     for (const VertexLookup lookup : kAllLookups) {
         SCOPED_TRACE(name_of(lookup));
         const Slices slices = slice(fragment_of(mesh), {{0, 0, 1}, 0.0}, {}, lookup);
@@ -167,7 +167,7 @@ TEST(VertexLookup, ComparesNoMoreWhereAllCutPointsLieInOnePlace)
         SCOPED_TRACE(name);
         const auto comparisons = [&](std::uint32_t n) {
             const shapes::HardSection section = *shapes::hard_section(name, n);
-            const Fragment whole = fragment_of(*assemble(section.soup).mesh);
+            const Fragment whole = fragment_of(*repair(section.soup).mesh);
             const Slices slices = slice(whole, section.plane, {}, VertexLookup::hash);
             EXPECT_GE(slices.statistics.crossing_triangles, 3 * n);
             return double(slices.statistics.vertex_comparisons);

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "baseline/baseline.h"
-#include "common/assemble.h"
-#include "common/collision_proxy.h"
-#include "common/convex_hull.h"
-#include "common/coordinate_grain.h"
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "common/io/mesh_file.h"
-#include "common/mass_properties.h"
-#include "common/mesh_facts.h"
-#include "common/shapes.h"
+#include "common/mesh/coordinate_grain.h"
+#include "common/mesh/mass_properties.h"
+#include "common/proxy/collision_proxy.h"
+#include "common/proxy/convex_hull.h"
+#include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -173,28 +173,28 @@ TEST(AnyMesh, IsMeasuredOrMeasuresAsNothing)
     EXPECT_EQ(measure(wild).triangles, 0u);
 }
 
-TEST(AnySoup, IsMeasuredAssembledOrRefused)
+TEST(AnySoup, IsMeasuredRepairedOrRefused)
 {
     TriangleSoup soup = shapes::box({1, 1, 1}, {1, 1, 1});
     soup.triangles[2][0] = kMost;
     EXPECT_EQ(measure(soup).triangles, 0u);
-    EXPECT_NE(assemble(soup).error, "");
-    EXPECT_TRUE(assemble(soup).mesh->triangles.empty());
+    EXPECT_NE(repair(soup).error, "");
+    EXPECT_TRUE(repair(soup).mesh->triangles.empty());
     EXPECT_EQ(shapes::shuffled(soup, 1).triangles, soup.triangles);
 
     soup = shapes::box({1, 1, 1}, {1, 1, 1});
     soup.streams.push_back({"short", 4, Buffer<float>(3, 1.0f)});
     EXPECT_EQ(shapes::shuffled(soup, 1).triangles, soup.triangles);
-    EXPECT_NE(assemble(soup).error, "");
+    EXPECT_NE(repair(soup).error, "");
     soup.streams[0] = {"wide", kMost, {}};
-    EXPECT_NE(assemble(soup).error, "");
+    EXPECT_NE(repair(soup).error, "");
     soup.streams.clear();
     soup.triangle_materials = {0, 1};
     EXPECT_EQ(shapes::shuffled(soup, 1).triangles, soup.triangles);
-    EXPECT_NE(assemble(soup).error, "");
+    EXPECT_NE(repair(soup).error, "");
     const TriangleSoup elsewhere = std::move(soup);
     // NOLINTNEXTLINE(bugprone-use-after-move): that is what is tested
-    EXPECT_NE(assemble(soup).error, "");
+    EXPECT_NE(repair(soup).error, "");
     EXPECT_EQ(measure(TriangleSoup()).triangles, 0u);
     EXPECT_TRUE(shapes::shuffled(TriangleSoup(), 1).triangles.empty());
 }
@@ -206,15 +206,15 @@ TEST(AnySoup, LosesNoNumberToNormalsAndUvThatAreNone)
     soup.vertices[1].normal = glm::vec3(kInfinity);
     soup.vertices[2].uv = {0.5f, -kInfinity};
     soup.vertices[3].normal = glm::vec3(0.0f);
-    const Assembled assembled = assemble(soup);
-    EXPECT_EQ(assembled.error, "");
-    EXPECT_EQ(assembled.repairs.replaced_attributes, 3u);
-    EXPECT_EQ(assembled.repairs.describe(), "3 vertices with a normal or uv that is not finite given another");
-    EXPECT_EQ(prove(assembled.mesh).error, "");
-    for (const Vertex& v : assembled.mesh->vertices) EXPECT_NEAR(glm::length(v.normal), 1.0f, 1e-6f);
+    const Repaired repaired = repair(soup);
+    EXPECT_EQ(repaired.error, "");
+    EXPECT_EQ(repaired.repairs.replaced_attributes, 3u);
+    EXPECT_EQ(repaired.repairs.describe(), "3 vertices with a normal or uv that is not finite given another");
+    EXPECT_EQ(prove(repaired.mesh).error, "");
+    for (const Vertex& v : repaired.mesh->vertices) EXPECT_NEAR(glm::length(v.normal), 1.0f, 1e-6f);
     // Normals that are not asked for are not missed.
     soup.has_normals = false;
-    EXPECT_EQ(assemble(soup).repairs.replaced_attributes, 1u);
+    EXPECT_EQ(repair(soup).repairs.replaced_attributes, 1u);
 }
 
 TEST(AnyPoints, HaveAHullOfThoseThatAreSomewhere)
@@ -291,13 +291,13 @@ TEST(AnyNumbers, MakeAShapeOrAnException)
     using namespace shapes;
     const std::vector<float> sizes{0.0f, -1.0f, kNan, kInfinity, std::numeric_limits<float>::max()};
     for (const float size : sizes) {
-        // What is no mesh assemble() says.
+        // What is no mesh repair() says.
         for (const TriangleSoup& soup :
              {icosphere(size, 0), uv_sphere(size, 0, 0), box(glm::vec3(size), {0, 0, 0}), cylinder(size, size, 0, 0),
               cone(size, size, 0), torus(size, size, 0, 0), pipe(size, size, size, 0, 0), bowl(size, size, 0, 0),
               comb(0), l_step(0), two_legs(0), tray(0), menger_sponge(0), nested_spheres({}, 0),
               nested_spheres(sizes, 0), sphere_in_sphere(size, size, 0), overlapping_spheres(size, size, 0)})
-            assemble(soup);
+            repair(soup);
         EXPECT_GT(spiral_wall(std::min(size, 1.0f), 0).triangles.size(), 0u);
     }
     for (const std::uint32_t many : {kMost, kMost - 1, kMost / 2}) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "common/io/mesh_file.h"
 #include "support/cgal_clip.h"
 #include "support/fixtures.h"

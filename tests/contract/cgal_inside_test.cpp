@@ -10,8 +10,8 @@
 #include <cmath>
 #include <limits>
 
-#include "common/cut.h"
-#include "common/cut_geometry.h"
+#include "common/cutting/cut.h"
+#include "common/cutting/cut_geometry.h"
 #include "common/io/mesh_file.h"
 #include "support/cgal_clip.h"
 #include "support/fixtures.h"

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "common/io/mesh_file.h"
-#include "common/mesh_facts.h"
-#include "common/shapes.h"
+#include "common/repair/mesh_facts.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/coinciding_solids.h"
 #include "support/fixtures.h"
@@ -30,7 +30,7 @@ protected:
     };
 
     /// What is left of a soup that is closed.
-    IndexedMesh assembled(const TriangleSoup& soup)
+    IndexedMesh repaired(const TriangleSoup& soup)
     {
         EXPECT_EQ(measure(soup).unbalanced_edges, 0u);
         return closed(soup);
@@ -39,7 +39,7 @@ protected:
     /// What is left of a soup that comes out closed.
     IndexedMesh closed(const TriangleSoup& soup)
     {
-        Assembled result = assemble(soup);
+        Repaired result = repair(soup);
         EXPECT_EQ(result.error, "");
         EXPECT_EQ(referee::open_edges(result.mesh), 0u);
         EXPECT_EQ(referee::open_edges_by_position(result.mesh), 0u);
@@ -111,8 +111,8 @@ TEST_P(CoincidingTriangles, ThatTwoSolidsHaveInCommonOpenNeither)
 {
     using namespace small_meshes;
     const IndexedMesh mesh =
-        assembled(soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 1}, {0.3f, 0.3f, 2}},
-                       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}}));
+        repaired(soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2f, 0.2f, 1}, {0.3f, 0.3f, 2}},
+                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}}));
     EXPECT_EQ(seen_.kept, 1u);
     const glm::dvec3 normal = glm::normalize(glm::dvec3(0.1, 0.2, 1.0));
     std::vector<test::NamedPlane> planes = test::planes_for(mesh, 8, 1);
@@ -135,7 +135,7 @@ TEST_P(CoincidingTriangles, OfRandomSolidsLeaveClosedHalves)
             for (Vertex& v : soup.vertices) v.position = v.position * 0.1f + glm::vec3(0.3f, 0.7f, -0.1f);
         if (seed % 4 == 2)
             for (Vertex& v : soup.vertices) v.position = v.position * 0.3f + glm::vec3(1e6f, -1e6f, 1e6f);
-        const IndexedMesh mesh = assembled(soup);
+        const IndexedMesh mesh = repaired(soup);
         expect_closed_halves(mesh, test::planes_for(mesh, 1, seed));
         if (HasFatalFailure()) return;
     }
@@ -169,7 +169,7 @@ TEST_P(CoincidingTriangles, ComeApartAlikeForEveryBackEnd)
     for (std::uint32_t seed = 225; seed < 265; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
-        const IndexedMesh mesh = assembled(small_meshes::solids_with_common_triangles(random));
+        const IndexedMesh mesh = repaired(small_meshes::solids_with_common_triangles(random));
         for (const auto& [name, plane] : test::planes_for(mesh, 1, seed)) {
             SCOPED_TRACE(name);
             const CutResult expected = cut(first->prepare(mesh).object, plane, apart),
@@ -190,7 +190,7 @@ TEST_P(CoincidingTriangles, OfCoarseGridsLeaveClosedHalves)
             SCOPED_TRACE(name + ", " + std::to_string(cells) + " cells");
             snap(soup, cells, cells == 8 ? glm::vec3(1e6f) : glm::vec3(0.0f));
             if (measure(soup).degenerate_triangles == soup.triangles.size()) continue;
-            const IndexedMesh mesh = assembled(soup);
+            const IndexedMesh mesh = repaired(soup);
             expect_closed_halves(mesh, test::planes_for(mesh, 1, 1));
             if (HasFatalFailure()) return;
         }
@@ -214,7 +214,7 @@ TEST_P(CoincidingTriangles, OfRealMeshesFarAwayAndOnCoarseGridsLeaveClosedHalves
             else
                 for (Vertex& v : soup.vertices) v.position += 1e6f;
             if (measure(soup).degenerate_triangles == soup.triangles.size()) continue;
-            const IndexedMesh mesh = assembled(soup);
+            const IndexedMesh mesh = repaired(soup);
             const auto planes = test::planes_for(mesh, 1, 1);
             expect_closed_halves(mesh, planes);
             if (HasFatalFailure()) return;

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "baseline/baseline.h"
-#include "common/cut.h"
-#include "common/shapes.h"
+#include "common/cutting/cut.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 
@@ -24,7 +24,7 @@ constexpr double kShare = 0.03;
 /// Counters of cuts of fresh copies by three fixed planes, added up.
 CutStatistics counted(const Backend& backend, std::uint64_t triangles)
 {
-    const std::unique_ptr<Cuttable> object = backend.prepare(test::assembled(shapes::asteroid(triangles, 1))).object;
+    const std::unique_ptr<Cuttable> object = backend.prepare(test::repaired(shapes::asteroid(triangles, 1))).object;
     CutStatistics sum;
     for (const glm::dvec3& normal : {glm::dvec3(1, 2, 3), glm::dvec3(-3, 1, 2), glm::dvec3(2, -3, 1)}) {
         const CutResult result = cut(object->clone(), *Plane::through({0.01, 0.02, 0.03}, normal));

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/prisms.h"
@@ -343,7 +343,7 @@ TEST_P(CrossingSections, FlatShellsInThePlaneFillAHoleOfTheCap)
         soup.vertices.push_back({p, glm::vec3(0.0f), glm::vec2(0.0f)});
     soup.triangles.push_back({first, first + 1, first + 2});
     soup.triangles.push_back({first, first + 2, first + 1});
-    const CutResult result = cut_of(test::assembled(std::move(soup)), Plane{{0, 1, 0}, 0.5});
+    const CutResult result = cut_of(test::repaired(std::move(soup)), Plane{{0, 1, 0}, 0.5});
     ASSERT_EQ(result.status, Status::cut);
     expect_closed(result.positive);
     expect_closed(result.negative);

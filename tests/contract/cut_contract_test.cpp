@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -537,7 +537,7 @@ IndexedMesh mesh_of(const std::vector<glm::vec3>& positions, const std::vector<T
     TriangleSoup soup;
     for (const glm::vec3& p : positions) soup.vertices.push_back({p, {0, 1, 0}, {}});
     soup.triangles.assign(triangles.begin(), triangles.end());
-    return test::assembled(std::move(soup));
+    return test::repaired(std::move(soup));
 }
 
 TEST_P(CutContract, ATipThatVanishesWhollyIsMissed)

@@ -10,8 +10,8 @@
 #include <map>
 #include <numeric>
 
-#include "common/cut.h"
-#include "common/shapes.h"
+#include "common/cutting/cut.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/random_case.h"
@@ -407,7 +407,7 @@ TEST_P(CutProperties, PiecesWithoutHolesAreWhatHangsTogetherByEdges)
     EXPECT_TRUE(rc::check([&, this] {
         const std::string& name = names[below(static_cast<std::uint32_t>(names.size()))];
         const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
-        const Case c = make_case(name, test::assembled(*shapes::make(name, 12 + below(150), seed)), seed);
+        const Case c = make_case(name, test::repaired(*shapes::make(name, 12 + below(150), seed)), seed);
         RC_LOG() << "case: " << c.name << " seed " << c.seed;
         const CutResult pieces = cut_of(c, in_pieces()), sides = cut_of(c, without_caps());
         RC_ASSERT(pieces.status == sides.status);

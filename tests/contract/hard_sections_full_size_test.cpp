@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "common/shapes/hard_sections.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
@@ -49,7 +49,7 @@ TEST_P(FullSizeSection, IsCutClosedAndCovered)
 {
     const FullSize& section = GetParam();
     const shapes::HardSection hard = *shapes::hard_section(section.name, section.size);
-    const IndexedMesh mesh = test::assembled(hard.soup);
+    const IndexedMesh mesh = test::repaired(hard.soup);
     ASSERT_EQ(referee::open_edges(mesh), 0u);
     const double volume = referee::volume(mesh), area = referee::area(mesh);
     std::vector<CutResult> results;

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string>
 
-#include "common/cpu_stopwatch.h"
 #include "common/shapes/hard_sections.h"
+#include "common/support/cpu_stopwatch.h"
 #include "support/allocations.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
@@ -28,7 +28,7 @@ constexpr double kShortest = 2e-4;
 /// Seconds that the steps take: the least of some runs.
 struct Seconds
 {
-    double assemble = 1e9, prepare = 1e9, cut = 1e9, pieces = 1e9, again = 1e9;
+    double repair = 1e9, prepare = 1e9, cut = 1e9, pieces = 1e9, again = 1e9;
 };
 
 /// Through the middle of what was cut, at right angles to the first plane.
@@ -55,7 +55,7 @@ Seconds measure(const Backend& backend, const std::string& name, std::uint32_t s
     const shapes::HardSection section = *shapes::hard_section(name, size);
     for (int run = 0; run < runs; ++run) {
         TriangleSoup soup = section.soup;
-        const IndexedMesh mesh = timed(seconds.assemble, [&] { return test::assembled(std::move(soup)); });
+        const IndexedMesh mesh = timed(seconds.repair, [&] { return test::repaired(std::move(soup)); });
         IndexedMesh copy = mesh;
         PrepareResult prepared = timed(seconds.prepare, [&] { return backend.prepare(std::move(copy)); });
         auto clone = prepared.object->clone();
@@ -122,7 +122,7 @@ auto remembered(Memory& memory, Step step)
 /// The steps of measure(), counted.
 struct Counts
 {
-    Memory assemble, prepare, cut, pieces, again;
+    Memory repair, prepare, cut, pieces, again;
     CutStatistics cut_statistics, pieces_statistics, again_statistics;
 };
 
@@ -132,7 +132,7 @@ Counts count(const Backend& backend, const std::string& name, std::uint32_t size
     CutOptions in_pieces;
     in_pieces.split_components = true;
     shapes::HardSection section = *shapes::hard_section(name, size);
-    IndexedMesh mesh = remembered(counts.assemble, [&] { return test::assembled(std::move(section.soup)); });
+    IndexedMesh mesh = remembered(counts.repair, [&] { return test::repaired(std::move(section.soup)); });
     auto object = remembered(counts.prepare, [&] { return backend.prepare(std::move(mesh)).object; });
     auto clone = object->clone();
     CutResult sides = remembered(counts.cut, [&] { return cut(std::move(clone), section.plane); });
@@ -165,8 +165,8 @@ TEST_P(HardSection, CountsNoMoreThanItsSizeSays)
         SCOPED_TRACE(named.name);
         const auto backend = named.make();
         const Counts small = count(*backend, GetParam(), size), large = count(*backend, GetParam(), kGrowth * size);
-        expect_growth(small.assemble.allocations, large.assemble.allocations);
-        expect_growth(small.assemble.bytes, large.assemble.bytes);
+        expect_growth(small.repair.allocations, large.repair.allocations);
+        expect_growth(small.repair.bytes, large.repair.bytes);
         expect_growth(small.prepare.allocations, large.prepare.allocations);
         expect_growth(small.prepare.bytes, large.prepare.bytes);
         const Memory most = budget(named.name);
@@ -194,7 +194,7 @@ TEST_P(HardSection, ComparesNoMoreVerticesThanItsSizeSays)
         const auto backend = named.make();
         const auto compared = [&](std::uint32_t n) {
             const shapes::HardSection section = *shapes::hard_section(GetParam(), n);
-            auto object = backend->prepare(test::assembled(section.soup)).object;
+            auto object = backend->prepare(test::repaired(section.soup)).object;
             return double(cut(std::move(object), section.plane).statistics.vertex_comparisons);
         };
         const double small = compared(size);
@@ -221,7 +221,7 @@ TEST_P(HardSection, CostsNoMoreThanItsSizeSays)
 TEST_P(HardSection, IsClosedAndTheSameForBothBackEnds)
 {
     const shapes::HardSection section = *shapes::hard_section(GetParam(), 400);
-    const IndexedMesh mesh = test::assembled(section.soup);
+    const IndexedMesh mesh = test::repaired(section.soup);
     ASSERT_EQ(referee::open_edges(mesh), 0u);
     const double whole = referee::volume(mesh);
     for (const bool in_pieces : {false, true}) {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/open_soups.h"
@@ -203,9 +203,9 @@ TEST_P(OpenSoups, HaveOneSectionAndThePiecesOfTheSurfaceAlone)
     for (const std::uint64_t seed : seeds) {
         test::NamedSoup soup = test::open_soup(seed, 20 + 50 * static_cast<std::uint32_t>(seed % 3));
         const std::string what = soup.name + ", seed " + std::to_string(seed);
-        const Assembled assembled = assemble(std::move(soup.soup));
-        if (!assembled.error.empty()) continue;  // all triangles were degenerate
-        const IndexedMesh& mesh = assembled.mesh;
+        const Repaired repaired = repair(std::move(soup.soup));
+        if (!repaired.error.empty()) continue;  // all triangles were degenerate
+        const IndexedMesh& mesh = repaired.mesh;
         const Plane plane = test::plane_across(mesh, seed);
         const Outcome outcome = expect_alike(mesh, plane, what, counts);
         if (seed % 4 == 0) expect_the_surface_alone_decides(mesh, plane, outcome, what, counts);
@@ -214,7 +214,7 @@ TEST_P(OpenSoups, HaveOneSectionAndThePiecesOfTheSurfaceAlone)
         const CutResult result = Prepared(mesh).cut_by_first(plane, options(true, seed % 2 == 0));
         for (const auto* side : {&result.positive, &result.negative})
             for (const auto& fragment : *side) {
-                const Assembled piece = assemble(soup_of(fragment->to_indexed_mesh()));
+                const Repaired piece = repair(soup_of(fragment->to_indexed_mesh()));
                 if (!piece.error.empty()) continue;
                 expect_alike(piece.mesh, test::plane_across(piece.mesh, seed + 1), what + ", a piece", again);
             }
@@ -241,9 +241,9 @@ TEST_P(OpenSoups, OfThousandsOfBoundaryEdgesAreNoOther)
         test::NamedSoup soup = seed % 4 == 0 ? test::NamedSoup{"sieve", test::sieve(seed, 16000, 0.35, cells)}
                                              : test::open_soup(seed, 12000);
         const std::string what = soup.name + " of thousands, seed " + std::to_string(seed);
-        const Assembled assembled = assemble(std::move(soup.soup));
-        if (!assembled.error.empty()) continue;  // all triangles were degenerate
-        const IndexedMesh& mesh = assembled.mesh;
+        const Repaired repaired = repair(std::move(soup.soup));
+        if (!repaired.error.empty()) continue;  // all triangles were degenerate
+        const IndexedMesh& mesh = repaired.mesh;
         open_edges += referee::open_edges(mesh);
         const Plane plane = test::plane_across(mesh, seed * 10 + 1);
         const Outcome outcome = expect_alike(mesh, plane, what, counts);
@@ -263,7 +263,7 @@ IndexedMesh mesh_of(const std::vector<std::array<glm::vec3, 3>>& triangles)
         for (const glm::vec3& p : corners) soup.vertices.push_back({p, {0, 0, 1}, {0, 0}});
         soup.triangles.push_back({first, first + 1, first + 2});
     }
-    return test::assembled(std::move(soup));
+    return test::repaired(std::move(soup));
 }
 
 // A cut point of a triangle without area falls on the corner across: on that side it shrinks to two edges, and what

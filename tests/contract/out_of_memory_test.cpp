@@ -1,4 +1,4 @@
-// What is promised when memory runs out, tried at every single allocation, alone and with all that follow: assemble()
+// What is promised when memory runs out, tried at every single allocation, alone and with all that follow: repair()
 // throws, prepare() and cut() say `out_of_memory`, the object and all that shares its buffers are as they were, and the
 // next call works as if nothing had happened. (With the address sanitizer this shows as well that nothing leaks.)
 
@@ -9,9 +9,9 @@
 #include <bit>
 #include <deque>
 
-#include "common/assemble.h"
-#include "common/cut.h"
-#include "common/shapes.h"
+#include "common/cutting/cut.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 #include "support/allocations.h"
 #include "support/backends.h"
 #include "support/brief.h"
@@ -120,7 +120,7 @@ constexpr CutOptions in_pieces()
     return options;
 }
 
-/// A shape with everything that assemble() repairs: degenerate, duplicate and flipped triangles, a fin on an edge, two
+/// A shape with everything that repair() repairs: degenerate, duplicate and flipped triangles, a fin on an edge, two
 /// fans in a point, a Moebius strip.
 TriangleSoup faulty_soup()
 {
@@ -150,10 +150,10 @@ TriangleSoup faulty_soup()
     return soup;
 }
 
-TEST(OutOfMemory, WhileAssemblingIsAnExceptionAndNothingElse)
+TEST(OutOfMemory, WhileRepairingIsAnExceptionAndNothingElse)
 {
     const TriangleSoup soup = faulty_soup();
-    const Assembled expected = assemble(soup);
+    const Repaired expected = repair(soup);
     ASSERT_EQ(expected.error, "");
     const Repairs& repairs = expected.repairs;
     ASSERT_TRUE(repairs.degenerate_triangles && repairs.duplicate_triangles && repairs.nonmanifold_edges &&
@@ -164,11 +164,11 @@ TEST(OutOfMemory, WhileAssemblingIsAnExceptionAndNothingElse)
         TriangleSoup copy = soup;
         bool happened = false;
         try {
-            Assembled result;
+            Repaired result;
             {
                 const FailingAllocation failing(fault.number, fault.failure);
                 try {
-                    result = assemble(std::move(copy));
+                    result = repair(std::move(copy));
                 } catch (...) {
                     happened = failing.happened();
                     throw;
@@ -180,7 +180,7 @@ TEST(OutOfMemory, WhileAssemblingIsAnExceptionAndNothingElse)
         } catch (const std::bad_alloc&) {
             EXPECT_TRUE(happened);
         }
-        EXPECT_EQ(referee::bytes_of(*assemble(soup).mesh), bytes);
+        EXPECT_EQ(referee::bytes_of(*repair(soup).mesh), bytes);
         return happened;
     });
     EXPECT_GT(faults, 50u);

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "common/coordinate_grain.h"
-#include "common/cut.h"
-#include "common/shapes.h"
+#include "common/cutting/cut.h"
+#include "common/mesh/coordinate_grain.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -90,7 +90,7 @@ TEST_P(Scale, ByPowersOfTwoGivesTheSameHulls)
 {
     for (const char* name : {"box", "icosphere", "comb"})
         for (const float offset : {0.0f, 3e4f}) {
-            IndexedMesh mesh = on_a_lattice(test::assembled(*shapes::make(name, 60, 1)));
+            IndexedMesh mesh = on_a_lattice(test::repaired(*shapes::make(name, 60, 1)));
             for (Vertex& v : mesh.vertices) v.position.x += offset;
             const auto object = backend_->prepare(mesh).object;
             for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::bounded_hull}) {
@@ -140,7 +140,7 @@ TEST_P(Scale, ByPowersOfTenGivesClosedPiecesThatAddUp)
     for (const char* name : {"icosphere", "torus", "comb", "sphere_in_sphere"})
         for (const double factor : {1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12}) {
             SCOPED_TRACE(std::string(name) + " times " + std::to_string(factor));
-            Assembled mesh = assemble(placed(*shapes::make(name, 400, 1), factor, 0.0));
+            Repaired mesh = repair(placed(*shapes::make(name, 400, 1), factor, 0.0));
             ASSERT_EQ(mesh.error, "");
             EXPECT_FALSE(backend_->prepare(mesh.mesh).coarse_coordinates);
             expect_sound_cuts(*backend_, mesh.mesh, 3);
@@ -158,7 +158,7 @@ TEST_P(Scale, FarFromTheOriginGivesClosedPiecesAndAWarningWhereFloatsAreTooCoars
     // At 3e4 floats are 1/512 apart and at 1e6 1/16; a unit sphere of 400 triangles has edges of 1/5.
     for (const Place& place : {Place{400, 3e4, false}, Place{40'000, 3e4, true}, Place{400, 1e6, true}}) {
         SCOPED_TRACE(std::to_string(place.triangles) + " triangles at " + std::to_string(place.offset));
-        Assembled mesh = assemble(placed(*shapes::make("icosphere", place.triangles, 1), 1.0, place.offset));
+        Repaired mesh = repair(placed(*shapes::make("icosphere", place.triangles, 1), 1.0, place.offset));
         ASSERT_EQ(mesh.error, "");
         if (place.triangles > 1000 && GetParam().name != "baseline_remap" && GetParam().name != "halfedge") continue;
         EXPECT_EQ(backend_->prepare(mesh.mesh).coarse_coordinates, place.is_coarse);
@@ -178,7 +178,7 @@ TEST_P(Scale, UpToTheLargestFloatGivesClosedPiecesAndProxies)
         for (const Vertex& v : soup.vertices) box.add(v.position);
         // In two steps, so that no product is beyond the largest.
         for (Vertex& v : soup.vertices) v.position = v.position / box.largest_coordinate() * kLargest;
-        Assembled mesh = assemble(std::move(soup));
+        Repaired mesh = repair(std::move(soup));
         ASSERT_EQ(mesh.error, "");
         ASSERT_EQ(mesh.mesh->bounds().largest_coordinate(), kLargest);
         const PrepareResult prepared = backend_->prepare(mesh.mesh);

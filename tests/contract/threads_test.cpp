@@ -18,7 +18,7 @@
 #include <tuple>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -94,7 +94,7 @@ protected:
     /// Cuts a double cone; false where the plane misses it.
     bool cut_and_judge(std::uint32_t n, const Plane& plane, Random& random)
     {
-        const IndexedMesh mesh = test::assembled(double_cone(GetParam(), n, random));
+        const IndexedMesh mesh = test::repaired(double_cone(GetParam(), n, random));
         const CutResult result = cut(backend_->prepare(mesh).object, plane);
         if (result.status == Status::missed) return false;
         EXPECT_EQ(result.status, Status::cut);
@@ -144,7 +144,7 @@ TEST_P(Tips, TakeStepsInProportionToTheirPoints)
     constexpr double kStepsForPoint = 2000;
     for (const std::uint32_t n : {2'500u, 40'000u}) {
         Random random(n);
-        const IndexedMesh mesh = test::assembled(double_cone(GetParam(), n, random));
+        const IndexedMesh mesh = test::repaired(double_cone(GetParam(), n, random));
         const Plane plane = *Plane::through({0, 0, double(0.99999994f)}, {-0.94371573, -0.19737820, -0.26540999});
         const CutResult result = cut(backend_->prepare(mesh).object, plane);
         ASSERT_EQ(result.status, Status::cut);
@@ -161,7 +161,7 @@ TEST(Stars, OfPointsAtEveryScaleCrossNothingAndAreCappedExactly)
     for (const std::uint32_t n : {3000u, 32'000u}) {
         SCOPED_TRACE(n);
         Random random(n);
-        const IndexedMesh mesh = test::assembled(double_cone(Ring::every_scale, n, random));
+        const IndexedMesh mesh = test::repaired(double_cone(Ring::every_scale, n, random));
         const CutResult result = cut(backend->prepare(mesh).object, Plane{{0, 0, 1}, 0.5});
         ASSERT_EQ(result.status, Status::cut);
         EXPECT_FALSE(result.caps_exceed_section);

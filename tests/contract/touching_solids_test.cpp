@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -50,7 +50,7 @@ IndexedMesh lattice_solids(test::Random& random)
                                   {3, 7, 5}})
             soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
-    Assembled result = assemble(std::move(soup));
+    Repaired result = repair(std::move(soup));
     return *std::move(result.mesh);
 }
 
@@ -103,7 +103,7 @@ TriangleSoup tetrahedra(std::initializer_list<glm::vec3> corners, std::initializ
 
 TEST_P(TouchingSolids, ACavityThatTouchesWhatIsAroundItGoesNoOtherWay)
 {
-    const IndexedMesh mesh = test::assembled(tetrahedra(
+    const IndexedMesh mesh = test::repaired(tetrahedra(
         {{0, 2, 1}, {1, 0, 2}, {0, 2, 2}, {2, 1, 0}, {2, 2, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 0}, {1, 1, 2}, {2, 2, 1}},
         {{0, 1, 2},
          {0, 2, 3},

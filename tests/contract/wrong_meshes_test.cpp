@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "common/assemble.h"
-#include "common/shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/mesh_trial.h"
 #include "support/referee.h"
@@ -20,7 +20,7 @@ namespace {
 using test::MeshChange;
 using test::Verdict;
 
-static_assert(!std::is_constructible_v<ProvenMesh, IndexedMesh>, "nobody but assemble() and prove() makes one");
+static_assert(!std::is_constructible_v<ProvenMesh, IndexedMesh>, "nobody but repair() and prove() makes one");
 static_assert(!std::is_assignable_v<ProvenMesh&, IndexedMesh>);
 static_assert(std::is_same_v<decltype(*std::declval<ProvenMesh&>()), const IndexedMesh&>, "it cannot be changed");
 static_assert(!std::is_convertible_v<ProvenMesh, const IndexedMesh&>, "a reference would outlive the mesh");
@@ -73,7 +73,7 @@ TEST_P(WrongMeshes, AreRefusedOrCutRightlyByEveryBackEnd)
 
 TEST(Prove, NamesTheFirstFault)
 {
-    const IndexedMesh cube = *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    const IndexedMesh cube = *repair(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
     EXPECT_EQ(prove(cube).error, "");
 
     IndexedMesh turned = cube;
@@ -91,7 +91,7 @@ TEST(Prove, NamesTheFirstFault)
 
 TEST(Prove, SaysWhereThereIsNothingToReferTo)
 {
-    IndexedMesh mesh = *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    IndexedMesh mesh = *repair(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
     mesh.materials.clear();
     EXPECT_EQ(prove(mesh).error, "a triangle group refers to material 0, but there is none");
     mesh.vertices.clear();
@@ -103,15 +103,15 @@ TEST(Prove, SaysWhereThereIsNothingToReferTo)
 
 TEST(Prove, QuotesNamesShortAndClean)
 {
-    IndexedMesh mesh = *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    IndexedMesh mesh = *repair(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
     mesh.streams.push_back({"a\n\x1b[2J" + std::string(1 << 20, 'x'), 1, {}});
     EXPECT_EQ(prove(mesh).error, "stream 'a??[2J" + std::string(34, 'x') +
                                      "...' does not have 1 values for each vertex, one at least; complete it or leave "
                                      "it out");
     TriangleSoup soup = shapes::box({1, 1, 1}, {1, 1, 1});
     soup.streams = mesh.streams;
-    EXPECT_EQ(assemble(soup).error, "stream 'a??[2J" + std::string(34, 'x') +
-                                        "...' does not have 1 values per vertex; complete it or leave it out");
+    EXPECT_EQ(repair(soup).error, "stream 'a??[2J" + std::string(34, 'x') +
+                                      "...' does not have 1 values per vertex; complete it or leave it out");
 }
 
 TEST(Prove, RefusesTwoConesThatShareTheirTip)
@@ -131,7 +131,7 @@ TEST(Prove, RefusesTwoConesThatShareTheirTip)
     EXPECT_EQ(check(cones), "");
     EXPECT_EQ(prove(cones).error,
               "the triangles around point 0 form several fans; give each a point of its own, or give the triangles to "
-              "assemble()");
+              "repair()");
 }
 
 TEST(Prove, KeepsTheBytesOfAMesh)
@@ -145,7 +145,7 @@ TEST(Prove, KeepsTheBytesOfAMesh)
 
 TEST(ProvenMesh, IsEmptyOnceItWasMovedAway)
 {
-    ProvenMesh mesh = assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    ProvenMesh mesh = repair(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
     const IndexedMesh taken = *std::move(mesh);
     EXPECT_EQ(taken.triangles.size(), 12u);
     // NOLINTNEXTLINE(bugprone-use-after-move): that is what is tested

@@ -181,7 +181,7 @@ TEST_P(FruitFile, NamesOnlyKnownMaterialsAndItsOwnFirst)
 
 TEST_P(FruitFile, IsMadeAgainByteForByte)
 {
-    const Assembled made = assemble(maker::soup_of(GetParam().make()));
+    const Repaired made = repair(maker::soup_of(GetParam().make()));
     ASSERT_EQ(made.error, "");
     const std::filesystem::path copy =
         std::filesystem::path(testing::TempDir()) / ("made_again_" + std::string(GetParam().name) + ".glb");

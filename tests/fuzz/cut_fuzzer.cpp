@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "baseline/baseline.h"
-#include "common/cut.h"
+#include "common/cutting/cut.h"
+#include "common/repair/repair.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/mesh_from_bytes.h"
@@ -45,7 +46,7 @@ struct Scale
 std::unique_ptr<Cuttable> prepared(const Backend& backend, const IndexedMesh& mesh)
 {
     PrepareResult result = backend.prepare(mesh);
-    require(result.status == Status::cut, backend.name() + ": an assembled mesh can be prepared");
+    require(result.status == Status::cut, backend.name() + ": an repaired mesh can be prepared");
     return std::move(result.object);
 }
 
@@ -239,11 +240,11 @@ void fuzz_cut(Bytes input)
     options.build_caps = setting % 16 != 0;
     const auto lookup = static_cast<baseline::VertexLookup>((setting >> 4) % 4);
 
-    Assembled assembled = assemble(soup_from(bytes));
-    if (!assembled.error.empty()) return;
-    require(is_manifold(assembled.mesh), "an assembled mesh is manifold");
+    Repaired repaired = repair(soup_from(bytes));
+    if (!repaired.error.empty()) return;
+    require(is_manifold(repaired.mesh), "an repaired mesh is manifold");
     const std::array<std::unique_ptr<Backend>, 2> backends{baseline::make_backend(lookup), halfedge::make_backend()};
-    IndexedMesh mesh = *std::move(assembled.mesh);
+    IndexedMesh mesh = *std::move(repaired.mesh);
     for (int i = 0; i < kMostCuts; ++i) {
         const Plane plane = plane_from(bytes, mesh);
         const std::uint8_t more = bytes.byte();

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "support/open_soups.h"
 
 namespace kerf::fuzz {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/assemble.h"
-#include "common/plane.h"
+#include "common/mesh/plane.h"
+#include "common/mesh/triangle_soup.h"
 #include "fuzz/byte_reader.h"
 
 namespace kerf::fuzz {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "baseline/baseline.h"
-#include "common/proven_mesh.h"
+#include "common/repair/proven_mesh.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"

@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "common/assemble.h"
 #include "common/io/mesh_file.h"
 #include "common/io/mtl_reader.h"
 #include "common/io/read_formats.h"
-#include "common/mesh_facts.h"
+#include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"
 
@@ -79,8 +79,8 @@ void read(Reader reader, const char* name, Bytes bytes)
     }
     require_usable(soup);
     measure(soup);
-    const Assembled assembled = assemble(std::move(soup));
-    if (assembled.error.empty()) require(check(assembled.mesh).empty(), "what is read and assembled is a mesh");
+    const Repaired repaired = repair(std::move(soup));
+    if (repaired.error.empty()) require(check(repaired.mesh).empty(), "what is read and repaired is a mesh");
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "baseline/baseline.h"
-#include "common/assemble.h"
-#include "common/mesh_facts.h"
+#include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/mesh_from_bytes.h"
@@ -60,15 +60,15 @@ void fuzz_repair(Bytes input)
     });
     const MeshFacts facts = in_range ? measure(soup) : MeshFacts();
 
-    const Assembled assembled = assemble(std::move(soup));
-    if (!assembled.error.empty()) {
-        require(assembled.error.size() < 300, "an error is a sentence");
+    const Repaired repaired = repair(std::move(soup));
+    if (!repaired.error.empty()) {
+        require(repaired.error.size() < 300, "an error is a sentence");
         return;
     }
-    const IndexedMesh& mesh = assembled.mesh;
-    const Repairs& repairs = assembled.repairs;
-    require(prove(mesh).error.empty(), "an assembled mesh is one (" + prove(mesh).error + ")");
-    require(is_manifold(mesh), "an assembled mesh is manifold");
+    const IndexedMesh& mesh = repaired.mesh;
+    const Repairs& repairs = repaired.repairs;
+    require(prove(mesh).error.empty(), "an repaired mesh is one (" + prove(mesh).error + ")");
+    require(is_manifold(mesh), "an repaired mesh is manifold");
     require(mesh.triangles.size() + repairs.degenerate_triangles + repairs.duplicate_triangles == triangles,
             "triangles are kept or counted as dropped");
     require(std::all_of(mesh.sources.begin(), mesh.sources.end(), [&](std::uint32_t s) { return s < triangles; }),
@@ -79,7 +79,7 @@ void fuzz_repair(Bytes input)
 
     for (const auto& backend : {baseline::make_backend(), halfedge::make_backend()}) {
         const PrepareResult result = backend->prepare(mesh);
-        require(result.status == Status::cut, backend->name() + " takes an assembled mesh (" + result.reason + ")");
+        require(result.status == Status::cut, backend->name() + " takes an repaired mesh (" + result.reason + ")");
         const IndexedMesh copy = result.object->to_indexed_mesh();
         require(referee::canonical_surface(copy) == referee::canonical_surface(mesh),
                 backend->name() + " keeps every triangle");

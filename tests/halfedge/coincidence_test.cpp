@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/consistency.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
@@ -28,7 +28,7 @@ IndexedMesh on_a_coarse_lattice(TriangleSoup soup)
         for (int axis = 0; axis < 3; ++axis) v.position[axis] = std::round(v.position[axis] / longest * kCells) + 0.0f;
         v.position.y += kFarAway + 100.0f;
     }
-    return test::assembled(std::move(soup));
+    return test::repaired(std::move(soup));
 }
 
 Fragments all_of(CutResult result)
@@ -76,7 +76,7 @@ TEST(Coincidence, ACloneForgetsWhichTrianglesTheLastCutCrossed)
     for (const char* name : kShapes)
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
             SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
-            cut_and_check(test::assembled(*shapes::make(name, 300, seed)), options, 3, seed, true);
+            cut_and_check(test::repaired(*shapes::make(name, 300, seed)), options, 3, seed, true);
         }
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/consistency.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
@@ -70,7 +70,7 @@ TEST(Compaction, LeavesRelativesAlone)
 
 TEST(Compaction, IsWantedWhenMostOfTheBuffersIsDead)
 {
-    const auto object = cut_a_few_times(test::assembled(shapes::asteroid(20'000, 2)), 40);
+    const auto object = cut_a_few_times(test::repaired(shapes::asteroid(20'000, 2)), 40);
     EXPECT_TRUE(object->wants_compaction());
     const std::size_t before = dynamic_cast<const Fragment&>(*object).universe().bytes_reserved();
     object->compact();
@@ -80,7 +80,7 @@ TEST(Compaction, IsWantedWhenMostOfTheBuffersIsDead)
 
 TEST(Compaction, ACloneOfASmallFragmentIsSmall)
 {
-    CutResult result = cut(std::move(make_backend()->prepare(test::assembled(shapes::asteroid(50'000, 2))).object),
+    CutResult result = cut(std::move(make_backend()->prepare(test::repaired(shapes::asteroid(50'000, 2))).object),
                            *Plane::through({0, 0, 0.8}, {0, 0, 1}));
     ASSERT_EQ(result.status, Status::cut);
     const Cuttable& small = *result.positive[0];

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/check_universe.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
@@ -65,7 +65,7 @@ TEST(Components, OfAShellInAnUnknownStateAreFoundByALaterCut)
 TEST(Components, CostWhatTheSmallerPartsCost)
 {
     // A ring cut off at its top: two loops, and small parts on one side.
-    const IndexedMesh mesh = test::assembled(shapes::torus(1.0f, 0.3f, 600, 200));
+    const IndexedMesh mesh = test::repaired(shapes::torus(1.0f, 0.3f, 600, 200));
     const auto object = std::move(make_backend()->prepare(mesh).object);
     CutOptions apart;
     apart.split_components = true;

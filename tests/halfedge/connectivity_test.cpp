@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "common/io/mesh_file.h"
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/consistency.h"
 #include "halfedge/halfedge.h"
 #include "support/brief.h"
@@ -108,14 +108,14 @@ constexpr int kCuts = test::kBrief ? 100 : 1000;
 
 TEST(Connectivity, SurvivesAThousandCutsInAChain)
 {
-    expect_a_good_chain(test::assembled(shapes::asteroid(100'000, 1)), kCuts);
+    expect_a_good_chain(test::repaired(shapes::asteroid(100'000, 1)), kCuts);
 }
 
 TEST(Connectivity, SurvivesAChainOnAMeshOfManyTunnels)
 {
     const std::filesystem::path file = std::filesystem::path(KERF_SHARED_MESHES_DIR) / "cheese.off";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real meshes here";
-    expect_a_good_chain(test::assembled(io::read_soup(file)), kCuts / 4);
+    expect_a_good_chain(test::repaired(io::read_soup(file)), kCuts / 4);
 }
 
 TEST(Connectivity, ACloneIsConsistentAndIndependent)

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
 #include "support/allocations.h"
@@ -27,7 +27,7 @@ struct Sample
 
 Sample measure(std::uint64_t triangles)
 {
-    const auto object = std::move(make_backend()->prepare(test::assembled(shapes::asteroid(triangles, 1))).object);
+    const auto object = std::move(make_backend()->prepare(test::repaired(shapes::asteroid(triangles, 1))).object);
     test::Random random(9);
     Sample sum;
     sum.triangles = double(object->triangle_count());
@@ -62,7 +62,7 @@ TEST(Growth, ACutAllocatesInProportionToItsSection)
     // At most this many bytes for each crossing triangle, and no single request that is in proportion to the mesh.
     constexpr double kAllocated = 4000;
     for (const std::uint64_t n : {20'000u, 320'000u}) {
-        auto object = std::move(make_backend()->prepare(test::assembled(shapes::asteroid(n, 1))).object);
+        auto object = std::move(make_backend()->prepare(test::repaired(shapes::asteroid(n, 1))).object);
         const Plane plane = *Plane::through({0.01, 0.02, 0.03}, {1, 2, 3});
         test::reset_largest_allocation();
         const std::size_t before = test::allocated_bytes();
@@ -119,7 +119,7 @@ TEST(Growth, ASmallSectionOfALargeMeshTouchesLittleMemory)
     const double least = bytes_touched(test::closed_shape("cube"), plane, statistics);
     if (least == 0.0) GTEST_SKIP() << "the system does not say which pages are touched";
 
-    const IndexedMesh mesh = test::assembled(shapes::uv_sphere(1.0f, 1600, 800));
+    const IndexedMesh mesh = test::repaired(shapes::uv_sphere(1.0f, 1600, 800));
     const Plane small = plane_with_section(mesh, glm::normalize(glm::dvec3(1, 2, 3)), kCrossing);
     const double touched = bytes_touched(mesh, small, statistics) - least;
     EXPECT_LE(touched, kTouched * double(statistics.crossing_triangles)) << touched << " bytes";
@@ -132,7 +132,7 @@ TEST(Growth, EveryCutOfAChainCostsWhatItsSectionCosts)
     constexpr double kGrown = 2000;  // bytes for each crossing triangle, once reserved room is used up
     test::Random random(3);
     std::vector<std::unique_ptr<Cuttable>> pieces;
-    pieces.push_back(std::move(make_backend()->prepare(test::assembled(shapes::asteroid(40'000, 1))).object));
+    pieces.push_back(std::move(make_backend()->prepare(test::repaired(shapes::asteroid(40'000, 1))).object));
     std::uint64_t grown = 0;
     for (int i = 0; i < 100; ++i) {
         const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
@@ -161,7 +161,7 @@ TEST(Growth, EveryCutOfAChainCostsWhatItsSectionCosts)
 
 TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
 {
-    auto object = std::move(make_backend()->prepare(test::assembled(shapes::asteroid(20'000, 1))).object);
+    auto object = std::move(make_backend()->prepare(test::repaired(shapes::asteroid(20'000, 1))).object);
     test::Random random(2);
     std::vector<std::unique_ptr<Cuttable>> objects;
     objects.push_back(std::move(object));

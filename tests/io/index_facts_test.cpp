@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include "common/assemble.h"
 #include "common/io/mesh_file.h"
-#include "common/mesh_facts.h"
+#include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
 #include "support/surface_referee.h"
 
-// measure() and assemble() on real meshes, against facts that other programs found (../shared/meshes/INDEX.md).
+// measure() and repair() on real meshes, against facts that other programs found (../shared/meshes/INDEX.md).
 
 namespace kerf::io {
 namespace {
@@ -62,7 +62,7 @@ TEST_P(IndexFacts, AreMeasuredBeforeRepair)
 TEST_P(IndexFacts, AreRepairedWithoutLosingATriangle)
 {
     const Facts& expected = GetParam();
-    const Assembled result = assemble(soup_);
+    const Repaired result = repair(soup_);
     ASSERT_EQ(result.error, "");
     EXPECT_EQ(check(result.mesh), "");
     // The referee's maps take a minute for the largest mesh in the sanitizer build: its facts must do there.

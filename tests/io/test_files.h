@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/indexed_mesh.h"
 #include "common/io/mesh_file.h"
+#include "common/mesh/indexed_mesh.h"
 
 // Vocabulary of the tests of mesh files.
 

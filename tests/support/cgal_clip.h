@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "common/indexed_mesh.h"
-#include "common/plane.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/plane.h"
 #include "support/backends.h"
 
 // CGAL's own clip as a referee of the cut: another method, exact predicates, other people's code.

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::test {
 
-IndexedMesh assembled(TriangleSoup soup)
+IndexedMesh repaired(TriangleSoup soup)
 {
-    Assembled result = assemble(std::move(soup));
+    Repaired result = repair(std::move(soup));
     if (!result.error.empty()) throw std::runtime_error(result.error);
     return *std::move(result.mesh);
 }
@@ -55,7 +55,7 @@ std::vector<NamedMesh> make_closed_shapes()
     using namespace shapes;
     std::vector<NamedMesh> all;
     const auto add = [&](std::string name, TriangleSoup soup) {
-        all.push_back({std::move(name), assembled(std::move(soup))});
+        all.push_back({std::move(name), repaired(std::move(soup))});
     };
     add("cube", box({1, 1, 1}, {1, 1, 1}));
     add("grid_cube", box({2, 2, 2}, {4, 4, 4}));
@@ -86,11 +86,11 @@ std::vector<NamedMesh> make_open_shapes()
         return soup;
     };
     all.push_back(
-        {"bowl", assembled(without(shapes::icosphere(1.0f, 4), [](const glm::vec3& p) { return p.z > 0.3f; }))});
-    all.push_back({"box_without_a_side", assembled(without(shapes::box({2, 2, 2}, {2, 2, 2}),
-                                                           [](const glm::vec3& p) { return p.x > 0.99f; }))});
-    all.push_back({"torus_with_holes", assembled(without(shapes::torus(1.0f, 0.4f, 16, 10),
-                                                         [](const glm::vec3& p) { return std::abs(p.x) > 1.2f; }))});
+        {"bowl", repaired(without(shapes::icosphere(1.0f, 4), [](const glm::vec3& p) { return p.z > 0.3f; }))});
+    all.push_back({"box_without_a_side", repaired(without(shapes::box({2, 2, 2}, {2, 2, 2}),
+                                                          [](const glm::vec3& p) { return p.x > 0.99f; }))});
+    all.push_back({"torus_with_holes", repaired(without(shapes::torus(1.0f, 0.4f, 16, 10),
+                                                        [](const glm::vec3& p) { return std::abs(p.x) > 1.2f; }))});
     return all;
 }
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "common/assemble.h"
-#include "common/indexed_mesh.h"
-#include "common/plane.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/plane.h"
+#include "common/repair/repair.h"
 
 namespace kerf::test {
 
@@ -17,8 +17,8 @@ struct NamedMesh
     IndexedMesh mesh;
 };
 
-/// assemble() for input that is known to be good; throws std::runtime_error otherwise.
-IndexedMesh assembled(TriangleSoup soup);
+/// repair() for input that is known to be good; throws std::runtime_error otherwise.
+IndexedMesh repaired(TriangleSoup soup);
 
 /// Both, where they are.
 TriangleSoup joined(TriangleSoup a, const TriangleSoup& b);

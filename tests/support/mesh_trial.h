@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "support/fixtures.h"
 
 // Any mesh at all through prepare(), cut() and all queries of every back end.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::test {
 

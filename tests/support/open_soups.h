@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "common/assemble.h"
-#include "common/plane.h"
+#include "common/mesh/plane.h"
+#include "common/mesh/triangle_soup.h"
 #include "support/fixtures.h"
 
 // Open meshes that touch themselves: what a cut finds there begins and ends in many places, several of them at one

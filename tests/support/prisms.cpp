@@ -26,7 +26,7 @@ IndexedMesh prism_over(const Polygon& polygon)
         for (const Triangle& t : {Triangle{i, i + n, j + n}, {i, j + n, j}, {2 * n, i, j}, {2 * n + 1, j + n, i + n}})
             soup.triangles.push_back(t);
     }
-    return assembled(std::move(soup));
+    return repaired(std::move(soup));
 }
 
 Polygon star(std::uint32_t points, std::uint32_t turns)

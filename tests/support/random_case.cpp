@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::test {
 
@@ -68,7 +68,7 @@ Case any_case()
     }
     const auto& names = shapes::names();
     const std::string& name = names[below(static_cast<std::uint32_t>(names.size()))];
-    return make_case(name, assembled(*shapes::make(name, 12 + below(200), seed)), seed);
+    return make_case(name, repaired(*shapes::make(name, 12 + below(200), seed)), seed);
 }
 
 }  // namespace kerf::test

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "common/indexed_mesh.h"
-#include "common/plane.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/plane.h"
 #include "support/fixtures.h"
 
 // What RapidCheck's properties of cut() are tried on.

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::test {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
-#include "common/indexed_mesh.h"
-#include "common/plane.h"
+#include "common/cutting/cut.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/plane.h"
 
 // Judges of cut results. They read positions, indices and ids, and share no code with what they judge.
 

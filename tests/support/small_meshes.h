@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <vector>
 
-#include "common/assemble.h"
+#include "common/repair/repair.h"
 
-// Tiny named meshes, so that a test reads in one line. Positions only; normals are left to assemble().
+// Tiny named meshes, so that a test reads in one line. Positions only; normals are left to repair().
 
 namespace kerf::small_meshes {
 

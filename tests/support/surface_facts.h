@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/assemble.h"
+#include "common/mesh/triangle_soup.h"
 
 // A referee over triangles as they come: welds by position and counts edges and fans. Shares no code with the library.
 

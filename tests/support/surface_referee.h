@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 
 // What IndexedMesh promises about edges and points, checked with maps and sets: slow, and without a line of the code
 // that it judges.

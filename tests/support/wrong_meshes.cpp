@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::test {
 
@@ -283,7 +283,7 @@ void triangle_twice(IndexedMesh& mesh, Random& random)
 
 void cube_with_one_turned_over_and_one_twice(IndexedMesh& mesh, Random& random)
 {
-    mesh = assembled(shapes::box({1, 1, 1}, {1, 1, 1}));
+    mesh = repaired(shapes::box({1, 1, 1}, {1, 1, 1}));
     triangle_turned_over(mesh, random);
     triangle_twice(mesh, random);
 }
@@ -652,7 +652,7 @@ IndexedMesh small_mesh(Random& random)
             if (!soup.triangle_materials.empty()) soup.triangle_materials.pop_back();
         }
     }
-    return assembled(std::move(soup));
+    return repaired(std::move(soup));
 }
 
 }  // namespace kerf::test

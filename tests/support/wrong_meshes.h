@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 #include "support/fixtures.h"
 
 // Meshes as a program may hand them over: each promise of IndexedMesh broken on purpose, and what is unusual but kept.

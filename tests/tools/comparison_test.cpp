@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "baseline/baseline.h"
-#include "common/assemble.h"
-#include "common/shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/halfedge.h"
 #include "tools/open_edges.h"
 #include "tools/section_facts.h"
@@ -84,9 +84,9 @@ private:
     Spoil spoil_;
 };
 
-ProvenMesh assembled(TriangleSoup soup)
+ProvenMesh repaired(TriangleSoup soup)
 {
-    return assemble(std::move(soup)).mesh;
+    return repair(std::move(soup)).mesh;
 }
 
 struct Outcome
@@ -121,7 +121,7 @@ Outcome compare_with(const Spoil& spoil, TriangleSoup soup, std::uint64_t depth 
     options.depth = depth;
     Outcome outcome;
     outcome.mesh =
-        compare_mesh(assembled(std::move(soup)), *baseline::make_backend(baseline::VertexLookup::remap),
+        compare_mesh(repaired(std::move(soup)), *baseline::make_backend(baseline::VertexLookup::remap),
                      LyingBackend(spoil), options, [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
     return outcome;
 }
@@ -254,7 +254,7 @@ TEST(Comparison, SaysWhereTheFanIsWrongAndByHowMuch)
     options.first_plane = 2;
     std::vector<ComparisonRow> rows;
     const std::unique_ptr<Backend> baseline = baseline::make_backend();
-    compare_mesh(assembled(shapes::pipe(1.0f, 0.5f, 2.0f, 64, 3)), *baseline, *baseline, options,
+    compare_mesh(repaired(shapes::pipe(1.0f, 0.5f, 2.0f, 64, 3)), *baseline, *baseline, options,
                  [&](const ComparisonRow& row) { rows.push_back(row); });
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_EQ(rows[0].loops, 2u);
@@ -265,7 +265,7 @@ TEST(Comparison, SaysWhereTheFanIsWrongAndByHowMuch)
 
 TEST(ComparisonPlanes, DependOnTheSurfaceAndTheSeedOnly)
 {
-    const IndexedMesh mesh = *assembled(shapes::torus(1.0f, 0.4f, 20, 12));
+    const IndexedMesh mesh = *repaired(shapes::torus(1.0f, 0.4f, 20, 12));
     IndexedMesh turned = mesh;
     for (Triangle& t : turned.triangles) t = {t[1], t[2], t[0]};
     const SurfaceKeys a(mesh), b(turned);
@@ -373,7 +373,7 @@ TEST(SectionsOfSolids, ShowWhatWindsBackwardsWithinAnother)
 
     CutOptions options;
     options.cap_material = 1;
-    IndexedMesh mesh = *assembled(std::move(soup));
+    IndexedMesh mesh = *repaired(std::move(soup));
     mesh.materials.resize(2);
     const glm::dvec3 up{0, 1, 0};
     const CutResult result = cut(baseline::make_backend()->prepare(mesh).object, Plane{up, 0.0}, options);
@@ -403,7 +403,7 @@ TEST(Comparison, FindsNothingInOpenSoupsWhoseLoopsCancel)
             std::shuffle(points.begin(), points.end(), random);
             soup.triangles.push_back({points[0], points[1], points[2]});
         }
-        const ProvenMesh mesh = assembled(std::move(soup));
+        const ProvenMesh mesh = repaired(std::move(soup));
         if (mesh->triangles.empty()) continue;
         compare_mesh(mesh, *baseline, *halfedge, options, [&](const ComparisonRow& row) {
             cuts += row.was_cut();
@@ -424,7 +424,7 @@ TEST(Comparison, SaysWhatItCouldNotJudge)
     std::vector<ComparisonRow> rows;
     const auto spoil = [](IndexedMesh& m) { m.vertices[m.triangles[cap_of(m).first][0]].position.x += 3.0f; };
     const std::unique_ptr<Backend> baseline = baseline::make_backend();
-    compare_mesh(assembled(prism(star(2001))), *baseline, LyingBackend(spoil), options,
+    compare_mesh(repaired(prism(star(2001))), *baseline, LyingBackend(spoil), options,
                  [&](const ComparisonRow& row) { rows.push_back(row); });
     ASSERT_EQ(rows.size(), 1u);
     ASSERT_TRUE(rows[0].was_cut());
@@ -443,7 +443,7 @@ TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
         const auto [a, b, c] = soup.triangles[t];
         soup.triangles.push_back({a + vertices, c + vertices, b + vertices});
     }
-    const ProvenMesh mesh = assembled(std::move(soup));
+    const ProvenMesh mesh = repaired(std::move(soup));
     ComparisonOptions options;
     options.planes = 12;
     const std::unique_ptr<Backend> baseline = baseline::make_backend();
@@ -461,7 +461,7 @@ TEST(Comparison, SaysThatRepairOpenedTheMesh)
 {
     TriangleSoup sheet = ball();
     sheet.triangles.pop_back();
-    const ProvenMesh mesh = assembled(std::move(sheet));
+    const ProvenMesh mesh = repaired(std::move(sheet));
     const std::unique_ptr<Backend> baseline = baseline::make_backend();
     const auto failures_of = [&](bool was_closed) {
         ComparisonOptions options;
@@ -485,7 +485,7 @@ TEST(Comparison, FindsAWarningThatIsMissing)
 
 TEST(OpenEdges, AreEdgesWithoutAReverse)
 {
-    IndexedMesh mesh = *assembled(shapes::icosphere(1.0f, 3));
+    IndexedMesh mesh = *repaired(shapes::icosphere(1.0f, 3));
     EXPECT_EQ(open_edges(mesh), 0u);
     const Triangle last = mesh.triangles.back();
     mesh.triangles.pop_back();

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "common/io/mesh_file.h"
-#include "common/plane.h"
+#include "common/mesh/plane.h"
 #include "tools/program.h"
 
 // `kerf cut` of the report's models and of real meshes: what is on the disk afterwards is right.

@@ -1,7 +1,7 @@
 #include <csignal>
 #include <random>
 
-#include "common/stopwatch.h"
+#include "common/support/stopwatch.h"
 #include "tools/program.h"
 
 namespace kerf::tools {

@@ -9,8 +9,8 @@
 #include <random>
 #include <utility>
 
-#include "common/assemble.h"
-#include "common/shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 
 // What decides whether two back ends agree must see every difference and nothing else.
 
@@ -28,9 +28,9 @@ IndexedMesh sample()
     soup.materials = {{"lower", glm::vec4(1.0f), {}}, {"upper", glm::vec4(1.0f), {}}};
     for (const Triangle& t : soup.triangles)
         soup.triangle_materials.push_back(soup.vertices[t[0]].position.z > 0.0f ? 1u : 0u);
-    Assembled assembled = assemble(std::move(soup));
-    EXPECT_EQ(assembled.error, "");
-    return *std::move(assembled.mesh);
+    Repaired repaired = repair(std::move(soup));
+    EXPECT_EQ(repaired.error, "");
+    return *std::move(repaired.mesh);
 }
 
 SurfaceDifference difference(const IndexedMesh& a, const IndexedMesh& b)

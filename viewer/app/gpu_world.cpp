@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 
 namespace kerf::app {
 

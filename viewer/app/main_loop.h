@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "common/stopwatch.h"
+#include "common/support/stopwatch.h"
 #include "viewer/app/display.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/render/picture.h"

@@ -3,9 +3,9 @@
 #include <array>
 #include <stdexcept>
 
-#include "common/coordinate_grain.h"
 #include "common/io/mesh_file.h"
 #include "common/io/output_file.h"
+#include "common/mesh/coordinate_grain.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_mode.h"
 #include "viewer/render/picture.h"

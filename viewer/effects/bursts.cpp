@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 
 namespace kerf::effects {
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::game {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <new>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
 
 namespace kerf::game {
@@ -146,9 +146,9 @@ struct GiantMaker::Task
         soup->materials = {rock()};
         move_to(GiantStage::joining);
         if (is_settled) return;
-        Assembled assembled = assemble(std::move(*soup));
-        error = std::move(assembled.error);
-        if (error.empty()) model = models->add("asteroid", std::move(assembled.mesh), true);
+        Repaired repaired = repair(std::move(*soup));
+        error = std::move(repaired.error);
+        if (error.empty()) model = models->add("asteroid", std::move(repaired.mesh), true);
     }
 
     void prepare()

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::game {

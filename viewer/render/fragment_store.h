@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "viewer/render/growing_buffer.h"
 #include "viewer/render/surface_look.h"
 

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "common/collision_proxy.h"
+#include "common/proxy/collision_proxy.h"
 
 namespace kerf::render {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 
-#include "common/box.h"
+#include "common/mesh/box.h"
 
 namespace kerf::render {
 

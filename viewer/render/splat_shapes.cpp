@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 
 namespace kerf::render {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 #include "viewer/render/gl_objects.h"
 #include "viewer/render/image_table.h"
 

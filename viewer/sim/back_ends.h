@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::sim {
 

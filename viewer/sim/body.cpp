@@ -7,7 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "common/stopwatch.h"
+#include "common/support/stopwatch.h"
 #include "viewer/sim/bullet_glm.h"
 
 namespace kerf::sim {

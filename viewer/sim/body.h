@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "viewer/sim/pose.h"
 #include "viewer/sim/proxy_shape.h"
 #include "viewer/sim/solid.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::sim {
 

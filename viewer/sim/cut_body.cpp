@@ -4,8 +4,8 @@
 #include <array>
 #include <numeric>
 
-#include "common/cpu_stopwatch.h"
-#include "common/stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
+#include "common/support/stopwatch.h"
 #include "viewer/sim/cap_area.h"
 #include "viewer/sim/crowd.h"
 #include "viewer/sim/parting.h"

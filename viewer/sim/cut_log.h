@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "viewer/sim/body.h"
 
 namespace kerf::sim {

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "common/plane.h"
+#include "common/mesh/plane.h"
 #include "viewer/sim/body.h"
 
 namespace kerf::sim {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
-#include "common/mass_properties.h"
-#include "common/proven_mesh.h"
+#include "common/cutting/cut.h"
+#include "common/mesh/mass_properties.h"
+#include "common/repair/proven_mesh.h"
 
 namespace kerf::sim {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "common/collision_proxy.h"
+#include "common/proxy/collision_proxy.h"
 
 namespace kerf::sim {
 

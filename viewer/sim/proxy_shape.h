@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "common/collision_proxy.h"
+#include "common/proxy/collision_proxy.h"
 
 class btConvexShape;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "common/plane.h"
+#include "common/mesh/plane.h"
 
 namespace kerf::sim {
 namespace {

@@ -3,8 +3,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "common/box.h"
-#include "common/mass_properties.h"
+#include "common/mesh/box.h"
+#include "common/mesh/mass_properties.h"
 
 namespace kerf::sim {
 

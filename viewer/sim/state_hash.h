@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <string_view>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 
 namespace kerf::sim {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 
 namespace kerf::sim {
 

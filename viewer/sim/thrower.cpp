@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::sim {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 
 // The parts that sounds are made of. Each is advanced one sample at a time.
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/assemble.h"
+#include "common/mesh/triangle_soup.h"
 #include "maker/poly_mesh.h"
 
 namespace kerf::maker {

@@ -4,8 +4,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "common/assemble.h"
 #include "common/io/gltf_document.h"
+#include "common/mesh/triangle_soup.h"
 
 namespace kerf::io {
 

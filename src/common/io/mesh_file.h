@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "common/assemble.h"
 #include "common/io/reading_notes.h"
-#include "common/mesh_facts.h"
+#include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
 
 namespace kerf::io {
 
@@ -58,7 +58,7 @@ struct LoadedMesh
     bool is_closed() const { return repairs.none() ? facts.closed() : measure(*mesh).closed(); }
 };
 
-/// read_soup(), measure() and assemble() in one.
+/// read_soup(), measure() and repair() in one.
 /// @throws FileError
 LoadedMesh read_mesh(const std::filesystem::path& path);
 

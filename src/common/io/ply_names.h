@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/indexed_mesh.h"
 #include "common/io/ply_header.h"
+#include "common/mesh/indexed_mesh.h"
 
 // Which number of a PLY vertex is what. Reader and writer share the names, so that streams come back as they went:
 //   x y z, nx ny nz, s t (reading: also u v, texture_u texture_v, texture_s texture_t)

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "common/indexed_mesh.h"
+#include "common/mesh/indexed_mesh.h"
 
 namespace kerf::io {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/assemble.h"
 #include "common/io/reading_notes.h"
+#include "common/mesh/triangle_soup.h"
 
 // One reader a format. Each gets the whole file as bytes and returns its triangles; SoupBuilder checks and completes
 // what all formats have in common. What does not matter for the surface is put right and noted. All throw FileError.

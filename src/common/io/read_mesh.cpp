@@ -16,10 +16,10 @@ LoadedMesh read_mesh(const std::filesystem::path& path)
     }
     try {
         loaded.facts = measure(soup);
-        Assembled assembled = assemble(std::move(soup));
-        if (!assembled.error.empty()) fail(path, assembled.error);
-        loaded.mesh = std::move(assembled.mesh);
-        loaded.repairs = assembled.repairs;
+        Repaired repaired = repair(std::move(soup));
+        if (!repaired.error.empty()) fail(path, repaired.error);
+        loaded.mesh = std::move(repaired.mesh);
+        loaded.repairs = repaired.repairs;
         return loaded;
     } catch (const std::bad_alloc&) {
         fail(path, "there is not enough memory to prepare it; divide it or free some");

@@ -10,10 +10,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "common/assemble.h"
 #include "common/io/polygon.h"
 #include "common/io/reading_notes.h"
 #include "common/io/text_scanner.h"
+#include "common/mesh/triangle_soup.h"
 
 namespace kerf::io {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "common/io/reading_notes.h"
-#include "common/reason.h"
+#include "common/support/reason.h"
 
 namespace kerf::io {
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "common/indexed_mesh.h"
 #include "common/io/output_file.h"
+#include "common/mesh/indexed_mesh.h"
 
 // One writer a format. Each writes the whole file; the caller finishes and commits it. All throw FileError.
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "common/shapes.h"
 #include "common/shapes/patch.h"
-#include "common/shapes/random.h"
+#include "common/shapes/shapes.h"
+#include "common/support/random.h"
 
 namespace kerf::shapes {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "common/shapes.h"
-#include "common/shapes/random.h"
+#include "common/shapes/shapes.h"
+#include "common/support/random.h"
 
 namespace kerf::shapes {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <numbers>
 
-#include "common/shapes.h"
 #include "common/shapes/patch.h"
-#include "common/shapes/random.h"
+#include "common/shapes/shapes.h"
+#include "common/support/random.h"
 
 namespace kerf::shapes {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/assemble.h"
-#include "common/plane.h"
+#include "common/mesh/plane.h"
+#include "common/mesh/triangle_soup.h"
 
 // Where a method that is quadratic in something takes minutes: for tests and benchmarks of what cuts cost at worst.
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/assemble.h"
+#include "common/mesh/triangle_soup.h"
 
 namespace kerf::shapes {
 

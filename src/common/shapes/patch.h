@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "common/assemble.h"
+#include "common/mesh/triangle_soup.h"
 
 // What the generators are made of. Positions are computed in double and rounded once; vertices that share a place get
 // it from the same expression on the same numbers, so that they are equal bit for bit.

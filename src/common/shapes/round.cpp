@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/shapes.h"
 #include "common/shapes/lathe.h"
 #include "common/shapes/patch.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::shapes {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "common/shapes.h"
 #include "common/shapes/patch.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::shapes {
 namespace {

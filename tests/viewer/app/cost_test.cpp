@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <numeric>
 
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 #include "support/sanitized.h"
 #include "viewer/app/inspect/simulation_report.h"
 #include "viewer/app/painter.h"

@@ -2,17 +2,17 @@
 
 #include <cmath>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::test {
 namespace {
 
-ProvenMesh assembled(TriangleSoup soup, const glm::vec3& stretch = glm::vec3(1.0f))
+ProvenMesh repaired(TriangleSoup soup, const glm::vec3& stretch = glm::vec3(1.0f))
 {
     for (Vertex& vertex : soup.vertices) vertex.position *= stretch;
-    return std::move(assemble(std::move(soup)).mesh);
+    return std::move(repair(std::move(soup)).mesh);
 }
 
 ProvenMesh stand_in(game::FruitKind kind)
@@ -20,18 +20,18 @@ ProvenMesh stand_in(game::FruitKind kind)
     using enum game::FruitKind;
     switch (kind) {
         case coconut:
-            return assembled(shapes::sphere_in_sphere(1.0f, 0.75f, 4));
+            return repaired(shapes::sphere_in_sphere(1.0f, 0.75f, 4));
         case lemon:
-            return assembled(shapes::icosphere(1.0f, 4), {1.0f, 1.0f, 1.25f});
+            return repaired(shapes::icosphere(1.0f, 4), {1.0f, 1.0f, 1.25f});
         case banana:
         case freeze:
         case frenzy:
         case double_points:
-            return assembled(shapes::icosphere(1.0f, 4), {0.3f, 0.3f, 1.0f});
+            return repaired(shapes::icosphere(1.0f, 4), {0.3f, 0.3f, 1.0f});
         case pineapple:
-            return assembled(shapes::icosphere(1.0f, 4), {0.5f, 0.5f, 1.0f});
+            return repaired(shapes::icosphere(1.0f, 4), {0.5f, 0.5f, 1.0f});
         default:
-            return assembled(shapes::icosphere(1.0f, 4));
+            return repaired(shapes::icosphere(1.0f, 4));
     }
 }
 

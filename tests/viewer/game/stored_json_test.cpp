@@ -3,7 +3,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "support/brief.h"
 #include "viewer/game/folder_test.h"
 

@@ -7,7 +7,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "viewer/render/frame_target.h"
@@ -40,7 +40,7 @@ std::vector<StagedPiece> asteroid(std::uint64_t triangles, const char* material 
     soup.materials = {stone};
     const std::unique_ptr<Backend> backend = backends().front().make();
     std::vector<StagedPiece> pieces;
-    pieces.push_back({backend->prepare(assembled(std::move(soup))).object, glm::mat4(1.0f), 0.5f, {}, true});
+    pieces.push_back({backend->prepare(repaired(std::move(soup))).object, glm::mat4(1.0f), 0.5f, {}, true});
     const Box box = pieces.front().object->bounds();
     const float radius = 0.5f * glm::length(box.hi - box.lo);
     pieces.front().model =

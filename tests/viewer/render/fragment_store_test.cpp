@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "baseline/baseline.h"
-#include "common/assemble.h"
-#include "common/shapes.h"
+#include "common/mesh/triangle_soup.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
 #include "viewer/render/gl_test.h"
@@ -47,7 +47,7 @@ void expect_same_bytes(const DrawnFragment& drawn, const Cuttable& object)
 
 std::unique_ptr<Cuttable> asteroid(const Backend& backend)
 {
-    return backend.prepare(assembled(shapes::asteroid(10'000, 7))).object;
+    return backend.prepare(repaired(shapes::asteroid(10'000, 7))).object;
 }
 
 CutResult halves(std::unique_ptr<Cuttable> object, double offset = 0.0)

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "common/io/mesh_file.h"
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "support/backends.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/fruit_looks.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cut.h"
+#include "common/cutting/cut.h"
 #include "viewer/render/scene_renderer.h"
 
 namespace kerf::test {

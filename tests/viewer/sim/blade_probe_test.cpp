@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/shapes.h"
-#include "common/shapes/random.h"
+#include "common/shapes/shapes.h"
+#include "common/support/random.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/camera.h"
 
@@ -17,7 +17,7 @@ const glm::dvec3 kEye = Camera::eye();
 
 IndexedMesh brick()
 {
-    return *assemble(shapes::box({2, 2, 2}, {1, 1, 1})).mesh;
+    return *repair(shapes::box({2, 2, 2}, {1, 1, 1})).mesh;
 }
 
 TEST(BladeProbe, HitsWhatTheStrokeCrosses)
@@ -36,7 +36,7 @@ TEST(BladeProbe, HitsWhatTheStrokeCrosses)
 TEST(BladeProbe, JudgesDepthAsThePlayerSeesIt)
 {
     // Half way to the eye a brick at x = 1 looks as if it were at x = 2.
-    const auto body = test::body_of(*assemble(shapes::box({0.5f, 0.5f, 0.5f}, {1, 1, 1})).mesh, 1, {1, 0, 5});
+    const auto body = test::body_of(*repair(shapes::box({0.5f, 0.5f, 0.5f}, {1, 1, 1})).mesh, 1, {1, 0, 5});
     EXPECT_TRUE(blade_hits(kEye, {2, -1}, {2, 1}, *body));
     EXPECT_FALSE(blade_hits(kEye, {1, -1}, {1, 1}, *body));
 }

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "viewer/sim/stages.h"
 
 namespace kerf::sim {

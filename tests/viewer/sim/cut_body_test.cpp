@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "common/assemble.h"
-#include "common/shapes/random.h"
+#include "common/repair/repair.h"
+#include "common/support/random.h"
 #include "viewer/sim/bodies.h"
 
 namespace kerf::sim {
@@ -122,7 +122,7 @@ IndexedMesh soup(std::uint32_t triangles)
         }
         soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    return *assemble(std::move(soup)).mesh;
+    return *repair(std::move(soup)).mesh;
 }
 
 TEST(CutBodyOfASoup, PiecesInOnePlaceAreNotMoreThanPhysicsCanTake)

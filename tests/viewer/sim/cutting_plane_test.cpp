@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::sim {

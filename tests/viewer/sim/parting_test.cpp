@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 
 namespace kerf::sim {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "viewer/sim/bullet_glm.h"
 #include "viewer/sim/proxy_names.h"
 #include "viewer/sim/solid.h"

@@ -12,7 +12,7 @@
 #include <functional>
 #include <sstream>
 
-#include "common/shapes/random.h"
+#include "common/support/random.h"
 
 namespace kerf::sim {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "common/cpu_stopwatch.h"
-#include "common/shapes/random.h"
+#include "common/support/cpu_stopwatch.h"
+#include "common/support/random.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/pointer_sampler.h"
@@ -448,7 +448,7 @@ TEST(Simulation, AnOpenMeshIsCutAndSaysSo)
     soup.vertices = open.vertices;
     soup.triangles.assign(open.triangles.begin(), open.triangles.end() - 80);
     auto models = std::make_shared<ModelLibrary>();
-    models->add("open", assemble(std::move(soup)).mesh);
+    models->add("open", repair(std::move(soup)).mesh);
     std::size_t open_sections = 0;
     for (int i = 0; i < 12; ++i) {
         Simulation run(models, with_backend(backend_names().front()));

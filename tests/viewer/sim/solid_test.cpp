@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "viewer/sim/stages.h"
 
 namespace kerf::sim {
@@ -19,7 +19,7 @@ Solid solid_of_mesh(const IndexedMesh& mesh, double scale = 1.0)
 
 IndexedMesh brick(const glm::vec3& size)
 {
-    return *assemble(shapes::box(size, {1, 1, 1})).mesh;
+    return *repair(shapes::box(size, {1, 1, 1})).mesh;
 }
 
 double largest_difference(const glm::dmat3& a, const glm::dmat3& b)

@@ -3,15 +3,15 @@
 #include <glm/common.hpp>
 #include <stdexcept>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::test {
 
 ProvenMesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t seed)
 {
-    Assembled assembled = assemble(shapes::make(name, triangles, seed).value());
-    if (!assembled.error.empty()) throw std::runtime_error(assembled.error);
-    return std::move(assembled.mesh);
+    Repaired repaired = repair(shapes::make(name, triangles, seed).value());
+    if (!repaired.error.empty()) throw std::runtime_error(repaired.error);
+    return std::move(repaired.mesh);
 }
 
 std::shared_ptr<sim::ModelLibrary> library_of(const std::vector<std::string>& shapes, std::uint64_t triangles)

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/stages.h"
 
@@ -39,7 +39,7 @@ TEST(SurfaceHash, IsTheSameForEveryBackEnd)
 TEST(SurfaceHash, DoesNotDependOnTheOrderOfTriangles)
 {
     const TriangleSoup soup = shapes::asteroid(500, 3);
-    EXPECT_EQ(hash_of(*assemble(soup).mesh), hash_of(*assemble(shapes::shuffled(soup, 9)).mesh));
+    EXPECT_EQ(hash_of(*repair(soup).mesh), hash_of(*repair(shapes::shuffled(soup, 9)).mesh));
 }
 
 TEST(SurfaceHash, SeesEveryBitOfEveryVertex)

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/shapes.h"
+#include "common/shapes/shapes.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/camera.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 IndexedMesh unit_box()
 {
-    return *assemble(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    return *repair(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
 }
 
 std::unique_ptr<Body> sibling(ObjectId id, const glm::dvec3& centre, std::uint64_t cut, Tick until)

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "common/assemble.h"
-#include "common/shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::app {
 
@@ -15,7 +15,7 @@ inline ProvenMesh stone_asteroid(std::uint64_t triangles, std::uint64_t seed)
     rock.name = "rock";
     rock.colour = {0.30f, 0.26f, 0.225f, 1.0f};
     soup.materials = {rock};
-    return assemble(std::move(soup)).mesh;
+    return repair(std::move(soup)).mesh;
 }
 
 }  // namespace kerf::app

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/cpu_stopwatch.h"
+#include "common/support/cpu_stopwatch.h"
 #include "viewer/app/inspect/game_overlay.h"
 
 namespace kerf::app {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/plane.h"
+
+// How the outline of a section is divided into loops and chains, for both back ends: docs/cutting-rules.md, "Loops and
+// chains". What comes out follows from where the points of the outline are and from the triangles that its edges lie
+// in, not from the order in which a back end finds them.
+
+namespace kerf {
+
+/// What an edge of an outline bounds on a side where nothing is left of its triangle: see OutlineEdge::part.
+inline constexpr std::uint32_t kNoPart = 0xFFFFFFFFu;
+
+/// An edge of a section, as it runs in the surface of the positive side.
+struct OutlineEdge
+{
+    std::uint32_t from = 0, to = 0;       ///< numbers of points
+    std::array<std::uint32_t, 2> part{};  ///< by Side, what it bounds there, or kNoPart
+    std::uint32_t source = kNoSource;     ///< IndexedMesh::sources of the triangle that it lies in; the smaller of two
+};
+
+/// A loop or chain: a run of DividedOutline::edges.
+struct OutlinePath
+{
+    std::size_t first = 0, count = 0;
+    bool closed = true;  ///< false: a chain, which ends at the boundary of an open mesh
+};
+
+/// An outline taken apart. Each edge is on one path.
+struct DividedOutline
+{
+    std::vector<std::uint32_t> edges;  ///< numbers of edges, path by path; each starts where the one before ends
+    std::vector<OutlinePath> paths;
+};
+
+/// Pairs of edges that run forth and back between two points, as many as there are; each edge is in one pair at most.
+/// O(e), and O(d log d) for the d edges at points that several edges leave.
+std::vector<std::array<std::uint32_t, 2>> opposite_edges(std::size_t point_count, std::span<const OutlineEdge> edges);
+
+/// Divides an outline into simple loops and chains: no path visits a point twice. Only edges of one tag follow one
+/// another; without tags all do.
+///
+/// At a point where one edge arrives and one of the same tag leaves nothing is to be decided. Elsewhere the edges that
+/// leave are put in order, by where they lead (x, y, z), and where that is one place by their sources. A path always
+/// takes the first that is left; what lies between two visits of a point is a loop and leaves the path. First come the
+/// chains, from the points that more edges leave than arrive at, in the order of their positions, and those of one
+/// position in that of the edges there; then what is left, from the same points in the same order. An outline is always
+/// followed as the plane with the normal's longest component positive has it, so that a flipped plane divides it alike.
+///
+/// Loops without such a point come in the order of their first edges, and begin with them. O(e + d log d) for d edges
+/// at points where something is to be decided.
+DividedOutline divide_outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
+                              std::span<const std::uint64_t> tags = {});
+
+/// The axis along which the plane's normal is longest: leaving it out projects the plane without loss, and a ray along
+/// it gets away from the plane fastest.
+int dominant_axis(const Plane& plane);
+
+}  // namespace kerf

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "common/mesh/box.h"
+#include "common/mesh/plane.h"
+
+namespace kerf {
+
+/// Adds up numbers below a bound: the sum has the same bits in whatever order they come. They are rounded to 2^-90 of
+/// the bound and added as integers, so that up to 2^36 of them lose no more than a double does for one.
+class OrderlessSum
+{
+public:
+    /// `bound` is finite, and no number is larger.
+    explicit OrderlessSum(double bound)
+    {
+        int exponent = 0;
+        std::frexp(bound, &exponent);
+        unit_ = std::ldexp(1.0, exponent - kBits);
+        per_unit_ = std::ldexp(1.0, kBits - exponent);
+    }
+
+    void add(double value) { sum_ += static_cast<Integer>(value * per_unit_); }
+    double value() const { return static_cast<double>(sum_) * unit_; }
+
+private:
+    __extension__ using Integer = __int128;
+    static constexpr int kBits = 90;
+
+    double unit_, per_unit_;
+    Integer sum_ = 0;
+};
+
+/// Signed area of closed loops in a plane, mesh units squared: positive where they run counter-clockwise seen from the
+/// positive side. The same bits whatever the order of the edges. `for_each_edge(visit)` calls visit(p, q) for the two
+/// ends of each edge of all loops; it is called twice. O(k).
+template <class ForEachEdge>
+double section_area(const Plane& plane, ForEachEdge for_each_edge)
+{
+    Box box;
+    for_each_edge([&](const glm::vec3& p, const glm::vec3&) { box.add(p); });
+    if (box.empty()) return 0.0;
+    // About a corner of the box, so that a section far from the origin loses no digits.
+    const glm::dvec3 origin(box.lo), size = glm::dvec3(box.hi) - origin;
+    OrderlessSum twice(4.0 * glm::dot(size, size));
+    for_each_edge([&](const glm::vec3& p, const glm::vec3& q) {
+        twice.add(glm::dot(plane.normal, glm::cross(glm::dvec3(p) - origin, glm::dvec3(q) - origin)));
+    });
+    return 0.5 * twice.value();
+}
+
+}  // namespace kerf

@@ -1,0 +1,289 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/mesh/indexed_mesh.h"
+#include "common/mesh/mass_properties.h"
+#include "common/mesh/plane.h"
+#include "common/proxy/collision_proxy.h"
+#include "common/repair/proven_mesh.h"
+
+// The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the
+// fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
+// docs/cutting-rules.md.
+
+namespace kerf {
+
+/// Outcome of preparing or cutting. Bad geometry is an expected outcome, not an exception.
+enum class Status : std::uint8_t
+{
+    cut,            ///< both sides exist, every section loop was closed (prepare: the mesh is ready)
+    missed,         ///< all of the object is on one side, or within plane_noise of it: the object comes back unharmed
+    open_section,   ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are not
+                    ///< capped
+    invalid_plane,  ///< not finite, or the normal is not a unit vector: the object comes back unharmed
+    invalid_mesh,   ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
+    out_of_memory,  ///< the object comes back unharmed
+};
+std::string_view name_of(Status status);
+
+/// Where the time of a cut goes. A back end leaves the phases that it does not have at 0.
+enum class Phase : std::uint8_t
+{
+    find,        ///< which triangles are on which side, which cross
+    walk,        ///< half-edge: following the section from triangle to triangle
+    split,       ///< new vertices and pieces of the crossing triangles
+    copy,        ///< baseline: untouched triangles and their vertices into the fragments
+    cap,         ///< linking the section into loops and closing it
+    rebuild,     ///< half-edge: trees and index ranges of the fragments
+    pivot,       ///< baseline: the report's loop that rewrites every vertex around the new pivot
+    components,  ///< connected pieces
+    growth,      ///< reallocation, when the room reserved by prepare is used up
+};
+inline constexpr std::size_t kPhaseCount = 9;
+std::string_view name_of(Phase phase);
+
+/// Wall-clock milliseconds for each phase.
+struct PhaseTimes
+{
+    std::array<double, kPhaseCount> ms{};
+
+    /// @throws std::out_of_range  there is no such phase
+    double& operator[](Phase phase) { return ms.at(static_cast<std::size_t>(phase)); }
+    double operator[](Phase phase) const { return ms.at(static_cast<std::size_t>(phase)); }
+    double total() const;
+};
+
+/// What a cut did. Counters are exact and the same on every run; times are not.
+struct CutStatistics
+{
+    std::uint64_t triangles = 0;           ///< of the object before the cut
+    std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
+    std::uint64_t crossing_surface = 0;    ///< those of them that are no caps: the same number for every back end
+    std::uint64_t section_loops = 0;  ///< closed loops of the section; where several edges of it leave one point, every
+                                      ///< back end divides it by the same rule
+    std::uint64_t open_chains = 0;    ///< section polylines that end at the boundary of an open mesh
+    std::uint64_t nodes_visited = 0;  ///< tree nodes looked at
+    std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
+    std::uint64_t vertex_comparisons = 0;  ///< baseline: vertices compared while looking for duplicates
+    std::uint64_t cap_steps = 0;  ///< half-edge: corners and edges looked at, and predicates of CGAL's, to close the
+                                  ///< section; 0 for convex ones
+    std::uint64_t bytes_to_upload = 0;  ///< vertex and index bytes that the GPU does not have yet, both sides
+    std::uint64_t bytes_grown = 0;      ///< reallocated because reserved room was used up
+    PhaseTimes phases;
+};
+
+/// A polyline of the section, in mesh coordinates. Seen from the plane's positive side an outer loop runs
+/// counter-clockwise and a hole clockwise. The last point is not repeated.
+struct SectionLoop
+{
+    std::vector<glm::vec3> points;
+    bool closed = true;  ///< false: a chain that ends at the boundary of an open mesh
+};
+
+/// A run of the index buffer that is drawn with one material.
+struct DrawRange
+{
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    std::uint32_t material = 0;  ///< index into DrawView::materials
+    TriangleKind kind = TriangleKind::surface;
+};
+
+/// Sorts ranges by kind, material and place, and joins those that follow one another.
+void merge_ranges(std::vector<DrawRange>& ranges);
+
+/// A run of bytes inside a buffer.
+struct ByteRange
+{
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0;
+};
+
+/// What to draw of an object, and what to upload first. Valid until cut() is called, whatever comes of it, on the
+/// object or a relative, and until the object is compacted, detached or destroyed.
+struct DrawView
+{
+    const void* buffers = nullptr;           ///< identity: objects with equal values share vertex and index buffer
+    std::span<const Vertex> vertices;        ///< the whole vertex buffer
+    std::span<const std::uint32_t> indices;  ///< the whole index buffer
+    std::vector<DrawRange> ranges;           ///< sorted by kind and material, adjacent runs merged
+    std::span<const Material> materials;
+    std::vector<ByteRange> new_vertex_bytes;  ///< of the vertex buffer, since mark_uploaded()
+    std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, since mark_uploaded()
+};
+
+/// The material that fills a section when the user names none: see add_cap_material().
+inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::uint32_t>::max();
+
+struct CutOptions
+{
+    bool build_caps = true;         ///< close the section
+    bool split_components = false;  ///< each side comes as its connected pieces, otherwise as one fragment a side
+    /// Index into the object's materials. One that does not exist means the default: a material named "cap", which is
+    /// added once.
+    std::uint32_t cap_material = kDefaultCapMaterial;
+};
+
+/// Appends the material that fills sections when the user names none, and returns its index: "cap", or "cap.1" and so
+/// on where a material has that name: caps never share one with the surface by accident. The number is the smallest
+/// that is free, or another where names occur twice. O(materials); allocates nothing where there is room for one.
+std::uint32_t add_cap_material(std::vector<Material>& materials);
+
+struct CutResult;
+
+/// An object that can be cut: a prepared mesh or a fragment of one.
+///
+/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(),
+/// but for those that were detached or compacted since. All others are strangers. To *read* an object is to call a
+/// const member, or to hand it to one (the `other` of shares_buffers_with()); to *change* it is cut(), compact(),
+/// detach(), mark_uploaded() or its end. While one thread is at an object, another thread may do this to the same
+/// object, a relative or a stranger:
+///
+/// | one thread                | another thread              | same object | relative     | stranger |
+/// |---------------------------|-----------------------------|-------------|--------------|----------|
+/// | reads                     | reads                       | yes         | yes          | yes      |
+/// | reads                     | changes                     | no          | yes, in turn | yes      |
+/// | changes                   | changes                     | no          | yes, in turn | yes      |
+/// | uses what a DrawView says | reads                       | yes         | yes          | yes      |
+/// | uses what a DrawView says | changes, but does not cut   | no          | yes          | yes      |
+/// | uses what a DrawView says | cuts                        | no          | no           | yes      |
+///
+/// "In turn": inside, one waits until the other is done; readers wait for nobody but a change. To cut an object that
+/// another thread is at is the caller's error, because it is gone then. Whoever draws holds off cuts of relatives from
+/// draw_view() to mark_uploaded(), or draws what was detached. A pointer to an object is handed from thread to thread
+/// as any other. Which relatives are cut when changes no byte of to_indexed_mesh(); it changes where things lie in the
+/// buffers, and CutStatistics::bytes_grown.
+class Cuttable
+{
+public:
+    virtual ~Cuttable() = default;
+
+    /// An independent copy that shares nothing. Costs a copy, not a prepare. May run on a worker thread.
+    virtual std::unique_ptr<Cuttable> clone() const = 0;
+
+    virtual std::uint64_t triangle_count() const = 0;
+    virtual Box bounds() const = 0;
+
+    virtual DrawView draw_view() const = 0;
+    /// Declares that all bytes draw_view() named as new are on the GPU now.
+    virtual void mark_uploaded() = 0;
+
+    /// Of the closed solid; summed about the centre of the object's bounds or as precisely.
+    virtual MassProperties mass_properties() const = 0;
+    virtual CollisionProxy collision_proxy(ProxyKind kind) const = 0;
+
+    /// The outline of the last cut on this fragment; empty before any cut. Chains of an open section included.
+    virtual std::span<const SectionLoop> section_loops() const = 0;
+
+    /// A compact copy: only what the fragment uses, dense point ids. O(n).
+    virtual IndexedMesh to_indexed_mesh() const = 0;
+
+    /// True when many cuts have left the object in many pieces of shared buffers, so that compact() is worth its time.
+    virtual bool wants_compaction() const { return false; }
+    /// Moves the object into buffers of its own that hold nothing else; to_indexed_mesh() keeps its bytes, and
+    /// everything is to be uploaded again. O(n): for when nothing waits. Throws std::bad_alloc, and the object is
+    /// unchanged then. To keep it off the critical path clone() the object on a worker thread, compact the clone there
+    /// and put it in the object's place, if that was not cut meanwhile.
+    virtual void compact() {}
+
+    /// Whether two objects, also of different back ends, are relatives; each is its own. O(1).
+    bool shares_buffers_with(const Cuttable& other) const noexcept { return buffers() == other.buffers(); }
+    /// Makes the object a stranger to all others, so that it can be cut while they are drawn, and drawn while they are
+    /// cut: compact() where it has relatives, nothing otherwise. Never throws.
+    ///
+    /// @return  `cut` when it shares nothing (as prepare() says that a mesh is ready), or `out_of_memory` when it is as
+    ///          it was
+    Status detach() noexcept;
+
+protected:
+    Cuttable() = default;
+    Cuttable(const Cuttable&) = default;
+    Cuttable& operator=(const Cuttable&) = default;
+
+private:
+    friend CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options);
+
+    /// Cuts by a valid plane. With status `cut` or `open_section` the fragments are in the result and the object is
+    /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
+    virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
+
+    /// DrawView::buffers: of an object that has buffers of its own, itself.
+    virtual const void* buffers() const noexcept { return this; }
+    /// Whether some other object has the same buffers.
+    virtual bool has_relatives() const noexcept { return false; }
+};
+
+/// What became of an object.
+struct CutResult
+{
+    Status status = Status::missed;
+    std::unique_ptr<Cuttable> object;                 ///< the object itself, unless it was cut
+    std::vector<std::unique_ptr<Cuttable>> positive;  ///< fragments with signed_distance >= 0
+    std::vector<std::unique_ptr<Cuttable>> negative;  ///< fragments with signed_distance < 0
+    double section_area = 0.0;  ///< signed sum of the closed loops' areas, mesh units squared: what caps should cover
+    /// A warning, see caps_exceed_section(): caps are closed and have the section's signed area, but some triangles are
+    /// turned over and others lie on them. So where a section winds around something backwards (the surface runs
+    /// through itself inside out, or is open), where it crosses itself too often to be untangled, and the baseline's
+    /// fan where the section is not star-shaped. Never without caps.
+    bool caps_exceed_section = false;
+    CutStatistics statistics;
+};
+
+/// Caps cover their section to this share of its area: what rounding cut points to float costs.
+inline constexpr double kCapAgreement = 1e-6;
+
+/// Whether caps cover so much more than their section that it is not rounding: more than kCapAgreement of it, and more
+/// than a unit in the last place along its outline.
+///
+/// @param excess          area of all cap triangles, each counted positive, less `section_area`; mesh units squared
+/// @param section_length  of the closed loops, mesh units
+/// @param unit            in the last place of the largest coordinate, mesh units
+bool caps_exceed_section(double excess, double section_area, double section_length, double unit);
+
+/// Cuts an object and consumes it; it comes back in `CutResult::object` when it was not cut. Never throws: running out
+/// of memory is a status. Same object, same plane, same bytes, on any number of runs.
+///
+/// @param plane  in the mesh's own coordinates, which no cut ever changes
+/// @note  Nothing to cut, as after a failed prepare(), is an `invalid_mesh`.
+/// @note  The baseline costs O(n); the half-edge back end what its section costs.
+CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options = {});
+
+/// What became of a mesh.
+struct PrepareResult
+{
+    Status status = Status::invalid_mesh;  ///< cut, invalid_mesh or out_of_memory
+    std::unique_ptr<Cuttable> object;      ///< set when the status is `cut`
+    std::string reason;                    ///< one sentence when it is not
+    bool coarse_coordinates = false;       ///< a warning, see has_coarse_coordinates(): results are closed but rounded
+};
+
+/// A way to cut. Stateless: one backend may prepare any number of objects from any number of threads.
+class Backend
+{
+public:
+    virtual ~Backend() = default;
+
+    /// "baseline/hash", "halfedge": what tables and file names show.
+    virtual std::string name() const = 0;
+
+    /// Makes a mesh ready for cutting; all sorting and building of trees happens here. Never throws. A mesh that was
+    /// moved away is an `invalid_mesh`, as it has no triangles.
+    PrepareResult prepare(ProvenMesh mesh) const;
+    /// The same for a mesh that nothing is known of: proves it first, which costs O(n) more, and refuses it with a
+    /// reason when it breaks a promise. To prepare one mesh several times prove() it once.
+    PrepareResult prepare(IndexedMesh mesh) const;
+
+private:
+    /// `mesh` has triangles. May throw std::bad_alloc.
+    virtual std::unique_ptr<Cuttable> make(ProvenMesh mesh) const = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,539 @@
+#include "common/cutting/pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "common/caps/section_area.h"
+#include "common/cutting/cut_geometry.h"
+#include "common/geometry/containment.h"
+#include "common/geometry/disjoint_sets.h"
+
+namespace kerf {
+
+namespace {
+
+/// The section as edges between points; what runs forth and back is gone.
+class Outline
+{
+public:
+    Outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
+        : plane_(plane), points_(points)
+    {
+        std::vector<bool> is_gone(edges.size(), false);
+        for (const auto& pair : opposite_edges(points.size(), edges)) is_gone[pair[0]] = is_gone[pair[1]] = true;
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (!is_gone[e] && edges[e].from != edges[e].to) edges_.push_back(edges[e]);
+    }
+
+    const Plane& plane() const { return plane_; }
+    std::span<const glm::vec3> points() const { return points_; }
+    std::span<const OutlineEdge> edges() const { return edges_; }
+    const glm::vec3& position(std::uint32_t point) const { return points_[point]; }
+
+private:
+    const Plane& plane_;
+    std::span<const glm::vec3> points_;
+    std::vector<OutlineEdge> edges_;
+};
+
+/// A section loop in the plane of the two other axes.
+struct FlatLoop
+{
+    std::uint32_t part = 0;
+    double area2 = 0.0;  ///< twice the area, positive for an outer loop
+    Box box;             ///< z = 0
+    std::vector<PlanarPoint> points;
+};
+
+/// Calls visit(p, q) for each edge of a loop.
+template <class Visit>
+void for_each_edge(const FlatLoop& loop, Visit&& visit)
+{
+    for (std::size_t i = 0; i < loop.points.size(); ++i)
+        visit(loop.points[i], loop.points[i + 1 < loop.points.size() ? i + 1 : 0]);
+}
+
+/// `path` is a loop of the outline that bounds `part`. Neither its size nor its points depend on where it begins.
+FlatLoop flatten(const Outline& outline, std::span<const std::uint32_t> path, std::uint32_t part, int axis)
+{
+    FlatLoop flat;
+    flat.part = part;
+    flat.points.reserve(path.size());
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const std::uint32_t edge : path) {
+        const glm::vec3& p = outline.position(outline.edges()[edge].from);
+        flat.points.push_back({p[u], p[v]});
+        flat.box.add(glm::vec3(p[u], p[v], 0.0f));
+    }
+    std::rotate(flat.points.begin(),
+                std::min_element(flat.points.begin(), flat.points.end(),
+                                 [](auto& p, auto& q) { return p.u != q.u ? p.u < q.u : p.v < q.v; }),
+                flat.points.end());
+    // About a corner of its box, so that a loop far from the origin loses no digits.
+    const glm::dvec3 origin(flat.box.lo), size = glm::dvec3(flat.box.hi) - origin;
+    OrderlessSum area2(4.0 * (size.x * size.x + size.y * size.y));
+    for_each_edge(flat, [&](const PlanarPoint& p, const PlanarPoint& q) {
+        area2.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
+                  (double(p.v) - origin.y) * (double(q.u) - origin.x));
+    });
+    flat.area2 = area2.value();
+    return flat;
+}
+
+/// The middle of the longest way through the inside of the loop at height v; false when there is none.
+bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
+{
+    std::vector<std::pair<double, int>> hits;  // u, winding
+    for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
+        if ((p.v <= v) == (q.v <= v)) return;
+        const double t = (double(v) - double(p.v)) / (double(q.v) - double(p.v));
+        hits.emplace_back(double(p.u) + t * (double(q.u) - double(p.u)), p.v <= v ? 1 : -1);
+    });
+    std::sort(hits.begin(), hits.end());
+    int winding = 0;
+    double longest = 0.0;
+    for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
+        winding += hits[i].second;
+        const double length = hits[i + 1].first - hits[i].first;
+        if (winding == 0 || length <= longest) continue;
+        longest = length;
+        middle = {static_cast<float>(hits[i].first + length / 2), v, 0.0f};
+    }
+    return longest > 0.0;
+}
+
+/// Three points in a loop, each at a height where no point of the loop is near: loops may touch one another in points
+/// and edges, but hardly there.
+void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<NestingSample>& samples)
+{
+    constexpr std::size_t kSamples = 3;  // odd, so that they always have a majority
+    std::vector<float> heights;
+    heights.reserve(loop.points.size());
+    for (const PlanarPoint& p : loop.points) heights.push_back(p.v);
+    std::sort(heights.begin(), heights.end());
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+
+    const std::size_t gaps = heights.size() - 1;
+    for (std::size_t part = 0; part < kSamples; ++part) {
+        // The widest gap in each third of the heights.
+        const std::size_t begin = gaps * part / kSamples, end = std::max(begin + 1, gaps * (part + 1) / kSamples);
+        double widest = 0.0;
+        float height = heights[begin];
+        for (std::size_t i = begin; i < std::min(end, gaps); ++i) {
+            const double gap = double(heights[i + 1]) - double(heights[i]);
+            if (gap <= widest) continue;
+            widest = gap;
+            height = static_cast<float>(double(heights[i]) + gap / 2);
+        }
+        glm::vec3 middle{loop.points.front().u, loop.points.front().v, 0.0f};
+        middle_at(loop, height, middle);
+        samples.push_back({middle, candidate});
+    }
+}
+
+/// Decides which holes (`candidates`) lie in an outer loop.
+void decide(std::span<const FlatLoop> loops, std::uint32_t outer, std::span<const std::uint32_t> candidates,
+            std::span<std::uint8_t> lies_in)
+{
+    std::vector<NestingSample> samples;
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) add_samples(loops[candidates[i]], i, samples);
+    WindingNumbers windings(samples);
+    for_each_edge(loops[outer], [&](const PlanarPoint& p, const PlanarPoint& q) {
+        Box reach;
+        reach.add(glm::vec3(p.u, p.v, 0.0f));
+        reach.add(glm::vec3(q.u, q.v, 0.0f));
+        reach.lo.x = -std::numeric_limits<float>::infinity();
+        windings.add(reach, [&](const glm::vec3& s) { return edge_crossing({s.x, s.y}, p, q); });
+    });
+    windings.vote(lies_in);
+}
+
+/// Joins each hole of one solid with the smallest outer loop around it, and with all around it that are as small:
+/// those cannot be told apart, and no order of theirs is the same for every back end.
+void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
+{
+    std::vector<Nestable> items;
+    items.reserve(loops.size());
+    for (const FlatLoop& loop : loops)
+        items.push_back({loop.box, std::abs(loop.area2), loop.area2 > 0.0, loop.area2 < 0.0});
+    const std::vector<std::uint32_t> container = smallest_containers(
+        items, [&](auto outer, auto candidates, auto lies_in) { decide(loops, outer, candidates, lies_in); });
+
+    std::vector<std::uint32_t> holes, outer_loops;
+    for (std::uint32_t i = 0; i < loops.size(); ++i) {
+        if (items[i].can_contain) outer_loops.push_back(i);
+        if (container[i] == kNoContainer) continue;
+        pieces.unite(loops[i].part, loops[container[i]].part);
+        holes.push_back(i);
+    }
+    const auto size_around = [&](std::uint32_t hole) { return items[container[hole]].size; };
+    std::sort(holes.begin(), holes.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return size_around(a) < size_around(b); });
+    std::sort(outer_loops.begin(), outer_loops.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return items[a].size < items[b].size; });
+    std::vector<std::uint32_t> candidates;
+    std::vector<std::uint8_t> lies_in;
+    auto hole = holes.begin();
+    for (auto outer = outer_loops.begin(); outer != outer_loops.end();) {
+        const double size = items[*outer].size;
+        const auto end = std::find_if(outer, outer_loops.end(), [&](std::uint32_t i) { return items[i].size != size; });
+        while (hole != holes.end() && size_around(*hole) < size) ++hole;
+        const auto last_hole = std::find_if(hole, holes.end(), [&](std::uint32_t i) { return size_around(i) != size; });
+        for (; outer != end; ++outer) {
+            candidates.clear();
+            for (auto i = hole; i != last_hole; ++i)
+                if (container[*i] != *outer && encloses(items[*outer].box, items[*i].box)) candidates.push_back(*i);
+            if (candidates.empty()) continue;
+            lies_in.assign(candidates.size(), 0);
+            decide(loops, *outer, candidates, lies_in);
+            for (std::size_t i = 0; i < candidates.size(); ++i)
+                if (lies_in[i] != 0) pieces.unite(loops[candidates[i]].part, loops[*outer].part);
+        }
+        hole = last_hole;
+    }
+}
+
+/// The parts of one solid on one side.
+struct SolidParts
+{
+    std::vector<std::uint32_t> shown;     ///< cut parts, and whole shells that are no cavities
+    std::vector<std::uint32_t> cavities;  ///< whole shells of negative volume
+    bool is_cut = false;
+};
+
+std::vector<std::uint32_t> numbered(DisjointSets& pieces, std::size_t part_count)
+{
+    // A set's representative is its smallest part, so it is met first.
+    std::vector<std::uint32_t> number(part_count);
+    std::uint32_t count = 0;
+    for (std::uint32_t part = 0; part < part_count; ++part) {
+        const std::uint32_t first = pieces.find(part);
+        number[part] = first == part ? count++ : number[first];
+    }
+    return number;
+}
+
+/// One side while its pieces are found.
+class SideGrouping
+{
+public:
+    SideGrouping(const SideParts& side, std::size_t at)
+        : pieces(static_cast<std::uint32_t>(side.parts.size())), side_(side), at_(at)
+    {
+        std::vector<std::uint32_t> ids;
+        for (const SurfacePart& part : side.parts) ids.push_back(part.solid);
+        std::sort(ids.begin(), ids.end());
+        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        for (const SurfacePart& part : side.parts)
+            solid_of_.push_back(
+                static_cast<std::uint32_t>(std::lower_bound(ids.begin(), ids.end(), part.solid) - ids.begin()));
+        solids_.resize(ids.size());
+        for (std::uint32_t part = 0; part < side.parts.size(); ++part) {
+            SolidParts& solid = solids_[solid_of_[part]];
+            const SurfacePart& p = side.parts[part];
+            const bool is_cavity = !p.is_cut && !p.is_flat && p.volume6 < 0.0;
+            (is_cavity ? solid.cavities : solid.shown).push_back(part);
+            solid.is_cut = solid.is_cut || p.is_cut;
+        }
+    }
+
+    /// Some solid has been cut into several parts, so that the outline matters.
+    bool has_come_apart() const
+    {
+        return std::any_of(solids_.begin(), solids_.end(),
+                           [](const SolidParts& solid) { return solid.is_cut && solid.shown.size() > 1; });
+    }
+
+    void join_holes_of_solids(const Outline& outline, int axis)
+    {
+        std::vector<std::uint64_t> parts;
+        parts.reserve(outline.edges().size());
+        for (const OutlineEdge& edge : outline.edges()) parts.push_back(edge.part[at_]);
+        const DividedOutline divided = divide_outline(outline.plane(), outline.points(), outline.edges(), parts);
+        std::vector<std::vector<FlatLoop>> flat(solids_.size());
+        for (const OutlinePath& path : divided.paths) {
+            const std::uint32_t part = outline.edges()[divided.edges[path.first]].part[at_];
+            if (!path.closed || path.count < 3 || part == kNoPart) continue;
+            const std::uint32_t solid = solid_of_[part];
+            if (solids_[solid].shown.size() > 1)
+                flat[solid].push_back(
+                    flatten(outline, std::span(divided.edges).subspan(path.first, path.count), part, axis));
+        }
+        for (const auto& loops : flat) join_holes(loops, pieces);
+    }
+
+    /// Finds in each solid the first piece that has volume: the one that alone has the outline's first edge of those
+    /// that one piece alone has. Which way an edge runs does not matter.
+    void find_first_pieces(const Outline& outline)
+    {
+        struct Claim
+        {
+            std::uint32_t solid;
+            glm::vec3 low, high;
+            std::uint32_t piece, source;
+        };
+        const std::vector<bool> has_volume = find_volume();
+        std::vector<Claim> claims;
+        claims.reserve(outline.edges().size());
+        for (const OutlineEdge& edge : outline.edges()) {
+            const std::uint32_t part = edge.part[at_];
+            if (part == kNoPart) continue;
+            const std::uint32_t piece = pieces.find(part);
+            if (!has_volume[piece]) continue;
+            Claim claim{solid_of_[part], outline.position(edge.from), outline.position(edge.to), piece, edge.source};
+            if (lexicographically_less(claim.high, claim.low)) std::swap(claim.low, claim.high);
+            claims.push_back(claim);
+        }
+        const auto is_less = [](const Claim& a, const Claim& b) {
+            if (a.solid != b.solid) return a.solid < b.solid;
+            if (!same_position(a.low, b.low)) return lexicographically_less(a.low, b.low);
+            if (!same_position(a.high, b.high)) return lexicographically_less(a.high, b.high);
+            return false;
+        };
+        std::sort(claims.begin(), claims.end(), [&](const Claim& a, const Claim& b) {
+            return is_less(a, b) || (!is_less(b, a) && a.source < b.source);
+        });
+        first_piece_.assign(solids_.size(), kNoContainer);
+        std::vector<bool> is_alone(solids_.size(), false);
+        for (std::size_t first = 0, last; first < claims.size(); first = last) {
+            last = first + 1;
+            while (last < claims.size() && !is_less(claims[first], claims[last])) ++last;
+            const std::uint32_t solid = claims[first].solid;
+            const bool alone = std::all_of(claims.begin() + static_cast<std::ptrdiff_t>(first),
+                                           claims.begin() + static_cast<std::ptrdiff_t>(last),
+                                           [&](const Claim& c) { return c.piece == claims[first].piece; });
+            if (first_piece_[solid] != kNoContainer && (is_alone[solid] || !alone)) continue;
+            first_piece_[solid] = claims[first].piece;
+            is_alone[solid] = alone;
+        }
+    }
+
+    /// Joins pieces without volume with the first piece of their solid that has some.
+    void join_flat_pieces(const Outline& outline)
+    {
+        if (std::none_of(side_.parts.begin(), side_.parts.end(), [](const SurfacePart& part) { return part.is_flat; }))
+            return;
+        find_first_pieces(outline);
+        const std::vector<bool> has_volume = find_volume();
+        for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
+            const std::uint32_t first = first_piece_[solid_of_[part]];
+            if (side_.parts[part].is_flat && first != kNoContainer && !has_volume[pieces.find(part)])
+                pieces.unite(part, first);
+        }
+    }
+
+    /// `outline` is null where no solid has come apart.
+    void join_the_rest(const AxisRay& away, const Outline* outline)
+    {
+        join_cavities(away, outline);
+        for (const SolidParts& solid : solids_) {
+            if (solid.is_cut) continue;
+            const std::uint32_t first = (solid.shown.empty() ? solid.cavities : solid.shown).front();
+            for (const auto* some : {&solid.shown, &solid.cavities})
+                for (const std::uint32_t part : *some) pieces.unite(first, part);
+        }
+    }
+
+    std::vector<std::uint32_t> result() { return numbered(pieces, side_.parts.size()); }
+
+    DisjointSets pieces;
+
+private:
+    /// A cavity, and the piece that it lies in: named by its first part.
+    struct Home
+    {
+        std::uint32_t cavity, piece;
+    };
+
+    /// Whether pieces have volume, by their representatives.
+    std::vector<bool> find_volume()
+    {
+        std::vector<bool> has_volume(side_.parts.size(), false);
+        for (std::uint32_t part = 0; part < side_.parts.size(); ++part)
+            if (!side_.parts[part].is_flat) has_volume[pieces.find(part)] = true;
+        return has_volume;
+    }
+
+    /// Joins each cavity of a cut solid with the piece it lies in: the one whose winding number around it is not 0.
+    /// Where pieces overlap there may be several, which are one then.
+    void join_cavities(const AxisRay& direction, const Outline* outline)
+    {
+        // Joining a cavity changes the names of pieces: first all are looked for, then joined.
+        std::vector<Home> homes, sought;
+        for (const SolidParts& solid : solids_) {
+            if (!solid.is_cut || solid.cavities.empty() || solid.shown.empty()) continue;
+            std::uint32_t first = pieces.find(solid.shown.front());
+            bool is_one = true;
+            for (const std::uint32_t part : solid.shown) {
+                const std::uint32_t piece = pieces.find(part);
+                is_one = is_one && piece == first;
+                first = std::min(first, piece);
+            }
+            for (const std::uint32_t cavity : solid.cavities) (is_one ? homes : sought).push_back({cavity, first});
+        }
+        if (!sought.empty()) {
+            // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
+            if (outline != nullptr) find_first_pieces(*outline);
+            for (Home& home : sought)
+                if (outline != nullptr && first_piece_[solid_of_[home.cavity]] != kNoContainer)
+                    home.piece = first_piece_[solid_of_[home.cavity]];
+            look_for_homes(sought, direction, homes);
+        }
+        for (const Home& home : homes) pieces.unite(home.cavity, home.piece);
+    }
+
+    /// Adds all homes that counting finds, or else the one that is sought.
+    void look_for_homes(const std::vector<Home>& sought, const AxisRay& direction, std::vector<Home>& homes)
+    {
+        std::vector<AxisRay> rays(sought.size(), direction);
+        for (std::size_t i = 0; i < sought.size(); ++i) rays[i].origin = side_.parts[sought[i].cavity].sample;
+        std::vector<bool> is_shown(side_.parts.size(), false);
+        for (const SolidParts& solid : solids_)
+            for (const std::uint32_t part : solid.shown) is_shown[part] = true;
+
+        struct Term
+        {
+            std::uint32_t ray, piece;
+            int term;
+        };
+        std::vector<Term> terms;
+        // Cavities in rows would cross one another's rays, and nothing else.
+        side_.count_crossings(rays, is_shown, [&](std::uint32_t part, std::uint32_t ray, int term) {
+            if (solid_of_[part] == solid_of_[sought[ray].cavity]) terms.push_back({ray, pieces.find(part), term});
+        });
+        std::sort(terms.begin(), terms.end(),
+                  [](const Term& a, const Term& b) { return std::tie(a.ray, a.piece) < std::tie(b.ray, b.piece); });
+        std::vector<bool> is_found(sought.size(), false);
+        for (std::size_t first = 0, last; first < terms.size(); first = last) {
+            const std::uint32_t ray = terms[first].ray, piece = terms[first].piece;
+            int winding = 0;
+            for (last = first; last < terms.size() && terms[last].ray == ray && terms[last].piece == piece; ++last)
+                winding += terms[last].term;
+            if (winding == 0) continue;
+            homes.push_back({sought[ray].cavity, piece});
+            is_found[ray] = true;
+        }
+        for (std::size_t i = 0; i < sought.size(); ++i)
+            if (!is_found[i]) homes.push_back(sought[i]);
+    }
+
+    const SideParts& side_;
+    std::size_t at_;
+    std::vector<std::uint32_t> solid_of_;  ///< dense numbers of the solids that occur
+    std::vector<SolidParts> solids_;
+    std::vector<std::uint32_t> first_piece_;  ///< of each solid, as find_first_pieces() found it
+};
+
+/// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
+/// then the pieces at that point become one. Not so where the outline itself ends.
+void join_where_loops_need_it(const Outline& outline, const std::array<SideParts, 2>& sides,
+                              std::array<SideGrouping, 2>& grouping)
+{
+    struct End
+    {
+        std::uint32_t point, solid;
+        std::array<std::uint32_t, 2> piece;
+        std::int32_t leaves;  // +1 or -1
+    };
+    // Nearly everywhere one edge arrives and one leaves, between the same pieces: those are left out.
+    std::vector<End> first_at(outline.points().size(), End{kNoContainer, 0, {}, 0}), ends;
+    std::vector<bool> is_plain(outline.points().size(), false);
+    const auto visit_ends = [&](auto visit) {
+        for (const OutlineEdge& edge : outline.edges()) {
+            if (edge.part[0] == kNoPart || edge.part[1] == kNoPart) continue;
+            const std::array<std::uint32_t, 2> piece{grouping[0].pieces.find(edge.part[0]),
+                                                     grouping[1].pieces.find(edge.part[1])};
+            const std::uint32_t solid = sides[0].parts[edge.part[0]].solid;
+            visit(End{edge.from, solid, piece, 1});
+            visit(End{edge.to, solid, piece, -1});
+        }
+    };
+    visit_ends([&](const End& end) {
+        End& first = first_at[end.point];
+        if (first.point == kNoContainer) {
+            first = end;
+        } else {
+            // The second one; any further makes the point one to look at.
+            is_plain[end.point] = first.leaves + end.leaves == 0 && first.piece == end.piece;
+            first.leaves = 2;
+        }
+    });
+    visit_ends([&](const End& end) {
+        if (!is_plain[end.point]) ends.push_back(end);
+    });
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+        return std::tie(a.point, a.solid, a.piece) < std::tie(b.point, b.solid, b.piece);
+    });
+    for (std::size_t first = 0, last; first < ends.size(); first = last) {
+        std::int32_t sum = 0;
+        for (last = first;
+             last < ends.size() && ends[last].point == ends[first].point && ends[last].solid == ends[first].solid;
+             ++last)
+            sum += ends[last].leaves;
+        if (sum != 0) continue;
+        const End* odd = nullptr;
+        for (std::size_t begin = first, end; begin < last; begin = end) {
+            for (end = begin; end < last && ends[end].piece == ends[begin].piece; ++end) sum += ends[end].leaves;
+            if (std::exchange(sum, 0) == 0) continue;
+            if (odd == nullptr) odd = &ends[begin];
+            for (std::size_t side = 0; side < 2; ++side)
+                grouping[side].pieces.unite(odd->piece[side], ends[begin].piece[side]);
+        }
+    }
+}
+
+}  // namespace
+
+void ShellSample::add(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    std::array<glm::vec3, 3> corners{a, b, c};
+    const auto is_less = [](const glm::vec3& p, const glm::vec3& q) {
+        return !same_position(p, q) && lexicographically_less(p, q);
+    };
+    std::sort(corners.begin(), corners.end(), is_less);
+    if (std::lexicographical_compare(corners.begin(), corners.end(), first_.begin(), first_.end(), is_less))
+        first_ = corners;
+}
+
+glm::vec3 ShellSample::point() const
+{
+    return glm::vec3((glm::dvec3(first_[0]) + glm::dvec3(first_[1]) + glm::dvec3(first_[2])) / 3.0);
+}
+
+std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const std::array<SideParts, 2>& sides,
+                                                       std::span<const glm::vec3> points,
+                                                       std::span<const OutlineEdge> edges)
+{
+    const int axis = dominant_axis(plane);
+    if (plane.normal[axis] < 0.0) {
+        // Loops that touch can be linked in several ways: a flipped plane must link them as the plane does.
+        std::vector<OutlineEdge> reversed;
+        reversed.reserve(edges.size());
+        for (const OutlineEdge& edge : edges)
+            reversed.push_back({edge.to, edge.from, {edge.part[1], edge.part[0]}, edge.source});
+        auto [positive, negative] = group_pieces(plane.flipped(), {sides[1], sides[0]}, points, reversed);
+        return {std::move(negative), std::move(positive)};
+    }
+    std::array<SideGrouping, 2> grouping{SideGrouping(sides[0], 0), SideGrouping(sides[1], 1)};
+    const std::array<bool, 2> apart{grouping[0].has_come_apart(), grouping[1].has_come_apart()};
+    std::optional<Outline> outline_of_parts;
+    if (apart[0] || apart[1]) {
+        const Outline& outline = outline_of_parts.emplace(plane, points, edges);
+        for (std::size_t side = 0; side < 2; ++side)
+            if (apart[side]) grouping[side].join_holes_of_solids(outline, axis);
+        join_where_loops_need_it(outline, sides, grouping);
+        for (std::size_t side = 0; side < 2; ++side)
+            if (apart[side]) grouping[side].join_flat_pieces(outline);
+    }
+    for (const Side side : {Side::negative, Side::positive})
+        grouping[static_cast<std::size_t>(side)].join_the_rest({{}, axis, side == Side::positive},
+                                                               outline_of_parts ? &*outline_of_parts : nullptr);
+    return {grouping[0].result(), grouping[1].result()};
+}
+
+}  // namespace kerf

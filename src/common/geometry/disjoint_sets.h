@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "common/mesh/buffer.h"
+
+namespace kerf {
+
+/// Union-find over 0..n-1 with path halving. The representative of a set is its smallest element, so that results do
+/// not depend on the order of unions.
+class DisjointSets
+{
+public:
+    explicit DisjointSets(std::uint32_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    std::uint32_t find(std::uint32_t i)
+    {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+    void unite(std::uint32_t a, std::uint32_t b)
+    {
+        a = find(a);
+        b = find(b);
+        if (a > b) std::swap(a, b);
+        parent_[b] = a;
+    }
+
+private:
+    Buffer<std::uint32_t> parent_;
+};
+
+}  // namespace kerf

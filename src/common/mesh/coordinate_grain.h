@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "common/mesh/indexed_mesh.h"
+
+namespace kerf {
+
+/// Below so many units in the last place of the largest coordinate an edge is too short for its mesh: cut points on it
+/// have hardly anywhere to go, and volumes and areas are those of a mesh that was rounded on the way here. Four bits:
+/// a cut point then still divides an edge to 1/16.
+inline constexpr double kCoarseUnits = 16.0;
+
+/// The distance between neighbouring floats at the largest coordinate, in mesh units: how coarse positions are.
+double coordinate_grain(const Box& box);
+
+/// Length of the shortest edge, mesh units; edges between equal positions don't count, nor do triangles with an index
+/// out of range. Infinite without any. O(n).
+double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle> triangles);
+
+/// True when the shortest edge is below kCoarseUnits times the grain: mostly a small mesh far from the origin. It is
+/// cut all the same, closed and without a crash; move it to the origin before it is rounded to float if you can.
+inline bool has_coarse_coordinates(double shortest_edge, const Box& box)
+{
+    return shortest_edge < kCoarseUnits * coordinate_grain(box);
+}
+
+/// What to tell a user of such a mesh: one sentence.
+inline constexpr const char* kCoarseCoordinatesText =
+    "coarse coordinates: the shortest edge is under 16 steps of the coordinates' precision; move the mesh towards the "
+    "origin before it is stored in single precision";
+
+}  // namespace kerf

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "common/mesh/box.h"
+#include "common/mesh/float_range.h"
+#include "common/mesh/float_rules.h"
+
+namespace kerf {
+
+/// { p : dot(normal, p) = offset }. The positive side is where the normal points to, the plane itself included.
+struct Plane
+{
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit length
+    double offset = 0.0;               ///< signed distance of the plane from the origin, in mesh units
+
+    /// The plane through `point` with the direction of `normal`, which may have any length.
+    /// Empty when a number is not finite or the normal has no direction.
+    static std::optional<Plane> through(const glm::dvec3& point, const glm::dvec3& normal);
+
+    /// Signed distance of a mesh vertex, in mesh units. The sign decides the side: >= 0 is positive, without a
+    /// tolerance. The order of the additions is part of the contract: boxes are tested with the same expression.
+    double signed_distance(const glm::vec3& p) const
+    {
+        return ((normal.x * double(p.x) + normal.y * double(p.y)) + normal.z * double(p.z)) - offset;
+    }
+
+    /// Smallest and largest signed distance that any vertex inside `box` can have, rounding included: multiplication
+    /// and addition round monotonically, so the extreme corners bound every point between them bit for bit.
+    std::array<double, 2> distance_range(const Box& box) const
+    {
+        const glm::vec3 near{normal.x >= 0 ? box.lo.x : box.hi.x, normal.y >= 0 ? box.lo.y : box.hi.y,
+                             normal.z >= 0 ? box.lo.z : box.hi.z};
+        const glm::vec3 far{normal.x >= 0 ? box.hi.x : box.lo.x, normal.y >= 0 ? box.hi.y : box.lo.y,
+                            normal.z >= 0 ? box.hi.z : box.lo.z};
+        return {signed_distance(near), signed_distance(far)};
+    }
+
+    /// The same plane seen from the other side. Points exactly on the plane change sides.
+    Plane flipped() const { return {-normal, -offset}; }
+
+    /// True when all four numbers are finite and the normal has unit length within rounding.
+    bool valid() const;
+};
+
+/// Two unit vectors that span a plane: cross(u, v) = normal. Cap uv are coordinates along them, so they are fixed to
+/// the object. The same normal always gives the same frame.
+struct PlaneFrame
+{
+    glm::dvec3 u, v;
+
+    static PlaneFrame of(const glm::dvec3& normal);
+
+    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. A corner of a box of the
+    /// largest floats is farther along a diagonal than floats reach: it gets the largest.
+    glm::vec2 uv(const glm::vec3& p) const
+    {
+        return {nearest_finite_float(glm::dot(u, glm::dvec3(p))), nearest_finite_float(glm::dot(v, glm::dvec3(p)))};
+    }
+};
+
+/// plane_noise() in units in the last place.
+inline constexpr double kNoiseInUnits = 4.0;
+
+/// How far from the plane a side must reach to be a fragment: kNoiseInUnits units in the last place of the mesh's
+/// largest coordinate, in mesh units. Cut points are rounded to float, so a cap wanders from its plane by about one
+/// such unit; a second cut by the same plane must find nothing. `largest_coordinate` is that of the mesh before any cut
+/// (Box::largest_coordinate).
+double plane_noise(float largest_coordinate);
+
+}  // namespace kerf

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh/indexed_mesh.h"
+
+namespace kerf {
+
+/// Triangles as a file or a generator gives them: nothing is promised.
+struct TriangleSoup
+{
+    Buffer<Vertex> vertices;
+    Buffer<Triangle> triangles;
+    std::vector<std::uint32_t> triangle_materials;  ///< one a triangle; empty: all 0
+    std::vector<VertexStream> streams;
+    std::vector<Material> materials;  ///< empty: one unnamed material
+    bool has_normals = true;          ///< false: repair() computes smooth normals with a crease angle
+};
+
+}  // namespace kerf

@@ -1,0 +1,73 @@
+#include "common/repair/edge_runs.h"
+
+namespace kerf {
+
+namespace {
+
+/// Most buckets hold half a dozen half-edges: insertion beats std::sort there. Hubs of fans get std::sort.
+constexpr std::size_t kInsertionSortLimit = 24;
+
+bool before(const EdgeRuns::Side& a, const EdgeRuns::Side& b)
+{
+    return a.larger_point != b.larger_point ? a.larger_point < b.larger_point : a.half_edge < b.half_edge;
+}
+
+void sort_bucket(EdgeRuns::Side* first, EdgeRuns::Side* last)
+{
+    if (static_cast<std::size_t>(last - first) > kInsertionSortLimit) {
+        std::sort(first, last, before);
+        return;
+    }
+    for (EdgeRuns::Side* next = first; next < last; ++next) {
+        const EdgeRuns::Side side = *next;
+        EdgeRuns::Side* hole = next;
+        // Half-edges arrive in ascending order, so the larger point alone decides.
+        for (; hole != first && (hole - 1)->larger_point > side.larger_point; --hole) *hole = *(hole - 1);
+        *hole = side;
+    }
+}
+
+}  // namespace
+
+EdgeRuns::EdgeRuns(std::uint32_t point_count, std::span<const Triangle> corners)
+{
+    // Count into the slot of each smaller point, turn counts into starts, scatter: the starts end up as ends.
+    bucket_end_.assign(point_count, 0);
+    for (const auto& [a, b, c] : corners) {
+        ++bucket_end_[std::min(a, b)];
+        ++bucket_end_[std::min(b, c)];
+        ++bucket_end_[std::min(c, a)];
+    }
+    std::uint32_t sum = 0;
+    for (std::uint32_t& slot : bucket_end_) sum += std::exchange(slot, sum);
+
+    sides_.resize(corners.size() * 3);
+    std::uint32_t half_edge = 0;
+    for (const auto& [a, b, c] : corners) {
+        sides_[bucket_end_[std::min(a, b)]++] = {std::max(a, b), half_edge++};
+        sides_[bucket_end_[std::min(b, c)]++] = {std::max(b, c), half_edge++};
+        sides_[bucket_end_[std::min(c, a)]++] = {std::max(c, a), half_edge++};
+    }
+    std::uint32_t begin = 0;
+    for (const std::uint32_t end : bucket_end_) {
+        sort_bucket(sides_.data() + begin, sides_.data() + end);
+        begin = end;
+    }
+}
+
+Buffer<std::uint32_t> half_edge_twins(const IndexedMesh& mesh)
+{
+    Buffer<Triangle> corners(mesh.triangles.size());
+    for (std::size_t t = 0; t < corners.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
+
+    Buffer<std::uint32_t> twins(corners.size() * 3, kNoTwin);
+    EdgeRuns(mesh.point_count, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        if (edge.size() != 2) return;
+        twins[edge[0].half_edge] = edge[1].half_edge;
+        twins[edge[1].half_edge] = edge[0].half_edge;
+    });
+    return twins;
+}
+
+}  // namespace kerf

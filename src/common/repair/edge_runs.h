@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "common/mesh/buffer.h"
+#include "common/mesh/indexed_mesh.h"
+
+namespace kerf {
+
+// A half-edge is a triangle's side with a direction, numbered 3 * triangle + corner: it runs from that corner to the
+// next one.
+
+inline constexpr std::uint32_t kNoTwin = std::numeric_limits<std::uint32_t>::max();
+
+inline std::uint32_t next_half_edge(std::uint32_t h)
+{
+    return h % 3 == 2 ? h - 2 : h + 1;
+}
+inline std::uint32_t previous_half_edge(std::uint32_t h)
+{
+    return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// The half-edges of some triangles, sorted so that those of one undirected edge follow one another: edges by smaller
+/// point, then larger point, half-edges by number. Built by counting, without hashing: half-edges go into one bucket
+/// for each smaller point, buckets are sorted. O(n) for bounded valence, O(n log n) otherwise.
+class EdgeRuns
+{
+public:
+    /// `corners` holds the three point ids of each triangle, all below `point_count`.
+    EdgeRuns(std::uint32_t point_count, std::span<const Triangle> corners);
+
+    /// Calls visit(std::span<const Side>) for each undirected edge; never an empty span.
+    template <class Visit>
+    void for_each(Visit&& visit) const
+    {
+        const Side* const end = sides_.data() + sides_.size();
+        std::size_t bucket = 0;
+        for (const Side* first = sides_.data(); first != end;) {
+            while (static_cast<std::uint32_t>(first - sides_.data()) >= bucket_end_[bucket]) ++bucket;
+            const Side* const bucket_end = sides_.data() + bucket_end_[bucket];
+            const Side* last = first + 1;
+            while (last != bucket_end && last->larger_point == first->larger_point) ++last;
+            visit(std::span<const Side>(first, last));
+            first = last;
+        }
+    }
+
+    /// One half-edge in its bucket.
+    struct Side
+    {
+        std::uint32_t larger_point;
+        std::uint32_t half_edge;
+    };
+
+private:
+    Buffer<Side> sides_;
+    Buffer<std::uint32_t> bucket_end_;  ///< for each smaller point the end of its bucket in sides_
+};
+
+/// For each half-edge of a mesh the one that runs along the same points the other way, or kNoTwin at the boundary.
+/// Connectivity is by point id. The mesh keeps IndexedMesh's promise that no directed edge occurs twice. O(n).
+Buffer<std::uint32_t> half_edge_twins(const IndexedMesh& mesh);
+
+}  // namespace kerf

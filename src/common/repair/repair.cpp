@@ -1,0 +1,242 @@
+#include "common/repair/repair.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "common/repair/face_adjacency.h"
+#include "common/repair/shells.h"
+#include "common/repair/solids.h"
+#include "common/repair/triangle_faults.h"
+#include "common/repair/umbrellas.h"
+#include "common/repair/vertex_builder.h"
+#include "common/repair/vertex_fans.h"
+#include "common/repair/weld.h"
+#include "common/support/reason.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::size_t kLargestIndex = std::numeric_limits<std::uint32_t>::max();
+
+/// Empty, or one sentence that names the first thing that is wrong.
+std::string find_error(const TriangleSoup& soup)
+{
+    if (soup.triangles.empty()) return "the mesh has no triangles; give it one at least";
+    if (soup.triangles.size() > kLargestIndex / 3 || soup.vertices.size() >= kLargestIndex)
+        return "the mesh has more than 2^32 corners; divide it into several";
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
+        const glm::vec3& p = soup.vertices[v].position;
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            return "vertex " + std::to_string(v) +
+                   " has a coordinate that is not finite; give it a number, or take it and its triangles out";
+    }
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        for (const std::uint32_t v : soup.triangles[t])
+            if (v >= soup.vertices.size())
+                return "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
+                       but_there_are_only(soup.vertices.size());
+    if (!soup.triangle_materials.empty() && soup.triangle_materials.size() != soup.triangles.size())
+        return "there is not one material for each triangle; name one for each, or none at all";
+    const std::size_t material_count = std::max<std::size_t>(1, soup.materials.size());
+    for (std::size_t t = 0; t < soup.triangle_materials.size(); ++t)
+        if (soup.triangle_materials[t] >= material_count)
+            return "triangle " + std::to_string(t) + " refers to material " +
+                   std::to_string(soup.triangle_materials[t]) + but_there_are_only(material_count);
+    for (const VertexStream& stream : soup.streams)
+        if (stream.width == 0 || stream.values.size() != soup.vertices.size() * stream.width)
+            return "stream " + in_quotes(stream.name) + " does not have " + std::to_string(stream.width) +
+                   " values per vertex; complete it or leave it out";
+    return {};
+}
+
+/// Takes normals and uv that are not finite for missing: build_vertices() gives a normal of length 0 that of its
+/// triangles. Returns how many vertices that is.
+std::uint64_t replace_attributes(TriangleSoup& soup)
+{
+    std::uint64_t count = 0;
+    for (Vertex& v : soup.vertices) {
+        const bool has_normal =
+            !soup.has_normals || (std::isfinite(v.normal.x) && std::isfinite(v.normal.y) && std::isfinite(v.normal.z));
+        const bool has_uv = std::isfinite(v.uv.x) && std::isfinite(v.uv.y);
+        if (!has_normal) v.normal = glm::vec3(0.0f);
+        if (!has_uv) v.uv = glm::vec2(0.0f);
+        count += !has_normal || !has_uv;
+    }
+    return count;
+}
+
+/// Triangles worth keeping, as points.
+struct Kept
+{
+    Buffer<Triangle> corners;              ///< point ids
+    Buffer<std::uint32_t> soup_triangles;  ///< for each the number in the soup
+    Buffer<std::uint8_t> turned_over;      ///< 1 for each that was turned over; empty: none was
+};
+
+Kept drop_faults(const TriangleSoup& soup, const Weld& weld, Repairs& repairs)
+{
+    Kept kept;
+    kept.corners.resize(soup.triangles.size());
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) kept.corners[t][i] = weld.points[soup.triangles[t][i]];
+    const Faults faults = find_faults(weld.point_count, kept.corners);
+    if (!faults.turned_over.empty()) kept.turned_over.assign(soup.triangles.size(), 0);
+    kept.soup_triangles.resize(soup.triangles.size());
+    std::size_t count = 0;
+    for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+        repairs.degenerate_triangles += faults.of[t] == TriangleFault::degenerate;
+        repairs.duplicate_triangles += faults.of[t] == TriangleFault::duplicate;
+        repairs.coinciding_triangles += faults.of[t] == TriangleFault::coinciding;
+        if (!is_kept(faults.of[t])) continue;
+        kept.corners[count] = kept.corners[t];
+        if (faults.is_turned_over(t)) {
+            std::swap(kept.corners[count][1], kept.corners[count][2]);
+            kept.turned_over[count] = 1;
+        }
+        kept.soup_triangles[count++] = t;
+    }
+    kept.corners.resize(count);
+    kept.soup_triangles.resize(count);
+    return kept;
+}
+
+std::uint64_t count_used_points(std::uint32_t point_count, std::span<const Triangle> corners)
+{
+    Buffer<std::uint8_t> used(point_count, 0);
+    for (const Triangle& triangle : corners)
+        for (const std::uint32_t point : triangle) used[point] = 1;
+    return std::accumulate(used.begin(), used.end(), std::uint64_t{0});
+}
+
+/// Turns over the shells that are inside out.
+void turn_over_shells(LinkedSurface& surface, Fans& fans, const Shells& shells, const Solids& solids)
+{
+    if (std::find(solids.flip.begin(), solids.flip.end(), 1) == solids.flip.end()) return;
+    Buffer<std::uint8_t> flip(surface.corners.size());
+    for (std::size_t t = 0; t < flip.size(); ++t) {
+        flip[t] = solids.flip[shells.shell[t]];
+        if (flip[t]) std::swap(fans.fan[3 * t + 1], fans.fan[3 * t + 2]);
+    }
+    surface.turn_over(flip);
+}
+
+/// Sorts `order` by key, stably, by counting.
+template <class KeyOf>
+void counting_sort(Buffer<std::uint32_t>& order, std::size_t key_count, KeyOf&& key_of)
+{
+    if (key_count < 2) return;
+    std::vector<std::uint32_t> next(key_count, 0);
+    for (const std::uint32_t t : order) ++next[key_of(t)];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& slot : next) sum += std::exchange(slot, sum);
+    Buffer<std::uint32_t> sorted(order.size());
+    for (const std::uint32_t t : order) sorted[next[key_of(t)]++] = t;
+    order = std::move(sorted);
+}
+
+/// Puts triangles into groups by material, then solid, in otherwise unchanged order, and returns that order.
+template <class MaterialOf, class SolidOf>
+Buffer<std::uint32_t> make_groups(IndexedMesh& mesh, std::size_t triangle_count, std::size_t solid_count,
+                                  MaterialOf&& material_of, SolidOf&& solid_of)
+{
+    Buffer<std::uint32_t> order(triangle_count);
+    std::iota(order.begin(), order.end(), 0u);
+    counting_sort(order, solid_count, solid_of);
+    counting_sort(order, mesh.materials.size(), material_of);
+    for (std::uint32_t i = 0; i < triangle_count; ++i) {
+        const std::uint32_t material = material_of(order[i]), solid = solid_of(order[i]);
+        if (mesh.groups.empty() || mesh.groups.back().material != material || mesh.groups.back().solid != solid)
+            mesh.groups.push_back({i, 0, material, solid, TriangleKind::surface});
+        ++mesh.groups.back().count;
+    }
+    return order;
+}
+
+/// The soup's materials, at least one, each with a name.
+std::vector<Material> named_materials(std::vector<Material> materials)
+{
+    if (materials.empty()) materials.emplace_back().name = "surface";
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        if (materials[i].name.empty()) materials[i].name = "material " + std::to_string(i);
+    return materials;
+}
+
+}  // namespace
+
+std::string Repairs::describe() const
+{
+    std::string text;
+    const auto clause = [&](std::uint64_t count, const char* one, const char* many, const char* what) {
+        if (count == 0) return;
+        if (!text.empty()) text += ", ";
+        text += std::to_string(count) + " " + (count == 1 ? one : many) + " " + what;
+    };
+    clause(degenerate_triangles, "degenerate triangle", "degenerate triangles", "dropped");
+    clause(duplicate_triangles, "duplicate triangle", "duplicate triangles", "dropped");
+    clause(coinciding_triangles, "triangle that lies on another", "triangles that lie on others", "kept");
+    clause(nonmanifold_edges, "edge", "edges", "with more than two triangles divided");
+    clause(nonmanifold_points, "point", "points", "split");
+    clause(flipped_triangles, "triangle", "triangles", "turned over");
+    clause(unorientable_edges, "edge", "edges", "cut open where no orientation fits");
+    clause(replaced_attributes, "vertex", "vertices", "with a normal or uv that is not finite given another");
+    return text;
+}
+
+Repaired repair(TriangleSoup soup)
+{
+    Repaired result;
+    result.error = find_error(soup);
+    if (!result.error.empty()) return result;
+    Repairs& repairs = result.repairs;
+    IndexedMesh mesh;
+
+    // -0 becomes +0, so that equal positions have equal bits.
+    for (Vertex& v : soup.vertices) v.position += 0.0f;
+    repairs.replaced_attributes = replace_attributes(soup);
+    const Weld weld = weld_positions(soup.vertices);
+    Kept kept = drop_faults(soup, weld, repairs);
+    if (kept.corners.empty()) {
+        result.error =
+            "every triangle of the mesh is degenerate: two corners of each are at one position; export it again with "
+            "positions that differ: with a scale that is not 0, with more digits, or nearer to the origin";
+        return result;
+    }
+    Buffer<glm::vec3> positions(weld.point_count);
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v) positions[weld.points[v]] = soup.vertices[v].position;
+
+    std::vector<NonmanifoldEdge> resolved;
+    LinkedSurface surface = link_surface(std::move(kept.corners), positions, resolved);
+    repairs.nonmanifold_edges = surface.nonmanifold_edges;
+    repairs.unorientable_edges = surface.unorientable_edges;
+    for (std::size_t t = 0; !kept.turned_over.empty() && t < surface.flipped.size(); ++t)
+        surface.flipped[t] ^= kept.turned_over[t];
+    Fans fans = find_fans(surface, resolved);
+    if (fans.count > count_used_points(weld.point_count, surface.corners))
+        repairs.nonmanifold_points =
+            count_umbrella_points(weld.point_count, surface.corners, EdgeRuns(weld.point_count, surface.corners));
+
+    const Shells shells = find_shells(surface, fans, positions);
+    const Solids solids = find_solids(surface, shells, positions);
+    turn_over_shells(surface, fans, shells, solids);
+    repairs.flipped_triangles =
+        static_cast<std::uint64_t>(std::count(surface.flipped.begin(), surface.flipped.end(), std::uint8_t{1}));
+
+    mesh.materials = named_materials(std::move(soup.materials));
+    const auto material_of = [&](std::uint32_t t) {
+        return soup.triangle_materials.empty() ? 0 : soup.triangle_materials[kept.soup_triangles[t]];
+    };
+    const auto solid_of = [&](std::uint32_t t) { return solids.solid[shells.shell[t]]; };
+    const std::size_t solid_count = std::size_t{*std::max_element(solids.solid.begin(), solids.solid.end())} + 1;
+    const Buffer<std::uint32_t> order = make_groups(mesh, surface.corners.size(), solid_count, material_of, solid_of);
+    mesh.sources.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) mesh.sources[i] = kept.soup_triangles[order[i]];
+
+    const Buffer<std::uint32_t> first_equal =
+        first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
+    build_vertices({soup, first_equal, kept.soup_triangles, surface, fans, positions}, order, mesh);
+    result.mesh = ProvenMesh(std::move(mesh));
+    return result;
+}
+
+}  // namespace kerf

@@ -1,0 +1,126 @@
+#include "common/repair/shells.h"
+
+#include <glm/geometric.hpp>
+
+#include "common/mesh/none.h"
+
+namespace kerf {
+
+namespace {
+
+Shells label(const LinkedSurface& surface)
+{
+    Shells result;
+    result.shell.assign(surface.corners.size(), kNone);
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t first = 0; first < surface.corners.size(); ++first) {
+        if (result.shell[first] != kNone) continue;
+        const auto number = static_cast<std::uint32_t>(result.shells.size());
+        Shell& shell = result.shells.emplace_back();
+        result.shell[first] = number;
+        stack.push_back(first);
+        while (!stack.empty()) {
+            const std::uint32_t t = stack.back();
+            stack.pop_back();
+            ++shell.triangle_count;
+            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+                const std::uint32_t mate = surface.mates[h];
+                if (mate == kNoTwin) {
+                    shell.closed = false;
+                } else if (result.shell[mate / 3] == kNone) {
+                    result.shell[mate / 3] = number;
+                    stack.push_back(mate / 3);
+                }
+            }
+        }
+    }
+    return result;
+}
+
+/// Calls visit(shell, first, last) for each run of triangles of one shell.
+template <class Visit>
+void for_each_run(Shells& shells, Visit&& visit)
+{
+    for (std::size_t first = 0; first < shells.shell.size();) {
+        std::size_t last = first + 1;
+        while (last < shells.shell.size() && shells.shell[last] == shells.shell[first]) ++last;
+        visit(shells.shells[shells.shell[first]], first, last);
+        first = last;
+    }
+}
+
+/// 6 times the volume of the tetrahedron (o, a, b, c).
+double volume6(const glm::dvec3& o, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    return glm::dot(a - o, glm::cross(b - o, c - o));
+}
+
+double area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    return 0.5 * glm::length(glm::cross(b - a, c - a));
+}
+
+/// Adds the volume behind fans over the boundary loops, or sets the volume to 0 where they are too large.
+void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions)
+{
+    std::vector<double> shell_area(shells.shells.size(), 0.0), hole_area(shells.shells.size(), 0.0);
+    Buffer<std::uint32_t> boundary_from(fans.count, kNone);  // the boundary half-edge that leaves each fan
+    for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
+        if (surface.mates[h] == kNoTwin) boundary_from[fans.fan[h]] = h;
+    for (std::uint32_t t = 0; t < surface.corners.size(); ++t) {
+        const auto& [a, b, c] = surface.corners[t];
+        if (const std::uint32_t s = shells.shell[t]; !shells.shells[s].closed)
+            shell_area[s] += area(positions[a], positions[b], positions[c]);
+    }
+
+    std::vector<std::uint32_t> loop;
+    for (std::uint32_t f = 0; f < fans.count; ++f) {
+        loop.clear();
+        glm::dvec3 centre{0.0};
+        for (std::uint32_t fan = f; boundary_from[fan] != kNone;) {
+            const std::uint32_t h = std::exchange(boundary_from[fan], kNone);
+            loop.push_back(h);
+            centre += glm::dvec3(positions[surface.start(h)]);
+            fan = fans.fan[next_half_edge(h)];
+        }
+        if (loop.empty()) continue;
+        centre /= static_cast<double>(loop.size());
+        const std::uint32_t s = shells.shell[loop.front() / 3];
+        Shell& shell = shells.shells[s];
+        for (const std::uint32_t h : loop) {
+            const glm::dvec3 a = positions[surface.start(h)], b = positions[surface.end(h)];
+            shell.volume6 += volume6(shell.box.centre(), b, a, centre);
+            hole_area[s] += area(a, b, centre);
+        }
+    }
+    for (std::size_t s = 0; s < shells.shells.size(); ++s)
+        if (!shells.shells[s].closed && hole_area[s] > kLargestHole * shell_area[s]) shells.shells[s].volume6 = 0.0;
+}
+
+}  // namespace
+
+Shells find_shells(const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions)
+{
+    Shells result = label(surface);
+    for_each_run(result, [&](Shell& shell, std::size_t first, std::size_t last) {
+        Box box;
+        for (std::size_t t = first; t < last; ++t)
+            for (const std::uint32_t point : surface.corners[t]) box.add(positions[point]);
+        shell.box.add(box);
+    });
+    bool all_closed = true;
+    for_each_run(result, [&](Shell& shell, std::size_t first, std::size_t last) {
+        const glm::dvec3 centre = shell.box.centre();
+        double sum = 0.0;
+        for (std::size_t t = first; t < last; ++t) {
+            const auto& [a, b, c] = surface.corners[t];
+            sum += volume6(centre, positions[a], positions[b], positions[c]);
+        }
+        shell.volume6 += sum;
+        all_closed = all_closed && shell.closed;
+    });
+    if (!all_closed) close_holes(result, surface, fans, positions);
+    return result;
+}
+
+}  // namespace kerf

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "common/mesh/box.h"
+#include "common/repair/face_adjacency.h"
+#include "common/repair/vertex_fans.h"
+
+namespace kerf {
+
+/// A part of a surface that is connected by edges.
+struct Shell
+{
+    Box box;
+    bool closed = true;    ///< no boundary
+    double volume6 = 0.0;  ///< 6 times the signed volume; of an open shell as kLargestHole says
+    std::uint32_t triangle_count = 0;
+};
+
+/// The shells of a surface, in the order of their first triangles.
+struct Shells
+{
+    Buffer<std::uint32_t> shell;  ///< for each triangle
+    std::vector<Shell> shells;
+};
+
+/// An open shell has an inside when its boundary loops, each closed by a fan over its centre, add at most this share
+/// of the shell's area: a head with open eye sockets has one, a terrain or a bowl has none, and neither can be inside
+/// out. Shells without an inside get volume 0.
+inline constexpr double kLargestHole = 0.1;
+
+/// O(n).
+Shells find_shells(const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions);
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "common/repair/face_adjacency.h"
+
+namespace kerf {
+
+/// Two neighbours whose normals differ by more than this, in degrees, meet at a crease. 40 keeps the sides of a
+/// cylinder of nine or more slices round and the edges of boxes, hexagons and octagons sharp.
+inline constexpr double kCreaseAngle = 40.0;
+
+/// Normals for the corners of a surface; corners of one sector share theirs.
+struct SmoothNormals
+{
+    Buffer<std::uint32_t> sector;  ///< for each corner: a run of triangles around a point without a crease inside
+    Buffer<glm::vec3> normals;     ///< for each sector, unit length
+};
+
+/// The normal of a sector is the sum of its triangles' normals, weighted by their angles at the point, so that it does
+/// not depend on how flat faces are divided into triangles (Thuermer and Wuethrich, "Computing vertex normals from
+/// polygonal facets", 1998). O(n).
+SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions);
+
+}  // namespace kerf

@@ -1,0 +1,196 @@
+#include "common/repair/vertex_builder.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <unordered_map>
+
+#include "common/mesh/none.h"
+#include "common/repair/smooth_normals.h"
+
+namespace kerf {
+
+namespace {
+
+/// Squared length by which a normal may differ from 1 before it is made unit: files give six digits or so, and a normal
+/// that is good enough must come back with the same bits.
+constexpr double kUnitTolerance = 1e-3;
+
+struct KeyHash
+{
+    std::size_t operator()(const std::array<std::uint32_t, 2>& key) const
+    {
+        const std::uint64_t word = key[0] | std::uint64_t{key[1]} << 32;
+        return static_cast<std::size_t>((word * 0x9E3779B97F4A7C15u) >> 16);
+    }
+};
+
+/// Gives each pair of numbers an index, in the order of first use. Most first numbers come with one second number
+/// only, so that the table is rarely asked.
+class PairNumbering
+{
+public:
+    explicit PairNumbering(std::size_t first_count) : entry_(first_count, Entry{kNone, kNone}) {}
+
+    std::uint32_t number(std::uint32_t first, std::uint32_t second)
+    {
+        Entry& entry = entry_[first];
+        if (entry.index == kNone) entry = {second, count_++};
+        if (entry.second == second) return entry.index;
+        const auto [place, is_new] = others_.try_emplace({first, second}, count_);
+        count_ += is_new;
+        return place->second;
+    }
+
+    std::uint32_t count() const { return count_; }
+
+private:
+    struct Entry
+    {
+        std::uint32_t second, index;
+    };
+    Buffer<Entry> entry_;
+    std::unordered_map<std::array<std::uint32_t, 2>, std::uint32_t, KeyHash> others_;
+    std::uint32_t count_ = 0;
+};
+
+class VertexBuilder
+{
+public:
+    VertexBuilder(const VertexSources& sources, IndexedMesh& mesh) : in_(sources), mesh_(mesh) {}
+
+    void run(std::span<const std::uint32_t> order)
+    {
+        if (in_.soup.has_normals)
+            find_turned_normals();
+        else
+            smooth_ = smooth_normals(in_.surface, in_.positions);
+        number_vertices(order);
+        fill_streams();
+        if (in_.soup.has_normals) repair_normals();
+    }
+
+private:
+    /// The soup vertex at a corner of the surface.
+    std::uint32_t soup_vertex(std::uint32_t corner) const
+    {
+        const std::uint32_t t = corner / 3, i = corner % 3;
+        const std::uint32_t soup_corner = in_.surface.flipped[t] ? (3 - i) % 3 : i;
+        return in_.first_equal[in_.soup.triangles[in_.soup_triangles[t]][soup_corner]];
+    }
+
+    glm::dvec3 area_normal(std::uint32_t t) const
+    {
+        const auto& [a, b, c] = in_.surface.corners[t];
+        const glm::dvec3 p = in_.positions[a], q = in_.positions[b], r = in_.positions[c];
+        return glm::cross(q - p, r - p);
+    }
+
+    /// Where triangles were turned over, finds the vertices whose normals point behind them now.
+    void find_turned_normals()
+    {
+        const auto& flipped = in_.surface.flipped;
+        if (std::find(flipped.begin(), flipped.end(), 1) == flipped.end()) return;
+        Buffer<glm::dvec3> sums(in_.soup.vertices.size(), glm::dvec3(0.0));
+        for (std::uint32_t t = 0; t < flipped.size(); ++t) {
+            if (!flipped[t]) continue;
+            const glm::dvec3 normal = area_normal(t);
+            for (std::uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner) sums[soup_vertex(corner)] += normal;
+        }
+        turned_.assign(sums.size(), 0);
+        for (std::size_t v = 0; v < sums.size(); ++v)
+            turned_[v] = glm::dot(sums[v], glm::dvec3(in_.soup.vertices[v].normal)) < 0.0;
+    }
+
+    void number_vertices(std::span<const std::uint32_t> order)
+    {
+        const bool given = in_.soup.has_normals;
+        mesh_.triangles.resize(order.size());
+        mesh_.vertices.reserve(in_.positions.size() + in_.positions.size() / 8);
+        mesh_.points.reserve(mesh_.vertices.capacity());
+        origin_.reserve(mesh_.vertices.capacity());
+        Buffer<std::uint32_t> point_of_fan(in_.fans.count, kNone);
+        // A vertex is a fan, or a smooth sector of it, with the attributes of a soup vertex.
+        PairNumbering numbering(given ? in_.soup.vertices.size() : smooth_.normals.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i)
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const std::uint32_t corner = 3 * order[i] + c, v = soup_vertex(corner), fan = in_.fans.fan[corner];
+                const bool turned = !turned_.empty() && in_.surface.flipped[order[i]] && turned_[v];
+                const std::uint32_t index = given ? numbering.number(v, turned ? kNone - 1 - fan : fan)
+                                                  : numbering.number(smooth_.sector[corner], v);
+                mesh_.triangles[i][c] = index;
+                if (index < mesh_.vertices.size()) continue;
+
+                Vertex vertex = in_.soup.vertices[v];
+                vertex.position = in_.positions[in_.surface.start(corner)];
+                if (!given)
+                    vertex.normal = smooth_.normals[smooth_.sector[corner]];
+                else if (turned)
+                    vertex.normal = -vertex.normal;
+                mesh_.vertices.push_back(vertex);
+                origin_.push_back(v);
+                std::uint32_t& point = point_of_fan[fan];
+                if (point == kNone) point = mesh_.point_count++;
+                mesh_.points.push_back(point);
+            }
+    }
+
+    void fill_streams()
+    {
+        for (const VertexStream& from : in_.soup.streams) {
+            VertexStream& to = mesh_.streams.emplace_back();
+            to.name = from.name;
+            to.width = from.width;
+            to.values.resize(std::size_t{from.width} * origin_.size());
+            for (std::size_t v = 0; v < origin_.size(); ++v)
+                std::copy_n(from.values.data() + std::size_t{origin_[v]} * from.width, from.width,
+                            to.values.data() + v * from.width);
+        }
+    }
+
+    /// Makes normals unit; those without a direction become the mean of the triangles that use the vertex.
+    void repair_normals()
+    {
+        std::vector<std::uint8_t> lost;
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+            glm::vec3& normal = mesh_.vertices[v].normal;
+            const glm::dvec3 n = normal;
+            const double squared = glm::dot(n, n);
+            if (std::abs(squared - 1.0) <= kUnitTolerance) continue;
+            if (std::isfinite(squared) && squared > 0.0) {
+                normal = glm::vec3(n / std::sqrt(squared));
+            } else {
+                lost.resize(mesh_.vertices.size(), 0);
+                lost[v] = 1;
+            }
+        }
+        if (lost.empty()) return;
+        std::unordered_map<std::uint32_t, glm::dvec3> sums;
+        for (const Triangle& triangle : mesh_.triangles) {
+            if (!lost[triangle[0]] && !lost[triangle[1]] && !lost[triangle[2]]) continue;
+            const glm::dvec3 p = mesh_.vertices[triangle[0]].position, q = mesh_.vertices[triangle[1]].position,
+                             r = mesh_.vertices[triangle[2]].position;
+            for (const std::uint32_t v : triangle)
+                if (lost[v]) sums.try_emplace(v, 0.0).first->second += glm::cross(q - p, r - p);
+        }
+        for (const auto& [v, sum] : sums) {
+            const double squared = glm::dot(sum, sum);
+            mesh_.vertices[v].normal = squared > 0.0 ? glm::vec3(sum / std::sqrt(squared)) : glm::vec3(0, 0, 1);
+        }
+    }
+
+    const VertexSources& in_;
+    IndexedMesh& mesh_;
+    SmoothNormals smooth_;
+    Buffer<std::uint8_t> turned_;   ///< for each soup vertex; empty when nothing was turned over
+    Buffer<std::uint32_t> origin_;  ///< for each new vertex the soup vertex
+};
+
+}  // namespace
+
+void build_vertices(const VertexSources& sources, std::span<const std::uint32_t> order, IndexedMesh& mesh)
+{
+    VertexBuilder(sources, mesh).run(order);
+}
+
+}  // namespace kerf

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "common/mesh/triangle_soup.h"
+#include "common/repair/face_adjacency.h"
+#include "common/repair/vertex_fans.h"
+
+namespace kerf {
+
+/// What the vertices of an repaired mesh are made from. Triangles of the surface are numbered as in `surface`.
+struct VertexSources
+{
+    const TriangleSoup& soup;
+    std::span<const std::uint32_t> first_equal;     ///< for each soup vertex the first one with the same attributes
+    std::span<const std::uint32_t> soup_triangles;  ///< for each triangle of the surface the one in the soup
+    const LinkedSurface& surface;
+    const Fans& fans;
+    std::span<const glm::vec3> positions;  ///< of the surface's points
+};
+
+/// Fills vertices, points, triangles and streams of `mesh`, with triangles in the given order and vertices and points
+/// numbered by first use: one vertex for each fan and different attributes in it. Without normals in the soup, smooth
+/// ones are computed and creases get vertices of their own. Normals that a file gave to a triangle which was turned
+/// over are turned when they point behind it; normals without a direction are replaced. O(n).
+void build_vertices(const VertexSources& sources, std::span<const std::uint32_t> order, IndexedMesh& mesh);
+
+}  // namespace kerf

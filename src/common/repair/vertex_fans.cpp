@@ -1,0 +1,202 @@
+#include "common/repair/vertex_fans.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "common/mesh/none.h"
+
+namespace kerf {
+
+namespace {
+
+/// Collects the corners of a fan one by one: counter-clockwise, then, if the fan is open, clockwise.
+class FanWalk
+{
+public:
+    void start(std::uint32_t corner)
+    {
+        corners_.assign(1, corner);
+        forward_ = true;
+    }
+
+    /// Takes one more corner; false when there is none.
+    bool step(const LinkedSurface& surface)
+    {
+        const std::uint32_t first = corners_.front();
+        if (forward_) {
+            const std::uint32_t corner = surface.mates[previous_half_edge(corners_.back())];
+            if (corner == first) return false;
+            if (corner != kNoTwin) {
+                corners_.push_back(corner);
+                return true;
+            }
+            forward_ = false;
+            clockwise_ = first;
+        }
+        const std::uint32_t mate = surface.mates[clockwise_];
+        if (mate == kNoTwin) return false;
+        clockwise_ = next_half_edge(mate);
+        corners_.push_back(clockwise_);
+        return true;
+    }
+
+    const std::vector<std::uint32_t>& corners() const { return corners_; }
+
+private:
+    std::vector<std::uint32_t> corners_;
+    bool forward_ = true;
+    std::uint32_t clockwise_ = 0;
+};
+
+/// Divides fans. Of two parts the smaller one gets a label of its own, however the parts are to be numbered, so that a
+/// corner changes its label O(log n) times; finish() puts numbers in the place of labels.
+class FanDivider
+{
+public:
+    FanDivider(LinkedSurface& surface, Fans& fans) : surface_(surface), fans_(fans) {}
+
+    /// Exchanging the partners of two links that the same cycle passes divides the cycle in two, and never joins two
+    /// fans: half-edges between the same two fans are a group, groups only fall apart, and one pass over each edge is
+    /// enough.
+    void separate_repeats(const NonmanifoldEdge& edge)
+    {
+        edge_ = &edge;
+        next_.assign(edge.size(), kNone);
+        previous_.assign(edge.size(), kNone);
+        moved_.resize(edge.size());
+        std::iota(moved_.begin(), moved_.end(), 0u);
+        form_groups();
+        bool placed = false;
+        for (std::uint32_t i = 0; i < edge.size(); ++i)
+            while (next_[i] != kNone) {
+                if (!placed) note_places(edge);
+                placed = true;
+                exchange(i, next_[i]);
+            }
+        if (placed)
+            for (const std::uint32_t h : edge) place_[h] = kNone;
+    }
+
+    void finish()
+    {
+        if (number_.empty()) return;
+        for (std::uint32_t& fan : fans_.fan) fan = number_[fan];
+    }
+
+private:
+    /// Makes groups of `moved_`, places in the edge that are in no group and whose fans hold no half-edge of another
+    /// group: lists in ascending order.
+    void form_groups()
+    {
+        const auto key = [&](std::uint32_t place) {
+            const std::uint32_t h = (*edge_)[place];
+            return std::array{fans_.fan[h], fans_.fan[next_half_edge(h)]};
+        };
+        std::sort(moved_.begin(), moved_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            ++fans_.steps;
+            const auto key_a = key(a), key_b = key(b);
+            return key_a != key_b ? key_a < key_b : a < b;
+        });
+        moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+        for (std::size_t i = 1; i < moved_.size(); ++i) {
+            const std::uint32_t before = moved_[i - 1], after = moved_[i];
+            if (key(before) != key(after)) continue;
+            next_[before] = after;
+            previous_[after] = before;
+        }
+    }
+
+    void note_places(const NonmanifoldEdge& edge)
+    {
+        if (place_.empty()) place_.assign(surface_.mates.size(), kNone);
+        for (std::uint32_t i = 0; i < edge.size(); ++i) place_[edge[i]] = i;
+    }
+
+    void exchange(std::uint32_t i, std::uint32_t j)
+    {
+        const std::uint32_t a = (*edge_)[i], b = (*edge_)[j];
+        const std::uint32_t mate_a = surface_.mates[a], mate_b = surface_.mates[b];
+        surface_.mates[a] = surface_.mates[b] = kNoTwin;
+        surface_.link(a, mate_b);
+        surface_.link(b, mate_a);
+        moved_.clear();
+        divide(a, b);
+        divide(next_half_edge(a), next_half_edge(b));
+        form_groups();
+    }
+
+    /// Labels the parts of a fan, one with corner `a`, one with corner `b`: the first gets a new number.
+    void divide(std::uint32_t a, std::uint32_t b)
+    {
+        if (number_.empty()) {
+            number_.resize(fans_.count);
+            std::iota(number_.begin(), number_.end(), 0u);
+        }
+        walk_a_.start(a);
+        walk_b_.start(b);
+        bool a_is_smaller = false;
+        for (;; fans_.steps += 2) {
+            a_is_smaller = !walk_a_.step(surface_);
+            if (a_is_smaller || !walk_b_.step(surface_)) break;
+        }
+        const std::uint32_t label = fans_.count++;
+        number_.push_back(label);
+        if (!a_is_smaller) std::swap(number_[label], number_[fans_.fan[a]]);
+        for (const std::uint32_t corner : (a_is_smaller ? walk_a_ : walk_b_).corners()) {
+            fans_.fan[corner] = label;
+            leave_group(corner);
+            leave_group(previous_half_edge(corner));
+        }
+    }
+
+    void leave_group(std::uint32_t half_edge)
+    {
+        const std::uint32_t place = place_[half_edge];
+        if (place == kNone) return;
+        const std::uint32_t before = std::exchange(previous_[place], kNone), after = std::exchange(next_[place], kNone);
+        if (before != kNone) next_[before] = after;
+        if (after != kNone) previous_[after] = before;
+        moved_.push_back(place);
+    }
+
+    LinkedSurface& surface_;
+    Fans& fans_;
+    std::vector<std::uint32_t> number_;  // for each label; empty: labels are numbers
+    FanWalk walk_a_, walk_b_;
+    // Of one edge: places in its list of half-edges.
+    const NonmanifoldEdge* edge_ = nullptr;
+    std::vector<std::uint32_t> next_, previous_;  // in the place's group
+    std::vector<std::uint32_t> moved_;
+    Buffer<std::uint32_t> place_;  // of each half-edge of the surface
+};
+
+}  // namespace
+
+Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
+{
+    Fans fans;
+    fans.fan.assign(surface.mates.size(), kNone);
+    for (std::uint32_t h = 0; h < surface.mates.size(); ++h) {
+        if (fans.fan[h] != kNone) continue;
+        const std::uint32_t number = fans.count++;
+        std::uint32_t corner = h;
+        do {
+            fans.fan[corner] = number;
+            corner = surface.mates[previous_half_edge(corner)];
+        } while (corner != kNoTwin && corner != h);
+        if (corner == h) continue;
+        for (std::uint32_t mate = surface.mates[h]; mate != kNoTwin; mate = surface.mates[corner]) {
+            corner = next_half_edge(mate);
+            fans.fan[corner] = number;
+        }
+    }
+    if (resolved.empty()) return fans;
+    FanDivider divider(surface, fans);
+    for (const NonmanifoldEdge& edge : resolved) divider.separate_repeats(edge);
+    divider.finish();
+    return fans;
+}
+
+}  // namespace kerf

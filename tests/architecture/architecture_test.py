@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Holds every #include of src/ against the table in docs/architecture.md."""
+
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+SOURCE = ROOT / "src"
+
+
+def table():
+    """The rooms by folder, and the rooms that each may include."""
+    rows = re.findall(r"^\| `(src/[^`]+)` \|[^|]*\|([^|]*)\|$", (ROOT / "docs" / "architecture.md").read_text(), re.M)
+    folders = {Path(folder).name: folder for folder, _ in rows}
+    return {folder: [folders[name.strip()] for name in names.split(",") if name.strip()] for folder, names in rows}
+
+
+def files():
+    return sorted(path for path in SOURCE.rglob("*") if path.suffix in {".h", ".cpp"})
+
+
+def includes(text):
+    """What a file includes of the project, as paths from the project's folder."""
+    return ["src/" + name if (SOURCE / name).exists() else name for name in re.findall(r'^\s*#\s*include "([^"]+)"', text, re.M)]
+
+
+def room_of(path, rooms):
+    """The innermost room that a path lies in, or None."""
+    found = [room for room in rooms if path.startswith(room + "/")]
+    return max(found, key=len, default=None)
+
+
+def wrong_arrows(path, text, rooms):
+    """Includes that the table does not allow to the file `path`."""
+    room = room_of(path, rooms)
+    return [f"{path} includes {name}" for name in includes(text)
+            if room_of(name, rooms) not in [room, *rooms[room]]]
+
+
+class Architecture(unittest.TestCase):
+    def test_the_table_has_rooms_that_exist(self):
+        for room in table():
+            self.assertTrue((ROOT / room).is_dir(), room)
+
+    def test_each_file_is_in_a_room(self):
+        rooms = table()
+        self.assertEqual([], [str(path) for path in files() if room_of(str(path.relative_to(ROOT)), rooms) is None])
+
+    def test_no_arrow_runs_back_up(self):
+        """The rows stand in an order: what a room may include stands above it."""
+        seen = []
+        for room, below in table().items():
+            self.assertEqual([], [name for name in below if name not in seen], room)
+            seen.append(room)
+
+    def test_files_include_what_their_room_may(self):
+        rooms = table()
+        wrong = []
+        for path in files():
+            wrong += wrong_arrows(str(path.relative_to(ROOT)), path.read_text(), rooms)
+        self.assertGreater(len(files()), 100)
+        self.assertEqual([], wrong)
+
+    def test_a_wrong_include_would_be_found(self):
+        rooms = table()
+        upwards = wrong_arrows("src/common/mesh/plane.h", '#include "common/cutting/cut.h"\n', rooms)
+        self.assertEqual(["src/common/mesh/plane.h includes src/common/cutting/cut.h"], upwards)
+        other_back_end = wrong_arrows("src/baseline/fan.h", '#include "halfedge/halfedge.h"\n', rooms)
+        self.assertEqual(1, len(other_back_end))
+        program = wrong_arrows("src/common/io/mesh_file.h", '#include "tools/text.h"\n', rooms)
+        self.assertEqual(1, len(program))
+
+    def test_bullet_is_in_the_room_of_proxies_only(self):
+        named = subprocess.run(["grep", "-rlE", r"#include <(bt|Bullet|LinearMath)", SOURCE], capture_output=True, text=True)
+        self.assertEqual({"src/common/proxy"},
+                         {room_of(str(Path(name).relative_to(ROOT)), table()) for name in named.stdout.split()})
+
+    def test_cgal_is_in_one_file(self):
+        named = subprocess.run(["grep", "-rl", "#include <CGAL", SOURCE], capture_output=True, text=True)
+        self.assertEqual(1, len(named.stdout.split()), named.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
