@@ -35,7 +35,6 @@ target_compile_options(kerf_cold_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:${KERF
 
 # Where nobody compiles a second time: headers are read once, and a change of one file compiles all of its target again.
 option(KERF_UNITY_TESTS "Compile the files of each test program as one" OFF)
-option(KERF_UNITY_PROGRAMS "Compile the files of each target outside the library as one, tests among them" OFF)
 
 # The files of each target that this folder makes from here on, as one.
 macro(kerf_compile_as_one)
