@@ -24,7 +24,6 @@ namespace {
 
 using test::FailingAllocation;
 using test::Failure;
-using test::NamedMesh;
 using test::NamedPlane;
 
 using Bytes = std::vector<std::uint32_t>;
