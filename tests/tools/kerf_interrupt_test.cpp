@@ -17,7 +17,7 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
         "cut comb.ply --backend baseline --normal 0,1,0 --point 0,0.2,0 --components --format stl --out q";
     Stopwatch watch;
     ASSERT_EQ(kerf(cut).status, 0);
-    const double ms = watch.lap();
+    double ms = watch.lap();
     const std::vector<std::string> all = names_in_folder();
     ASSERT_GT(all.size(), 300u);
 
@@ -37,6 +37,7 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
         const std::vector<std::string> names = names_in_folder();
         if (outcome.status == 0) {
             EXPECT_EQ(names, all);
+            ms *= 0.9;  // it was faster than thought
             continue;
         }
         ++interrupted;

@@ -12,7 +12,7 @@
 #include "viewer/app/painter.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 // What cutting and drawing cost, in processor time of the one thread that does it: other programs do not count.
 

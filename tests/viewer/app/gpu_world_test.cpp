@@ -8,7 +8,7 @@
 #include "viewer/game/scenes.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 

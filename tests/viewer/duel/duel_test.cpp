@@ -11,7 +11,7 @@
 
 #include "viewer/duel/timetable_scene.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "common/support/random.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body.h"
-#include "viewer/sim/stages.h"
 #include "viewer/sim/world.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 

@@ -9,8 +9,8 @@
 
 #include "common/io/mesh_file.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/stages.h"
 #include "viewer/sim/surface_hash.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

@@ -12,7 +12,7 @@
 #include "viewer/sim/bullet_glm.h"
 #include "viewer/sim/proxy_names.h"
 #include "viewer/sim/solid.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

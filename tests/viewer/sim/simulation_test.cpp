@@ -14,7 +14,7 @@
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/pointer_sampler.h"
 #include "viewer/sim/proxy_names.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "common/shapes/shapes.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::sim {
 namespace {

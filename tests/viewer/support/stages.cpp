@@ -1,4 +1,4 @@
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 #include <glm/common.hpp>
 #include <stdexcept>

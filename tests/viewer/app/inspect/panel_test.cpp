@@ -8,7 +8,7 @@
 #include "viewer/game/autopilot.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/offscreen_context.h"
-#include "viewer/sim/stages.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
