@@ -230,9 +230,9 @@ struct CutResult
     std::vector<std::unique_ptr<Cuttable>> negative;  ///< fragments with signed_distance < 0
     double section_area = 0.0;  ///< signed sum of the closed loops' areas, mesh units squared: what caps should cover
     /// A warning, see caps_exceed_section(): caps are closed and have the section's signed area, but some triangles are
-    /// turned over and others lie on them. So where a section winds around something backwards (the surface runs
-    /// through itself inside out, or is open), where it crosses itself too often to be untangled, and the baseline's
-    /// fan where the section is not star-shaped. Never without caps.
+    /// turned over and others lie on them. Set if a section winds around something backwards (the surface runs
+    /// through itself inside out, or is open), if it crosses itself too often to be untangled, and by the baseline's
+    /// fan if the section is not star-shaped. Never set without caps.
     bool caps_exceed_section = false;
     CutStatistics statistics;
 };

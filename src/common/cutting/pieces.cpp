@@ -430,7 +430,7 @@ private:
 };
 
 /// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
-/// then the pieces at that point become one. Not so where the outline itself ends.
+/// then the pieces at that point become one. They stay apart if the outline itself ends there.
 void join_where_loops_need_it(const Outline& outline, const std::array<SideParts, 2>& sides,
                               std::array<SideGrouping, 2>& grouping)
 {

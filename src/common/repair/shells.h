@@ -16,7 +16,7 @@ struct Shell
 {
     Box box;
     bool closed = true;    ///< no boundary
-    double volume6 = 0.0;  ///< 6 times the signed volume; of an open shell as kLargestHole says
+    double volume6 = 0.0;  ///< 6 times the signed volume; of an open shell: see kLargestHole
     std::uint32_t triangle_count = 0;
 };
 
