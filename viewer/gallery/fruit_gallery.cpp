@@ -194,7 +194,7 @@ private:
 
 int run(int argc, char** argv)
 {
-    std::string picture, backend = "halfedge", data = KERF_DATA_DIR;
+    std::string picture, backend = sim::backend_names().front(), data = KERF_DATA_DIR;
     std::vector<std::string> names;
     int height = 240;
     CLI::App program("Draws the game's fruit whole, cut across, along and askew.", "fruit_gallery");
