@@ -11,6 +11,7 @@
 #include "common/cutting/cut.h"
 #include "common/io/mesh_file.h"
 #include "common/mesh/coordinate_grain.h"
+#include "common/repair/repair.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
 #include "tools/notes_json.h"

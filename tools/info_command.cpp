@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/io/mesh_file.h"
+#include "common/repair/repair.h"
 #include "tools/commands.h"
 #include "tools/notes_json.h"
 #include "tools/text.h"

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "baseline/slices.h"
+#include "common/repair/repair.h"
 #include "common/shapes/hard_sections.h"
 #include "support/referee.h"
 

@@ -12,6 +12,7 @@
 
 #include "common/io/mesh_file.h"
 #include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/coinciding_solids.h"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/cutting/cut.h"
+#include "common/repair/repair.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/open_soups.h"

@@ -9,6 +9,7 @@
 
 #include "common/cutting/cut.h"
 #include "common/mesh/coordinate_grain.h"
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "support/backends.h"
 #include "support/fixtures.h"

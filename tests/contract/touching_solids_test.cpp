@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "common/cutting/cut.h"
+#include "common/repair/repair.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

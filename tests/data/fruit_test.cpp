@@ -14,6 +14,7 @@
 #include <string>
 
 #include "common/io/mesh_file.h"
+#include "common/repair/repair.h"
 #include "maker/fruit/fruit.h"
 #include "maker/fruit/soup.h"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 
 namespace kerf::test {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <new>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
 

@@ -3,6 +3,7 @@
 
 #include "common/io/mesh_file.h"
 #include "common/io/read_formats.h"
+#include "common/repair/repair.h"
 
 namespace kerf::io {
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "common/repair/mesh_facts.h"
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 

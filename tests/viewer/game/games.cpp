@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/sim/camera.h"

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 #include "viewer/sim/bodies.h"

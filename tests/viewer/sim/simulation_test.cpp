@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "common/repair/repair.h"
 #include "common/support/cpu_stopwatch.h"
 #include "common/support/random.h"
 #include "viewer/sim/back_ends.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/support/stages.h"
 

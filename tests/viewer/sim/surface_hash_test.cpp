@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/support/stages.h"

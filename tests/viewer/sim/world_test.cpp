@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/camera.h"
