@@ -32,6 +32,24 @@ def cache_entry(cache: str, name: str) -> str:
     return found.group(1) if found else ""
 
 
+CUTTER = re.compile(r"^build \S*cutter\.cpp\.o:.*\n(?:  .*\n)*?  FLAGS = (.*)$", re.MULTILINE)
+SHOWN_FLAG = re.compile(r"-(?:[Ofgm]\S*|std=\S+)")  # what changes the code that the compiler makes
+
+
+def cutting_flags(build_rules: str) -> str:
+    """The compiler's flags for the cutting path, from Ninja's rules: those that change code."""
+    found = CUTTER.search(build_rules)
+    return " ".join(flag for flag in found.group(1).split() if SHOWN_FLAG.fullmatch(flag)) if found else "not known"
+
+
+def text_of(file: Path) -> str:
+    """What a file holds; nothing if it cannot be read."""
+    try:
+        return file.read_text(encoding="utf-8")
+    except OSError:
+        return ""
+
+
 def processor() -> str:
     for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
         if line.startswith("model name"):
@@ -60,10 +78,7 @@ def caches() -> str:
 
 def describe(build: Path) -> dict[str, str]:
     """Machine, compiler, flags, versions, seeds and commit, for the page. `build` is the configured build folder."""
-    try:
-        cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
-    except OSError:
-        cache = ""
+    cache = text_of(build / "CMakeCache.txt")
     compiler = cache_entry(cache, "CMAKE_CXX_COMPILER")
     facts = {
         "processor": f"{processor()}, {os.cpu_count()} cores, {memory_gib():.0f} GiB",
@@ -71,9 +86,7 @@ def describe(build: Path) -> dict[str, str]:
         "system": f"{platform.freedesktop_os_release().get('PRETTY_NAME', platform.system())}, Linux "
                   f"{platform.release().partition('-')[0]}",
         "compiler": (output_of([compiler, "--version"]) if compiler else "").partition("\n")[0] or "not known",
-        "flags": " ".join([cache_entry(cache, "CMAKE_BUILD_TYPE"), cache_entry(cache, "CMAKE_CXX_FLAGS_RELEASE"),
-                           cache_entry(cache, "CMAKE_CXX_FLAGS"),
-                           "-ffp-contract=off -fno-fast-math -fno-tree-slp-vectorize (of GCC)"]).strip(),
+        "flags of the cutting path": cutting_flags(text_of(build / "build.ninja")),
         "commit": commit(),
     }
     for package in PACKAGES:

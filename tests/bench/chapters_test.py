@@ -30,7 +30,8 @@ class Chapters(unittest.TestCase):
         *sentences, figure = answer.parts
         self.assertEqual(sentences, ["At **1 M triangles** a cut takes **100 ms** with the half-edge back end and "
                                      "**1\u202f000 ms** with the best linear method, `remap`.",
-                                     "Meshes of fewer than about **10\u202f000 triangles** are cut faster by `remap`."])
+                                     "Meshes of fewer than about **10\u202f000 triangles** are cut faster by `remap`, with "
+                                     "everything that a game needs of the pieces."])
         self.assertIsInstance(figure, ShownFigure)
 
     def test_figures_come_before_prose_and_prose_before_tables(self):

@@ -65,8 +65,9 @@ class Page(unittest.TestCase):
                 for cell, column in zip(cells, table.columns):
                     value = values[column.key]
                     number = re.fullmatch(r"-?\d+(\.\d+)?(e[-+]?\d+)?", value)
-                    expected = "–" if value == "" else column.show(float(value) if number and column.show is not str
-                                                                   else value)
+                    spread = float(values.get("spread") or 0)
+                    expected = column.cell({"spread": spread,
+                                            column.key: None if value == "" else float(value) if number else value})
                     if cell != expected and number:  # whole numbers are written without a point
                         expected = column.show(int(float(value)))
                     self.assertEqual(cell, expected, (name, column.key))

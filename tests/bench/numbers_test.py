@@ -16,6 +16,10 @@ class Numbers(unittest.TestCase):
     def test_what_rounds_up_to_a_1_counts_as_one(self):
         self.assertEqual([timed(ms) for ms in (9.96, 0.0996, 99.6, 1.996)], ["10.0", "0.100", "100", "2.0"])
 
+    def test_what_repetitions_disagree_about_has_no_third_digit(self):
+        self.assertEqual([timed(1.178, spread) for spread in (None, 0.1, 0.11)], ["1.18", "1.18", "1.2"])
+        self.assertEqual(timed(52.2, 0.5), "52")
+
     def test_a_loss_keeps_its_sign(self):
         self.assertEqual(timed(-3.241), "-3.2")
 

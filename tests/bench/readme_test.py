@@ -26,7 +26,8 @@ class Readme(unittest.TestCase):
     def test_the_first_limits_are_listed_and_all_of_them_linked(self):
         limits = Section("limits", "Where it is not better", [f"**{n}.** B." for n in range(5)])
         block = results_block(self.TABLE, limits, "a processor, 2 cores")
-        self.assertIn("One thread of a processor.", block)
+        self.assertIn("An asteroid of 1 k to 1 M triangles is cut", block)
+        self.assertIn("Processor: a processor, one thread.", block)
         self.assertIn("**Where it is not better** ([all of it](docs/results.md#where-it-is-not-better)):\n\n* **0.** "
                       "B.", block)
         self.assertEqual(block.count("\n* "), 3)

@@ -4,7 +4,7 @@ import csv
 import io
 import unittest
 
-from report.tables.numbers import timed
+from report.tables.numbers import percent, timed
 from report.tables.table import Column, Table
 
 
@@ -15,6 +15,11 @@ class Tables(unittest.TestCase):
         self.assertEqual(table.cells(), [["x", "1.23"], ["y", "–"]])
         self.assertEqual(list(csv.DictReader(io.StringIO(table.csv_text()))),
                          [{"a": "x", "ms": "1.23456"}, {"a": "y", "ms": ""}])
+
+    def test_times_have_as_many_digits_as_the_spread_of_their_row_allows(self):
+        table = Table("t", [Column("ms", "time", timed), Column("spread", "spread", percent)],
+                      [{"ms": 1.23456, "spread": 0.05}, {"ms": 1.23456, "spread": 0.42}, {"ms": 1.23456}])
+        self.assertEqual([cells[0] for cells in table.cells()], ["1.23", "1.2", "1.23"])
 
     def test_a_value_without_a_column_is_refused(self):
         with self.assertRaises(ValueError):

@@ -20,7 +20,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     parts += [verdict(found) + " `kerf compare` judges both by code that shares nothing with them: surfaces triangle "
               "by triangle, open edges, volumes by direct integration, caps by area.",
               fans(found, facts)]
-    parts += [ShownTable(caps_table(found, mix), f"Caps, {planes}.", published=mix == "nasty", folded=True)
+    parts += [ShownTable(caps_table(found, mix), f"Caps, {planes}.", published=True, folded=True)
               for mix, planes in MIXES.items() if mix in found.comparisons]
     if found.drawn_caps:
         parts.append(ShownTable(gallery_table(found),

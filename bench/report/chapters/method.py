@@ -11,8 +11,8 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                         [{"what": name, "value": value} for name, value in machine.items()])
     return [Section("method", "How this was measured", [
         "Times are processor time of one thread, so that other load counts as little as it can. They are medians of "
-        "repetitions (tables say how many), shown with two digits, three if the first is a 1: repetitions differ by "
-        "some per cent. Spread is (highest − lowest) / median. Other libraries cut each plane once.",
+        "repetitions (tables say how many), shown with two digits, or three if the first is a 1 and the spread is at "
+        "most 10 %. Spread is (highest − lowest) / median. Other libraries cut each plane once.",
         "Every result is checked before it is timed, which warms up: closed, volumes and areas add up, nothing on the "
         "wrong side. Cutting consumes its input: each repetition gets a fresh copy, which is not timed. Memory is "
         "kept by the allocator, as a game's does.",

@@ -39,4 +39,4 @@ def small(found: Measurements, facts: Facts) -> str:
     if not row.get("least"):
         return "The half-edge back end is the faster one at every size that was measured."
     return (f"Meshes of fewer than about **{facts.say('crossover', row['from_triangles'], rounded)} triangles** are "
-            "cut faster by `remap`.")
+            "cut faster by `remap`, with everything that a game needs of the pieces.")

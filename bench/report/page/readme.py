@@ -2,7 +2,7 @@
 
 from report.chapters.section import Section
 from report.tables.numbers import ABSENT, count_short, digits, short, timed
-from report.tables.table import Table, Value
+from report.tables.table import Column, Table, Value
 
 BEGIN = "<!-- results: written by ./run report --publish -->"
 END = "<!-- results end -->"
@@ -23,26 +23,31 @@ def exponent_text(row: dict[str, Value]) -> str:
     return text
 
 
+def shown_sizes(scaling: Table) -> list[int]:
+    there = {column.key for column in scaling.columns}
+    return [size for size in SIZES if f"ms_{size}" in there]
+
+
 def table_lines(scaling: Table) -> list[str]:
     """The scaling table with fewer sizes."""
-    there = {column.key for column in scaling.columns}
-    sizes = [size for size in SIZES if f"ms_{size}" in there]
+    sizes = shown_sizes(scaling)
     heads = ["ms per cut", *(count_short(size) for size in sizes), "time ~ triangles^e (from size to size)"]
     lines = ["| " + " | ".join(heads) + " |", "|---|" + "--:|" * len(sizes) + "---|"]
     for row in scaling.rows:
-        cells = [ABSENT if row.get(f"ms_{size}") is None else timed(row[f"ms_{size}"]) for size in sizes]
+        cells = [Column(f"ms_{size}", count_short(size), timed).cell(row) for size in sizes]
         lines.append("| " + " | ".join([f"`{short(row['backend'])}`", *cells, exponent_text(row)]) + " |")
     return lines
 
 
 def results_block(scaling: Table, limits: Section | None, processor: str) -> str:
     """What stands between the two marks."""
+    sizes = [count_short(size) for size in shown_sizes(scaling)]
     lines = [f'<picture><source media="(prefers-color-scheme: dark)" srcset="{PICTURE}_dark.svg">'
              '<img alt="Time of a cut by the size of the mesh, one line a back end" '
              f'src="{PICTURE}_light.svg" width="520"></picture>', "",
-             "An asteroid of so many triangles, cut through its middle, with all that a game needs of the two pieces: "
-             "closed meshes with all attributes, mass properties, collision hulls, draw ranges. One thread of "
-             f"{processor.partition(',')[0]}.", "", *table_lines(scaling)]
+             f"An asteroid of {sizes[0]} to {sizes[-1]} triangles is cut through its middle. The time includes all "
+             "that a game needs of the two pieces: closed meshes with all attributes, mass properties, collision hulls, "
+             f"draw ranges. Processor: {processor.partition(',')[0]}, one thread.", "", *table_lines(scaling)]
     if limits:
         shown = [part for part in limits.parts if isinstance(part, str)][:SHOWN_LIMITS]
         anchor = limits.title.lower().replace(" ", "-")

@@ -7,13 +7,16 @@ Formatter = Callable[[Any], str]
 ABSENT = "–"
 
 
-def timed(value: float) -> str:
-    """A time, or what follows from times: two digits, three if the first is a 1. Repetitions differ by some per cent:
-    further digits would say nothing."""
+WIDE_SPREAD = 0.1  # of the median: repetitions that differ by more leave no third digit
+
+
+def timed(value: float, spread: float | None = None) -> str:
+    """A time, or what follows from times: two digits, three if the first is a 1 and the repetitions differ by little.
+    Further digits would say nothing: repetitions differ by some per cent."""
     if value == 0:
         return "0"
     places = 1 - math.floor(math.log10(abs(float(f"{value:.1e}"))))
-    if f"{abs(value):.1e}".startswith("1"):
+    if f"{abs(value):.1e}".startswith("1") and not (spread and spread > WIDE_SPREAD):
         places += 1
     return f"{value:.{places}f}" if places > 0 else count(round(value, places))
 

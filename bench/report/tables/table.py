@@ -5,7 +5,7 @@ import io
 from dataclasses import dataclass, field
 from typing import Any
 
-from report.tables.numbers import ABSENT, Formatter, plain
+from report.tables.numbers import ABSENT, Formatter, plain, timed
 
 Value = Any  # a number, a text, or None for what was not measured; what, the column knows
 
@@ -17,6 +17,13 @@ class Column:
     key: str
     title: str
     show: Formatter = plain
+
+    def cell(self, row: dict[str, Value]) -> str:
+        """What the page shows of a row: times with as many digits as the row's spread allows."""
+        value = row.get(self.key)
+        if value is None:
+            return ABSENT
+        return timed(value, row.get("spread")) if self.show is timed else self.show(value)
 
 
 @dataclass
@@ -36,5 +43,4 @@ class Table:
 
     def cells(self) -> list[list[str]]:
         """What the page shows."""
-        return [[ABSENT if row.get(column.key) is None else column.show(row[column.key]) for column in self.columns]
-                for row in self.rows]
+        return [[column.cell(row) for column in self.columns] for row in self.rows]
