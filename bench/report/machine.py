@@ -6,7 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
-PACKAGES = ["libopenmesh-dev", "libcgal-dev", "libbullet-dev", "libassimp-dev", "libglm-dev", "libbenchmark-dev",
+PACKAGES = ["libopenmesh-dev", "libcgal-dev", "libbullet-dev", "libglm-dev", "libbenchmark-dev",
             "libgl1-mesa-dri", "python3-vtk9", "python3-matplotlib"]
 SEED = re.compile(r"constexpr std::uint64_t (k\w*Seed) = (\d+);")
 
@@ -33,7 +33,7 @@ def cache_entry(cache: str, name: str) -> str:
 
 
 CUTTER = re.compile(r"^build \S*cutter\.cpp\.o:.*\n(?:  .*\n)*?  FLAGS = (.*)$", re.MULTILINE)
-SHOWN_FLAG = re.compile(r"-(?:[Ofgm]\S*|std=\S+)")  # what changes the code that the compiler makes
+SHOWN_FLAG = re.compile(r"-(?:[Ogm]\S*|f(?!pch)\S*|std=\S+)")  # what changes the code that the compiler makes
 
 
 def cutting_flags(build_rules: str) -> str:

@@ -22,7 +22,7 @@ class Machine(unittest.TestCase):
     def test_flags_are_those_that_the_cutting_path_is_compiled_with(self):
         rules = ("build a/other.cpp.o: CXX a/other.cpp\n  FLAGS = -O0\n\n"
                  "build src/halfedge/CMakeFiles/k.dir/cut/cutter.cpp.o: CXX cutter.cpp || x\n"
-                 "  DEFINES = -DX\n  FLAGS = -O3 -DNDEBUG -ffp-contract=off -Wall -std=c++20 -include pch.h\n"
+                 "  DEFINES = -DX\n  FLAGS = -O3 -DNDEBUG -ffp-contract=off -fpch-preprocess -Wall -std=c++20 -include pch.h\n"
                  "  INCLUDES = -Isrc\n")
         self.assertEqual(machine.cutting_flags(rules), "-O3 -ffp-contract=off -std=c++20")
         self.assertEqual(machine.cutting_flags(""), "not known")
