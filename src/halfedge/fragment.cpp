@@ -3,23 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <shared_mutex>
 
-#include "halfedge/compaction.h"
-#include "halfedge/cutter.h"
-#include "halfedge/export.h"
+#include "halfedge/cut/cutter.h"
+#include "halfedge/universe/compaction.h"
+#include "halfedge/universe/export.h"
 
 namespace kerf::halfedge {
 
-Fragment::Fragment(Prepared prepared, std::size_t material_count)
-    : Fragment(std::move(prepared.universe), prepared.shells.size(), material_count)
+Fragment::Fragment(std::shared_ptr<Family> family, std::span<const Shell> shells, std::size_t material_count)
+    : Fragment(std::move(family), shells.size(), material_count)
 {
-    for (const Shell& shell : prepared.shells) add_shell(shell);
+    for (const Shell& shell : shells) add_shell(shell);
 }
 
-Fragment::Fragment(std::shared_ptr<Universe> universe, std::size_t shells, std::size_t material_count)
-    : universe_(std::move(universe)), material_count_(material_count)
+Fragment::Fragment(std::shared_ptr<Family> family, std::size_t shells, std::size_t material_count)
+    : family_(std::move(family)), material_count_(material_count)
 {
     shells_.reserve(shells);
 }
@@ -32,39 +31,47 @@ Fragment::~Fragment()
 /// There is room for it.
 void Fragment::add_shell(const Shell& shell)
 {
-    const Node& root = universe_->tree.nodes[shell.root];
+    const Node& root = universe().tree.nodes[shell.root];
     shells_.push_back(shell);
     triangle_count_ += root.count;
     box_.add(root.box);
-    universe_->live_slots += root.count;
+    family_->universe.live_slots += root.count;
 }
 
 /// Lets go of all triangles.
 void Fragment::release()
 {
     // Without the lock and the tree: fragments end inside a cut that fails, and beside cuts of relatives.
-    universe_->live_slots -= triangle_count_;
+    family_->universe.live_slots -= triangle_count_;
     triangle_count_ = 0;
     shells_.clear();
 }
 
 std::unique_ptr<Cuttable> Fragment::clone() const
 {
-    const std::shared_lock lock(universe_->mutex);
+    const std::shared_lock lock(universe().mutex);
     // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
-    const bool most = 2 * triangle_count_ > universe_->slots.size();
-    auto copy = std::make_unique<Fragment>(
-        most ? Prepared{std::make_shared<Universe>(*universe_), shells_} : compact_copy(*universe_, shells_),
-        material_count_);
+    const bool most = 2 * triangle_count_ > universe().slots.size();
+    auto copy =
+        most ? std::make_unique<Fragment>(std::make_shared<Family>(*family_), shells_, material_count_) : compacted();
     copy->loops_ = loops_;
     return copy;
+}
+
+/// Without loops; the caller holds the lock.
+std::unique_ptr<Fragment> Fragment::compacted() const
+{
+    auto family = std::make_shared<Family>();
+    const std::vector<Shell> shells = compact_copy(universe(), shells_, family->universe);
+    family->make_room(family->universe.slots.size());
+    return std::make_unique<Fragment>(std::move(family), shells, material_count_);
 }
 
 bool Fragment::wants_compaction() const
 {
     // More ranges than a renderer likes to issue for one object; more dead triangles than live ones.
     constexpr std::size_t kRanges = 500, kFewSlots = 4096;
-    const Universe& u = *universe_;
+    const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
     const std::size_t dead = u.slots.size() - u.live_slots;
     return (dead > u.live_slots && dead > kFewSlots) || draw_ranges().size() > kRanges;
@@ -73,12 +80,12 @@ bool Fragment::wants_compaction() const
 void Fragment::compact()
 {
     // What the copy gets in exchange ends with it, after the lock.
-    std::optional<Fragment> copy;
+    std::unique_ptr<Fragment> copy;
     {
-        const std::shared_lock lock(universe_->mutex);
-        copy.emplace(compact_copy(*universe_, shells_), material_count_);
+        const std::shared_lock lock(universe().mutex);
+        copy = compacted();
     }
-    std::swap(universe_, copy->universe_);
+    std::swap(family_, copy->family_);
     std::swap(shells_, copy->shells_);
 }
 
@@ -92,7 +99,7 @@ std::vector<Index> Fragment::roots() const
 
 std::vector<DrawRange> Fragment::draw_ranges() const
 {
-    const Universe& u = *universe_;
+    const Universe& u = universe();
     std::vector<TriangleTree::Run> runs;
     for (const Shell& shell : shells_) u.tree.append_runs(shell.root, runs);
     const auto rank = [&](const TriangleTree::Run& run) {
@@ -121,7 +128,7 @@ std::vector<DrawRange> Fragment::draw_ranges() const
 
 DrawView Fragment::draw_view() const
 {
-    const Universe& u = *universe_;
+    const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
     DrawView view;
     view.buffers = buffers();
@@ -139,14 +146,15 @@ DrawView Fragment::draw_view() const
 
 void Fragment::mark_uploaded()
 {
-    const std::unique_lock lock(universe_->mutex);
-    universe_->uploaded_vertices = universe_->vertices.size();
-    universe_->uploaded_slots = universe_->slots.size();
+    Universe& u = family_->universe;
+    const std::unique_lock lock(u.mutex);
+    u.uploaded_vertices = u.vertices.size();
+    u.uploaded_slots = u.slots.size();
 }
 
 MassProperties Fragment::mass_properties() const
 {
-    const Universe& u = *universe_;
+    const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
     // A small fragment far from the universe's centre loses digits to cancellation; it is cheap to sum it anew.
     constexpr std::uint64_t kFew = 4096;
@@ -186,14 +194,14 @@ CollisionProxy Fragment::collision_proxy(ProxyKind kind) const
 
 std::array<glm::vec3, kSupportDirections> Fragment::extreme_points() const
 {
-    const Universe& u = *universe_;
+    const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
     return support_points(u.tree, u.geometry(), roots());
 }
 
 std::vector<Vertex> Fragment::used_vertices() const
 {
-    const Universe& u = *universe_;
+    const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
     std::vector<bool> seen(u.vertices.size());
     std::vector<Vertex> vertices;
@@ -210,17 +218,46 @@ std::vector<Vertex> Fragment::used_vertices() const
 
 IndexedMesh Fragment::to_indexed_mesh() const
 {
-    const std::shared_lock lock(universe_->mutex);
-    IndexedMesh mesh = export_mesh(*universe_, shells_);
+    const std::shared_lock lock(universe().mutex);
+    IndexedMesh mesh = export_mesh(universe(), shells_);
     mesh.materials.resize(material_count_);
     return mesh;
 }
 
+Fragment::FragmentsBySide Fragment::planned_fragments(const Cutter& cutter) const
+{
+    FragmentsBySide fragments;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (PlannedFragment& planned : cutter.planned_fragments(static_cast<Side>(side))) {
+            auto& fragment = fragments[side].emplace_back(
+                std::make_unique<Fragment>(family_, planned.shells, cutter.material_count()));
+            fragment->loops_ = std::move(planned.loops);
+        }
+    return fragments;
+}
+
 CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
-    const std::unique_lock lock(universe_->mutex);
-    CutResult result = Cutter(universe_, shells_, material_count_).cut(plane, options);
-    if (result.status == Status::cut || result.status == Status::open_section) release();
+    const std::unique_lock lock(universe().mutex);
+    CutResult result;
+    Cutter cutter(family_->universe, family_->scratch, shells_, material_count_);
+    if (!cutter.plan(plane, options, result)) return result;
+    FragmentsBySide fragments = planned_fragments(cutter);
+    result.negative.reserve(fragments[0].size());
+    result.positive.reserve(fragments[1].size());
+
+    // From here on nothing can fail.
+    cutter.carry_out(result);
+    cutter.for_each_shell([&](Side side, Index fragment, const Shell& shell) {
+        fragments[static_cast<std::size_t>(side)][fragment]->add_shell(shell);
+    });
+    const auto hand_over = [](auto& from, auto& to) {
+        for (auto& fragment : from)
+            if (!fragment->shells_.empty()) to.push_back(std::move(fragment));
+    };
+    hand_over(fragments[0], result.negative);
+    hand_over(fragments[1], result.positive);
+    release();
     return result;
 }
 

@@ -2,20 +2,23 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "common/cutting/cut.h"
-#include "halfedge/universe.h"
+#include "halfedge/family.h"
 
 namespace kerf::halfedge {
+
+class Cutter;
 
 /// An object of the half-edge back end: roots in a universe that it shares with its relatives.
 class Fragment final : public Cuttable
 {
 public:
-    Fragment(Prepared prepared, std::size_t material_count);
+    Fragment(std::shared_ptr<Family> family, std::span<const Shell> shells, std::size_t material_count);
     /// An empty fragment, to be filled without failing: has room for `shells`.
-    Fragment(std::shared_ptr<Universe> universe, std::size_t shells, std::size_t material_count);
+    Fragment(std::shared_ptr<Family> family, std::size_t shells, std::size_t material_count);
     ~Fragment() override;
 
     std::unique_ptr<Cuttable> clone() const override;
@@ -30,15 +33,20 @@ public:
     bool wants_compaction() const override;
     void compact() override;
 
-    const Universe& universe() const { return *universe_; }
+    const Universe& universe() const { return family_->universe; }
     const std::vector<Shell>& shells() const { return shells_; }
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
-    const void* buffers() const noexcept override { return universe_.get(); }
-    bool has_relatives() const noexcept override { return universe_.use_count() > 1; }
+    const void* buffers() const noexcept override { return family_.get(); }
+    bool has_relatives() const noexcept override { return family_.use_count() > 1; }
+
+    using FragmentsBySide = std::array<std::vector<std::unique_ptr<Fragment>>, 2>;
 
     void add_shell(const Shell& shell);
+    std::unique_ptr<Fragment> compacted() const;
+    /// The fragments that a cut will fill, with their loops and without shells.
+    FragmentsBySide planned_fragments(const Cutter& cutter) const;
     void release();
     std::vector<Index> roots() const;
     /// DrawView::ranges. The caller holds the lock.
@@ -49,15 +57,13 @@ private:
     std::vector<Vertex> used_vertices() const;
 
     // What follows is the fragment's own: reading it needs no lock, and a fragment can end while a relative is cut.
-    std::shared_ptr<Universe> universe_;
+    std::shared_ptr<Family> family_;
     std::vector<Shell> shells_;
     std::uint64_t triangle_count_ = 0;
     Box box_;
     /// The first of the universe's materials; those behind them were added by cuts of relatives.
     std::size_t material_count_;
     std::vector<SectionLoop> loops_;
-
-    friend class Cutter;
 };
 
 }  // namespace kerf::halfedge

@@ -14,7 +14,10 @@ public:
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
     {
-        return std::make_unique<Fragment>(prepare_universe(mesh), mesh->materials.size());
+        auto family = std::make_shared<Family>();
+        const std::vector<Shell> shells = prepare_universe(mesh, family->universe);
+        family->make_room(mesh->triangles.size());
+        return std::make_unique<Fragment>(std::move(family), shells, mesh->materials.size());
     }
 };
 

@@ -1,5 +1,5 @@
 // Loops that touch, double back, repeat and cross each other: every way of closing them covers them once and links
-// every seam, or refuses; the last way never refuses.
+// every edge of theirs, or refuses; the last way never refuses.
 
 #include <algorithm>
 #include <cmath>
@@ -7,21 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "common/caps/clipping_triangulator.h"
+#include "common/caps/constrained_triangulator.h"
+#include "common/caps/halving_triangulator.h"
+#include "common/caps/untangling_triangulator.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"
-#include "halfedge/cap_triangulator.h"
 
 namespace kerf::fuzz {
 
 namespace {
-
-using halfedge::CapMesh;
-using halfedge::CapOutline;
-using halfedge::CapTriangle;
-using halfedge::Index;
-using halfedge::kNone;
-using halfedge::kSeamLink;
 
 struct Outline
 {
@@ -142,30 +138,33 @@ void require_linked(const Outline& outline, const CapMesh& cap, const std::strin
             require(from < outline.points.size() + cap.crossing_points.size(),
                     way + ": corners are points of the outline or of crossings");
             require(at(from) != at(to), way + ": no triangle has two corners at one position");
-            const Index link = cap.triangles[t].link[i];
-            require(link != kNone, way + ": every edge is linked");
-            if ((link & kSeamLink) != 0) {
-                const Index seam = link - kSeamLink;
-                require(seam < uses.size(), way + ": seams are those of the outline");
-                ++uses[seam];
-                require(at(seam) == at(from) && at(successor[seam]) == at(to), way + ": a seam runs as its triangle");
+            const CapLink link = cap.triangles[t].link[i];
+            require(link != CapLink(), way + ": every edge is linked");
+            if (link.is_outline()) {
+                const Index edge = link.outline_edge();
+                require(edge < uses.size(), way + ": links are to edges of the outline");
+                ++uses[edge];
+                require(at(edge) == at(from) && at(successor[edge]) == at(to),
+                        way + ": an edge of the outline runs as its triangle");
             } else {
-                require(link / 3 < cap.triangles.size(), way + ": links are to triangles of the cap");
-                const CapTriangle& other = cap.triangles[link / 3];
-                require(other.link[link % 3] == 3 * t + i, way + ": links are mutual");
-                require(at(other.corner[link % 3]) == at(to) && at(other.corner[(link % 3 + 1) % 3]) == at(from),
-                        way + ": linked edges run against one another");
+                require(link.triangle() < cap.triangles.size(), way + ": links are to triangles of the cap");
+                const CapTriangle& other = cap.triangles[link.triangle()];
+                require(other.link[link.corner()] == CapLink::to_triangle(t, i), way + ": links are mutual");
+                require(
+                    at(other.corner[link.corner()]) == at(to) && at(other.corner[(link.corner() + 1) % 3]) == at(from),
+                    way + ": linked edges run against one another");
             }
         }
-    for (const halfedge::CrossingPoint& p : cap.crossing_points)
-        require(p.seam < outline.points.size(), way + ": a crossing lies on a seam");
+    for (const CrossingPoint& p : cap.crossing_points)
+        require(p.edge < outline.points.size(), way + ": a crossing lies on an edge of the outline");
     for (const auto& [a, b] : cap.cancelled) {
-        require(a < uses.size() && b < uses.size(), way + ": cancelled seams are those of the outline");
+        require(a < uses.size() && b < uses.size(), way + ": cancelled edges are those of the outline");
         ++uses[a];
         ++uses[b];
-        require(at(a) == at(successor[b]) && at(b) == at(successor[a]), way + ": cancelled seams run forth and back");
+        require(at(a) == at(successor[b]) && at(b) == at(successor[a]), way + ": cancelled edges run forth and back");
     }
-    require(std::all_of(uses.begin(), uses.end(), [](int n) { return n == 1; }), way + ": each seam is used once");
+    require(std::all_of(uses.begin(), uses.end(), [](int n) { return n == 1; }),
+            way + ": each edge of the outline is used once");
 }
 
 }  // namespace
@@ -179,17 +178,18 @@ void fuzz_cap(Bytes input)
     struct Way
     {
         std::string name;
-        std::unique_ptr<halfedge::CapTriangulator> triangulator;
+        std::unique_ptr<CapTriangulator> triangulator;
         bool never_refuses, covers_once;
     };
     // Kept from one input to the next: what a difficult outline leaves behind must not spoil an easy one.
     static const std::vector<Way> ways = [] {
         std::vector<Way> all;
-        all.push_back({"convex", halfedge::make_convex_triangulator(), false, true});
-        all.push_back({"clipping", halfedge::make_clipping_triangulator(), false, true});
-        all.push_back({"constrained", halfedge::make_constrained_triangulator(), false, false});
-        all.push_back({"untangling", halfedge::make_untangling_triangulator(), false, false});
-        all.push_back({"topological", halfedge::make_topological_triangulator(), true, false});
+        all.push_back({"convex", make_convex_triangulator(), false, true});
+        all.push_back({"clipping", make_clipping_triangulator(), false, true});
+        all.push_back({"constrained", make_constrained_triangulator(), false, false});
+        all.push_back({"untangling", make_untangling_triangulator(make_constrained_triangulator(), make_route_finder()),
+                       false, false});
+        all.push_back({"topological", make_topological_triangulator(), true, false});
         return all;
     }();
     for (const Way& way : ways) {

@@ -10,9 +10,9 @@
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"
-#include "halfedge/check_universe.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
+#include "support/check_universe.h"
 #include "support/mesh_trial.h"
 #include "support/wrong_meshes.h"
 

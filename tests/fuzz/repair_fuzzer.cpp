@@ -13,9 +13,9 @@
 #include "fuzz/fuzzers.h"
 #include "fuzz/mesh_from_bytes.h"
 #include "fuzz/require.h"
-#include "halfedge/check_universe.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
+#include "support/check_universe.h"
 #include "support/referee.h"
 
 namespace kerf::fuzz {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "halfedge/check_universe.h"
 #include "halfedge/fragment.h"
+#include "support/check_universe.h"
 
 namespace kerf::halfedge {
 

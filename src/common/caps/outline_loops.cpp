@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "common/mesh/none.h"
+#include "common/mesh/index.h"
 #include "common/mesh/position_order.h"
 
 namespace kerf {

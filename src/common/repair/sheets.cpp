@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "common/mesh/none.h"
+#include "common/mesh/index.h"
 #include "common/repair/edge_runs.h"
 
 namespace kerf {

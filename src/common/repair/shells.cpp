@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/mesh/none.h"
+#include "common/mesh/index.h"
 
 namespace kerf {
 

@@ -8,8 +8,8 @@
 
 #include "common/geometry/containment.h"
 #include "common/geometry/ray_crossing.h"
+#include "common/mesh/index.h"
 #include "common/mesh/mass_properties.h"
-#include "common/mesh/none.h"
 #include "common/mesh/plane.h"
 
 namespace kerf {

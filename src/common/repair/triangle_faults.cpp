@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/geometry/disjoint_sets.h"
-#include "common/mesh/none.h"
+#include "common/mesh/index.h"
 #include "common/repair/edge_runs.h"
 #include "common/repair/sheets.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "common/mesh/none.h"
+#include "common/mesh/index.h"
 #include "common/repair/smooth_normals.h"
 
 namespace kerf {

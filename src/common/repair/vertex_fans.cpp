@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "common/mesh/none.h"
+#include "common/mesh/index.h"
 
 namespace kerf {
 

@@ -1,0 +1,234 @@
+#include "halfedge/cut/cap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/caps/clipping_triangulator.h"
+#include "common/caps/constrained_triangulator.h"
+#include "common/caps/halving_triangulator.h"
+#include "common/caps/section_area.h"
+#include "common/caps/untangling_triangulator.h"
+
+namespace kerf::halfedge {
+
+CapPlanner::CapPlanner()
+    : ways_{make_convex_triangulator(), make_clipping_triangulator(),
+            make_untangling_triangulator(make_constrained_triangulator(), make_route_finder()),
+            make_topological_triangulator()}
+{
+}
+
+void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
+{
+    const glm::dvec3 size = glm::abs(plane.normal);
+    const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    axis_u_ = (dropped + 1) % 3;
+    axis_v_ = (dropped + 2) % 3;
+    if (plane.normal[dropped] < 0.0) std::swap(axis_u_, axis_v_);
+    excess_ = 0.0;
+    mesh_.steps = 0;
+
+    std::vector<std::size_t> closed;
+    for (std::size_t i = 0; i < scratch.loops.size(); ++i)
+        if (scratch.loops[i].closed) closed.push_back(i);
+    std::stable_sort(closed.begin(), closed.end(), [&](std::size_t a, std::size_t b) {
+        return scratch.loops[a].cap_group < scratch.loops[b].cap_group;
+    });
+    for (std::size_t first = 0, last; first < closed.size(); first = last) {
+        const Index group = scratch.loops[closed[first]].cap_group;
+        for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_group == group;) ++last;
+        close_group({closed.data() + first, last - first}, group, scratch);
+    }
+    excess_ /= size[dropped];
+}
+
+void CapPlanner::clear_outline()
+{
+    points_.clear();
+    positions_.clear();
+    starts_.clear();
+    global_.clear();
+    edge_.clear();
+}
+
+void CapPlanner::append_point(std::size_t p, const CutScratch& scratch)
+{
+    points_.push_back(projected(scratch.loop_points[p]));
+    positions_.push_back(scratch.loop_points[p]);
+    global_.push_back(static_cast<Index>(p));
+    edge_.push_back(CapLink::to_outline(static_cast<Index>(p)));
+    box_.add(points_.back().x, points_.back().y);
+}
+
+void CapPlanner::drop_point()
+{
+    points_.pop_back();
+    positions_.pop_back();
+    global_.pop_back();
+    edge_.pop_back();
+}
+
+bool CapPlanner::append_loop(const Loop& loop, CutScratch& scratch)
+{
+    const auto place = [&](std::size_t i) { return projected(scratch.loop_points[loop.first + i % loop.count]); };
+    // Start where two points follow one another that don't fall together.
+    std::size_t start = 0;
+    while (start < loop.count && place(start) == place(start + 1)) ++start;
+    if (start == loop.count) return false;
+
+    const std::size_t first = points_.size(), first_cap = scratch.caps.size();
+    // Takes the last point away: the triangle from the one before it over it to `next`.
+    const auto take_away = [&](std::size_t next) {
+        const Index t = static_cast<Index>(scratch.caps.size()), last = static_cast<Index>(points_.size() - 1);
+        scratch.caps.push_back({{global_[last - 1], global_[last], static_cast<Index>(next)}});
+        connect(CapLink::to_triangle(t, 0), edge_[last - 1], scratch);
+        connect(CapLink::to_triangle(t, 1), edge_[last], scratch);
+        drop_point();
+        edge_.back() = CapLink::to_triangle(t, 2);
+    };
+    for (std::size_t i = 0; i < loop.count; ++i) {
+        const std::size_t p = loop.first + (start + i) % loop.count;
+        if (i > 0 && points_.back() == projected(scratch.loop_points[p])) take_away(p);
+        append_point(p, scratch);
+    }
+    while (points_.size() - first >= 2 && points_.back() == points_[first]) take_away(global_[first]);
+    if (points_.size() - first >= 3) {
+        starts_.push_back(static_cast<Index>(first));
+        return true;
+    }
+    while (points_.size() > first) drop_point();
+    scratch.caps.resize(first_cap);
+    return false;
+}
+
+void CapPlanner::connect(CapLink a, CapLink b, CutScratch& scratch)
+{
+    if (!kerf::connect(scratch.caps, a, b)) return;
+    scratch.cancelled.push_back({scratch.loop_seams[a.outline_edge()], scratch.loop_seams[b.outline_edge()]});
+    for (const SeamIndex seam : scratch.cancelled.back()) scratch.share_ends(seam);
+}
+
+void CapPlanner::close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch)
+{
+    GroupCap cap{group, scratch.caps.size(), 0};
+    upright_.clear();
+    box_ = {};
+    clear_outline();
+    for (const std::size_t i : loops)
+        if (!append_loop(scratch.loops[i], scratch)) upright_.push_back(i);
+    close_outline(scratch);
+    // Loops without an inside are closed on their own, as they are: none of the others is the worse for them.
+    clear_outline();
+    for (const std::size_t i : upright_) {
+        const Loop& loop = scratch.loops[i];
+        starts_.push_back(static_cast<Index>(points_.size()));
+        for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) append_point(p, scratch);
+    }
+    close_outline(scratch);
+    cap.count = scratch.caps.size() - cap.first;
+    scratch.group_caps.push_back(cap);
+    order_spatially(cap, scratch);
+}
+
+void CapPlanner::close_outline(CutScratch& scratch)
+{
+    if (starts_.empty()) return;
+    starts_.push_back(static_cast<Index>(points_.size()));
+    const CapOutline outline{points_, positions_, starts_, axis_u_, axis_v_};
+    const auto way =
+        std::find_if(ways_.begin(), ways_.end(), [&](const auto& each) { return each->triangulate(outline, mesh_); });
+    take_over(scratch);
+    // The first two turn no triangle over.
+    if (way - ways_.begin() >= 2) excess_ += 2.0 * turned_area(scratch);
+}
+
+double CapPlanner::turned_area(const CutScratch& scratch) const
+{
+    double twice = 0.0;
+    for (const CapTriangle& t : mesh_.triangles) {
+        const auto place = [&](std::size_t i) { return projected(scratch.loop_points[global_[t.corner[i]]]); };
+        const glm::dvec2 p = place(1) - place(0), q = place(2) - place(0);
+        twice -= std::min(0.0, p.x * q.y - p.y * q.x);
+    }
+    return 0.5 * twice;
+}
+
+void CapPlanner::take_over(CutScratch& scratch)
+{
+    const Index first = static_cast<Index>(scratch.caps.size());
+    for (const CrossingPoint& crossing : mesh_.crossing_points) {
+        global_.push_back(static_cast<Index>(scratch.loop_points.size()));
+        scratch.loop_points.push_back(crossing.position);
+        const SeamIndex seam = scratch.loop_seams[global_[crossing.edge]];
+        scratch.loop_seams.push_back(seam);
+        scratch.share_point(global_.back());
+    }
+    for (const CapTriangle& t : mesh_.triangles)
+        scratch.caps.push_back({{global_[t.corner[0]], global_[t.corner[1]], global_[t.corner[2]]}});
+    for (Index t = 0; t < mesh_.triangles.size(); ++t)
+        for (Index i = 0; i < 3; ++i) {
+            const CapLink link = mesh_.triangles[t].link[i];
+            connect(CapLink::to_triangle(first + t, i),
+                    link.is_outline() ? edge_[link.outline_edge()]
+                                      : CapLink::to_triangle(first + link.triangle(), link.corner()),
+                    scratch);
+        }
+    for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b], scratch);
+    for (const Index i : mesh_.shared_points) scratch.share_point(global_[i]);
+}
+
+void CapPlanner::order_spatially(const GroupCap& cap, CutScratch& scratch)
+{
+    // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
+    const glm::dvec2 lo(box_.lo_x, box_.lo_y);
+    const double longest = std::max(box_.hi_x - box_.lo_x, box_.hi_y - box_.lo_y);
+    const double scale = longest > 0.0 ? 1023.0 / (3.0 * longest) : 0.0;
+    const auto spread = [](std::uint32_t v) {
+        v = (v | (v << 8)) & 0x00ff00ffu;
+        v = (v | (v << 4)) & 0x0f0f0f0fu;
+        v = (v | (v << 2)) & 0x33333333u;
+        return (v | (v << 1)) & 0x55555555u;
+    };
+    keys_.clear();
+    for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) {
+        glm::dvec2 cell{0.0};
+        for (const Index corner : scratch.caps[t].corner) cell += projected(scratch.loop_points[corner]) - lo;
+        cell *= scale;
+        keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), static_cast<Index>(t));
+    }
+    // Two stable counting passes of ten bits.
+    sorted_.resize(keys_.size());
+    for (std::uint32_t shift = 0; shift < 20; shift += 10) {
+        std::array<std::uint32_t, 1025> start{};
+        for (const auto& [key, t] : keys_) ++start[((key >> shift) & 1023u) + 1];
+        for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+        for (const auto& item : keys_) sorted_[start[(item.first >> shift) & 1023u]++] = item;
+        keys_.swap(sorted_);
+    }
+    for (const auto& [key, t] : keys_) scratch.cap_order.push_back(t);
+}
+
+double section_area(const Plane& plane, const CutScratch& scratch)
+{
+    return kerf::section_area(plane, [&](auto visit) {
+        for (const Loop& loop : scratch.loops) {
+            if (!loop.closed) continue;
+            const glm::vec3* p = &scratch.loop_points[loop.first];
+            for (std::size_t i = 0; i < loop.count; ++i) visit(p[i], p[i + 1 < loop.count ? i + 1 : 0]);
+        }
+    });
+}
+
+double section_length(const CutScratch& scratch)
+{
+    double length = 0.0;
+    for (const Loop& loop : scratch.loops) {
+        if (!loop.closed) continue;
+        const glm::vec3* p = &scratch.loop_points[loop.first];
+        for (std::size_t i = 0; i < loop.count; ++i)
+            length += glm::distance(glm::dvec3(p[i]), glm::dvec3(p[i + 1 < loop.count ? i + 1 : 0]));
+    }
+    return length;
+}
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,399 @@
+#include "halfedge/cut/components.h"
+
+#include <algorithm>
+
+#include "halfedge/universe/export.h"
+
+namespace kerf::halfedge {
+
+namespace {
+
+bool disjoint(const Box& a, const Box& b)
+{
+    return a.hi.x < b.lo.x || b.hi.x < a.lo.x || a.hi.y < b.lo.y || b.hi.y < a.lo.y || a.hi.z < b.lo.z ||
+           b.hi.z < a.lo.z;
+}
+
+/// A cut point has fallen on the corner that is not on its edge: what the triangle has on the far side shrinks to two
+/// edges, one with the section's edge on its back and one between two neighbours, which have a point in common.
+bool is_pinched(const Crossing& c, Side side)
+{
+    if (side == c.split.lone_side) return false;
+    const std::uint8_t n = c.split.next_code, p = c.split.previous_code;
+    return n == c.previous() ? p != c.previous() : p == c.next() && n != c.next();
+}
+
+}  // namespace
+
+void Components::separate(Universe& universe, CutScratch& scratch)
+{
+    u_ = &universe;
+    s_ = &scratch;
+    crossing_mark_.assign(scratch.crossings.size(), {kNone, kNone});
+    any_pinched_ =
+        scratch.collapsed && std::any_of(scratch.crossings.begin(), scratch.crossings.end(),
+                                         [](const Crossing& c) { return is_pinched(c, opposite(c.split.lone_side)); });
+    in_plane_edges_.clear();
+    for (const InPlaneEdge& e : scratch.in_plane) in_plane_edges_.insert(e.negative_halfedge / 2);
+    for (auto& glued : glued_) glued.clear();
+    for (const auto& [a, b] : scratch.cancelled)
+        for (const Side side : {Side::negative, Side::positive}) {
+            const Index f = scratch.face_of_seam(a, side), g = scratch.face_of_seam(b, side);
+            glued_[static_cast<std::size_t>(side)].emplace(f, g);
+            glued_[static_cast<std::size_t>(side)].emplace(g, f);
+        }
+    for (Index i = 0; i < scratch.cut_shells.size(); ++i) {
+        const CutShell& shell = scratch.cut_shells[i];
+        // One curve on a connected shell: nothing to search.
+        if (shell.connected && shell.loops <= 1 && scratch.loops_are_all_curves()) continue;
+        search_shell(i);
+    }
+}
+
+// ----- searching -----
+
+void Components::search_shell(Index shell)
+{
+    searches_.clear();
+    // Stamps above those of the crossing triangles.
+    mark_base_ = u_->stamp_base + s_->crossings.size() + s_->extra_stamps;
+    const CutShell& cut = s_->cut_shells[shell];
+    // What the section cuts off has a triangle at the section, if only at a part of it that has shrunk away.
+    const auto start_both = [&](Index negative_face, Index positive_face) {
+        start(negative_face, Side::negative);
+        start(positive_face, Side::positive);
+    };
+    for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
+        start_both(s_->crossings[i].face, s_->crossings[i].face);
+    for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i)
+        start_both(s_->in_plane[i].negative_face, s_->in_plane[i].positive_face);
+    if (any_pinched_)
+        for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i) {
+            // What lies beyond a pinched triangle need not be at the section elsewhere.
+            const Crossing& c = s_->crossings[i];
+            const Side far = opposite(c.split.lone_side);
+            const Index beyond = u_->mesh.face(c.halfedge[static_cast<std::size_t>(c.next())] ^ 1u);
+            if (is_pinched(c, far) && beyond != kNone) start(beyond, far);
+        }
+    if (!cut.connected) seed_whole_shell(shell);
+
+    for (const Side side : {Side::negative, Side::positive}) search_side(side, cut.connected);
+    assign_targets(shell);
+    retarget(shell);
+    for (const Search& search : searches_) s_->triangles_read += search.faces.size();
+}
+
+/// Searches that have something left take the same number of steps a round, until they all are one: the rest of a
+/// connected shell is theirs.
+void Components::search_side(Side side, bool connected)
+{
+    std::vector<Index> active;
+    for (Index i = 0; i < searches_.size(); ++i)
+        if (searches_[i].side == side && !is_finished(i)) active.push_back(i);
+    const auto are_one = [&] {
+        return std::all_of(active.begin(), active.end(), [&](Index i) { return find(i) == find(active.front()); });
+    };
+    while (!active.empty() && !(connected && are_one())) {
+        for (const Index i : active) advance(i);
+        std::erase_if(active, [&](Index i) { return is_finished(i); });
+    }
+}
+
+Index Components::crossing_of(Index face) const
+{
+    const std::uint64_t stamp = u_->stamp_of_face[face];
+    return stamp >= u_->stamp_base && stamp - u_->stamp_base < s_->crossings.size()
+               ? static_cast<Index>(stamp - u_->stamp_base)
+               : kNone;
+}
+
+bool Components::keeps_something(Index face, Side side) const
+{
+    const Index crossing = crossing_of(face);
+    if (crossing == kNone) return true;
+    const TriangleSplit& split = s_->crossings[crossing].split;
+    return std::any_of(split.pieces.begin(), split.pieces.begin() + split.piece_count,
+                       [&](const TriangleSplit::Piece& piece) { return piece.side == side; });
+}
+
+void Components::start(Index face, Side side)
+{
+    const Index crossing = crossing_of(face);
+    const std::uint64_t stamp = u_->stamp_of_face[face];
+    const bool reached = crossing != kNone ? crossing_mark_[crossing][static_cast<std::size_t>(side)] != kNone
+                                           : stamp >= mark_base_ && stamp - mark_base_ < searches_.size();
+    if (reached) return;
+    Search search;
+    search.side = side;
+    search.parent = static_cast<Index>(searches_.size());
+    searches_.push_back(std::move(search));
+    ++s_->extra_stamps;  // before it is on any face: memory may run out half-way, and the next cut must know
+    reach(face, static_cast<Index>(searches_.size() - 1));
+    // Follow the section first: one search for each curve instead of one for each of its triangles.
+    while (searches_.back().next < searches_.back().faces.size()) {
+        const Index at = searches_.back().faces[searches_.back().next];
+        ++searches_.back().next;
+        for_each_neighbour(at, side, [&](Index neighbour) {
+            if (crossing_of(neighbour) != kNone) reach(neighbour, static_cast<Index>(searches_.size() - 1));
+        });
+    }
+    searches_.back().next = 0;
+}
+
+void Components::reach(Index face, Index search)
+{
+    const Index crossing = crossing_of(face);
+    const Side side = searches_[search].side;
+    if (crossing != kNone) {
+        Index& mark = crossing_mark_[crossing][static_cast<std::size_t>(side)];
+        if (mark != kNone) return meet(mark, search);
+        mark = search;
+    } else {
+        Index& stamp = u_->stamp_of_face[face];
+        if (stamp >= mark_base_ && stamp - mark_base_ < searches_.size())
+            return meet(static_cast<Index>(stamp - mark_base_), search);
+        stamp = static_cast<Index>(mark_base_ + search);
+    }
+    searches_[search].faces.push_back(face);
+}
+
+Index Components::find(Index search)
+{
+    while (searches_[search].parent != search)
+        search = searches_[search].parent = searches_[searches_[search].parent].parent;
+    return search;
+}
+
+void Components::meet(Index a, Index b)
+{
+    a = find(a);
+    b = find(b);
+    if (a != b) searches_[std::max(a, b)].parent = std::min(a, b);
+}
+
+void Components::advance(Index search)
+{
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps && searches_[search].next < searches_[search].faces.size(); ++i) {
+        const Index face = searches_[search].faces[searches_[search].next++];
+        for_each_neighbour(face, searches_[search].side, [&](Index neighbour) { reach(neighbour, search); });
+    }
+}
+
+/// The half-edge by which one that enters a face leaves it again, if the face is pinched and shrinks to both of them;
+/// otherwise kNone.
+Index Components::beyond_pinched(Index halfedge, Side side) const
+{
+    const Index number = crossing_of(u_->mesh.face(halfedge));
+    if (number == kNone || !is_pinched(s_->crossings[number], side)) return kNone;
+    const Crossing& c = s_->crossings[number];
+    const Index between = c.halfedge[static_cast<std::size_t>(c.next())];
+    const Index crossed =
+        c.halfedge[static_cast<std::size_t>(c.split.next_code == c.previous() ? c.lone() : c.previous())];
+    if (halfedge == between) return crossed;
+    return halfedge == crossed ? between : kNone;
+}
+
+template <class Visit>
+void Components::for_each_neighbour(Index face, Side side, Visit visit) const
+{
+    const auto across = [&](Index h) {
+        Index entered = kNone;
+        for (; h != kNone; h = any_pinched_ ? beyond_pinched(entered, side) : kNone) {
+            entered = h ^ 1u;
+            if (u_->mesh.is_boundary(entered) || (!in_plane_edges_.empty() && in_plane_edges_.count(h / 2) > 0)) return;
+        }
+        visit(u_->mesh.face(entered));
+    };
+    const Index number = crossing_of(face);
+    if (number == kNone) {
+        Index h = u_->mesh.halfedge_of_face(face);
+        for (int i = 0; i < 3; ++i, h = u_->mesh.next(h)) across(h);
+    } else {
+        // Edges of which this side keeps something; pieces that vanish conduct as well, since their rims are glued.
+        const Crossing& c = s_->crossings[number];
+        const bool near = side == c.split.lone_side;
+        const auto keeps = [&](Index cut, bool end_is_lone) { return cut != kNone || end_is_lone != near; };
+        const auto lone = static_cast<std::size_t>(c.lone()), next = static_cast<std::size_t>(c.next()),
+                   previous = static_cast<std::size_t>(c.previous());
+        if (any_pinched_ && is_pinched(c, side)) {
+            // The edge that the section's edge lies on. The other one leads from neighbour to neighbour.
+            across(c.halfedge[c.split.next_code == c.previous() ? previous : lone]);
+        } else {
+            if (keeps(c.n_cut(), c.split.next_code == c.lone())) across(c.halfedge[lone]);
+            if (keeps(c.p_cut(), c.split.previous_code == c.lone())) across(c.halfedge[previous]);
+            if (!near) across(c.halfedge[next]);
+        }
+    }
+    const auto& glued = glued_[static_cast<std::size_t>(side)];
+    if (glued.empty()) return;
+    const auto [first, last] = glued.equal_range(face);
+    for (auto it = first; it != last; ++it) visit(it->second);
+}
+
+void Components::seed_whole_shell(Index shell)
+{
+    const CutShell& cut = s_->cut_shells[shell];
+    Index flooded = 0;
+    for (std::size_t i = cut.first_op; i < cut.first_op + cut.op_count; ++i) {
+        const TreeOp op = s_->ops[i];
+        if (op.kind == TreeOp::Kind::whole) {
+            for_each_slot(*u_, op.node,
+                          [&](Index slot) { start(u_->face_of_slot[slot], s_->targets[op.argument].side); });
+        } else if (op.kind == TreeOp::Kind::leaf) {
+            const Node& node = u_->tree.nodes[op.node];
+            for (Index e = 0; e < node.count; ++e) {
+                const Index entry = s_->entries[op.argument + e], face = u_->face_of_slot[node.first + e];
+                if (entry >= kCrossingEntry) {
+                    start(face, Side::negative);
+                    start(face, Side::positive);
+                } else {
+                    start(face, s_->targets[entry].side);
+                }
+            }
+        }
+        // Flood as we go, so that a search is started once for each part and not for each triangle.
+        for (; flooded < searches_.size(); ++flooded)
+            while (!is_finished(flooded)) advance(flooded);
+    }
+}
+
+// ----- targets -----
+
+void Components::assign_targets(Index shell)
+{
+    for (const Side side : {Side::negative, Side::positive}) {
+        // The largest part keeps the target: the one that is not finished, or else the one with the most faces.
+        // Crossing triangles whose pieces vanished count for nothing: a part of such alone does not exist.
+        Index largest = kNone;
+        std::vector<std::size_t> size(searches_.size(), 0);
+        std::vector<bool> unfinished(searches_.size(), false);
+        for (Index i = 0; i < searches_.size(); ++i) {
+            if (searches_[i].side != side) continue;
+            const Index root = find(i);
+            const std::vector<Index>& faces = searches_[i].faces;
+            size[root] += static_cast<std::size_t>(
+                std::count_if(faces.begin(), faces.end(), [&](Index face) { return keeps_something(face, side); }));
+            if (!is_finished(i)) unfinished[root] = true;
+        }
+        const auto better = [&](Index a, Index b) {
+            if (unfinished[a] != unfinished[b]) return bool(unfinished[a]);
+            return size[a] > size[b];
+        };
+        for (Index i = 0; i < searches_.size(); ++i)
+            if (searches_[i].side == side && find(i) == i && (largest == kNone || better(i, largest))) largest = i;
+        const Index default_target = 2 * shell + static_cast<Index>(side);
+        if (largest != kNone) s_->targets[default_target].is_empty = size[largest] == 0 && !unfinished[largest];
+
+        Box& small = small_parts_[static_cast<std::size_t>(side)];
+        small = Box();
+        for (Index i = 0; i < searches_.size(); ++i) {
+            if (searches_[i].side != side) continue;
+            Search& search = searches_[i];
+            const Index root = find(i);
+            search.is_empty = size[root] == 0 && !unfinished[root];
+            if (root != i) {
+                search.target = searches_[root].target;
+            } else if (i == largest || search.is_empty) {
+                search.target = default_target;
+            } else {
+                Target t;
+                t.side = side;
+                t.shell = shell;
+                search.target = static_cast<Index>(s_->targets.size());
+                s_->targets.push_back(t);
+            }
+            if (search.target == default_target) continue;
+            for (const Index face : search.faces) {
+                Index h = u_->mesh.halfedge_of_face(face);
+                for (int corner = 0; corner < 3; ++corner, h = u_->mesh.next(h))
+                    small.add(u_->mesh.point(u_->mesh.to(h)));
+            }
+        }
+    }
+}
+
+/// Rewrites the program of a shell: subtrees that reach into the small parts are opened.
+void Components::retarget(Index shell)
+{
+    CutShell& cut = s_->cut_shells[shell];
+    const auto default_target = [&](Side side) { return 2 * shell + static_cast<Index>(side); };
+    for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
+        for (const Side side : {Side::negative, Side::positive}) {
+            const Index search = crossing_mark_[i][static_cast<std::size_t>(side)];
+            if (search == kNone) continue;
+            s_->crossings[i].target[static_cast<std::size_t>(side)] = searches_[search].target;
+            s_->crossings[i].bounds_nothing[static_cast<std::size_t>(side)] = searches_[search].is_empty;
+        }
+    const auto target_of = [&](Index face, Side side) {
+        const std::uint64_t stamp = u_->stamp_of_face[face];
+        return stamp >= mark_base_ && stamp - mark_base_ < searches_.size()
+                   ? searches_[static_cast<Index>(stamp - mark_base_)].target
+                   : default_target(side);
+    };
+    for (std::size_t i = cut.first_flush; i < cut.first_flush + cut.flush_count; ++i)
+        s_->flush[i].target = target_of(s_->flush[i].face, s_->flush[i].side);
+    for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i) {
+        InPlaneEdge& e = s_->in_plane[i];
+        e.target = {target_of(e.negative_face, Side::negative), target_of(e.positive_face, Side::positive)};
+    }
+
+    ops_.assign(s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
+                s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op + cut.op_count));
+    // The program moves to the end of the list.
+    cut.first_op = s_->ops.size();
+    for (const TreeOp& op : ops_) {
+        if (op.kind == TreeOp::Kind::join) {
+            s_->ops.push_back(op);
+            continue;
+        }
+        if (op.kind == TreeOp::Kind::leaf) {
+            const Node& node = u_->tree.nodes[op.node];
+            for (Index e = 0; e < node.count; ++e) {
+                Index& entry = s_->entries[op.argument + e];
+                if (entry < kCrossingEntry)
+                    entry = target_of(u_->face_of_slot[node.first + e], s_->targets[entry].side);
+            }
+            s_->ops.push_back(op);
+            continue;
+        }
+        const Side side = s_->targets[op.argument].side;
+        stack_.assign(1, {op.node, false});
+        while (!stack_.empty()) {
+            const auto [n, children_done] = stack_.back();
+            stack_.pop_back();
+            if (children_done) {
+                s_->ops.push_back({TreeOp::Kind::join, n, kNone});
+                continue;
+            }
+            const Node& node = u_->tree.nodes[n];
+            if (disjoint(node.box, small_parts_[static_cast<std::size_t>(side)])) {
+                s_->ops.push_back({TreeOp::Kind::whole, n, default_target(side)});
+                continue;
+            }
+            ++s_->nodes_visited;
+            if (!node.is_leaf()) {
+                stack_.push_back({n, true});
+                stack_.push_back({node.right, false});
+                stack_.push_back({node.left, false});
+                continue;
+            }
+            const Index first_entry = static_cast<Index>(s_->entries.size());
+            bool uniform = true;
+            for (Index e = 0; e < node.count; ++e) {
+                s_->entries.push_back(target_of(u_->face_of_slot[node.first + e], side));
+                uniform = uniform && s_->entries.back() == s_->entries[first_entry];
+            }
+            if (uniform) {
+                s_->ops.push_back({TreeOp::Kind::whole, n, s_->entries[first_entry]});
+                s_->entries.resize(first_entry);
+                s_->triangles_read += node.count;
+            } else {
+                s_->ops.push_back({TreeOp::Kind::leaf, n, first_entry});
+            }
+        }
+    }
+    cut.op_count = s_->ops.size() - cut.first_op;
+}
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,340 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "common/caps/cap_triangulator.h"
+#include "common/cutting/cut.h"
+#include "common/cutting/cut_geometry.h"
+#include "halfedge/universe/universe.h"
+
+// What a cut is planned in. All vectors keep their memory from cut to cut.
+
+namespace kerf::halfedge {
+
+/// A triangle with corners strictly on both sides.
+struct Crossing
+{
+    Index slot = kNone, face = kNone, group = kNone;
+    Index shell = 0;              ///< which of the cut shells
+    std::array<Index, 3> corner;  ///< its vertices
+    std::array<double, 3> distance;
+    std::array<Index, 3> halfedge;  ///< halfedge[i] leaves corner i; before the cut
+    std::array<Index, 3> point;     ///< vertices of the half-edge mesh at the corners; before the cut
+    TriangleSplit split;
+    bool walked = false;
+    std::array<Index, 2> target{};  ///< by side, where its pieces go
+    /// By side: no triangle is left at the section edge, neither a piece of this one nor what lies beyond. Open meshes
+    /// only.
+    std::array<bool, 2> bounds_nothing{};
+
+    // The section runs through the triangle from its entry edge (positive to negative corner) to its exit edge
+    // (negative to positive), as seen in the positive side's surface. kNone: it runs through an end point of that edge,
+    // which stays whole.
+    Index entry_cut = kNone, exit_cut = kNone;
+    Index entry_vertex = kNone, exit_vertex = kNone;  ///< vertices at the cut points, where pieces need them
+
+    bool lone_positive() const { return split.lone_side == Side::positive; }
+    // In split_triangle()'s terms: N lies on the edge lone -> next, P on previous -> lone.
+    Index& n_cut() { return lone_positive() ? entry_cut : exit_cut; }
+    Index& p_cut() { return lone_positive() ? exit_cut : entry_cut; }
+    Index n_cut() const { return lone_positive() ? entry_cut : exit_cut; }
+    Index p_cut() const { return lone_positive() ? exit_cut : entry_cut; }
+    Index n_vertex() const { return lone_positive() ? entry_vertex : exit_vertex; }
+    Index p_vertex() const { return lone_positive() ? exit_vertex : entry_vertex; }
+    int lone() const { return split.lone; }
+    int next() const { return (split.lone + 1) % 3; }
+    int previous() const { return (split.lone + 2) % 3; }
+};
+
+/// An existing edge in the plane between a face kept on the negative and one kept on the positive side.
+struct InPlaneEdge
+{
+    Index negative_halfedge = kNone, positive_halfedge = kNone;
+    Index negative_face = kNone, positive_face = kNone;
+    Index group = kNone;
+    Index shell = 0;
+    Index start_vertex = kNone;     ///< where the positive half-edge starts
+    std::array<Index, 2> target{};  ///< by side, where its faces go
+};
+
+/// An existing edge in the plane at a face that is kept on the same side as the face across it.
+struct FlushEdge
+{
+    Index halfedge = kNone, face = kNone;
+    Side side = Side::negative;
+    Index target = kNone;
+};
+
+/// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.
+struct TreeOp
+{
+    enum class Kind : std::uint8_t
+    {
+        whole,  ///< hand over subtree `node` to target `argument`
+        leaf,   ///< rewrite leaf `node`; its entries start at `argument`
+        join,   ///< combine the results of the two children of inner node `node`
+    };
+    Kind kind;
+    Index node;
+    Index argument;
+};
+
+/// Where a triangle of a rewritten leaf goes: a target, or kCrossingEntry + number of the crossing triangle.
+inline constexpr Index kCrossingEntry = Index(1) << 31;
+
+/// A shell that the plane cuts, and its program.
+struct CutShell
+{
+    Index shell = 0;  ///< index in the object
+    std::uint32_t solid = 0;
+    bool connected = true;  ///< as Shell
+    std::size_t first_op = 0, op_count = 0;
+    std::size_t first_crossing = 0, crossing_count = 0;
+    std::size_t first_in_plane = 0, in_plane_count = 0;
+    std::size_t first_flush = 0, flush_count = 0;
+    std::uint32_t loops = 0;  ///< closed loops and chains on it
+};
+
+/// A connected part of one side of a cut shell: where triangles go. Targets 2 i and 2 i + 1 are the negative and the
+/// positive side of cut shell i; if a side falls apart there are more behind them.
+struct Target
+{
+    Side side = Side::negative;
+    Index shell = 0;           ///< of the cut shells
+    bool is_empty = false;     ///< all that would be in it has vanished
+    Index bundle = 0;          ///< what it is joined with
+    std::uint32_t count = 0;   ///< rewritten triangles
+    std::uint32_t cursor = 0;  ///< next slot to write
+    std::uint32_t leaves = 0;  ///< rewritten leaves that it has a part in
+    Index root = kNone;
+};
+
+/// Targets of one piece: a shell of a fragment.
+struct Bundle
+{
+    Side side = Side::negative;
+    std::uint32_t solid = 0;
+    Index shell = 0;     ///< the first of the cut shells in it
+    Index fragment = 0;  ///< index in the side's fragments
+    bool connected = true;
+    Index root = kNone;
+    Index cap_group = kNone;
+    std::uint32_t cap_count = 0, cap_first = 0, cap_cursor = 0;
+};
+
+/// An outline edge is a *seam*: seam i < crossings is the section edge of crossing triangle i, the ones after it are
+/// the in-plane edges.
+using SeamIndex = Index;
+
+/// A closed loop of seams, or a chain that ends at boundary.
+struct Loop
+{
+    std::size_t first = 0, count = 0;  ///< in `loop_seams` and `loop_points`: seam i starts at point i
+    std::uint32_t solid = 0;
+    Index shell = 0;      ///< of the cut shells
+    Index cap_group = 0;  ///< loops of one group are closed together: they bound the same bundles on both sides
+    bool closed = true;
+    glm::vec3 end{0.0f};  ///< chains: the end of the last seam
+};
+
+/// A crossed edge on the boundary of the mesh.
+struct BoundaryCut
+{
+    Index halfedge = kNone;  ///< the boundary half-edge
+    Index cut = kNone;
+    Index positive_end = kNone, negative_end = kNone;  ///< its vertices
+};
+
+/// The caps of one group of loops.
+struct GroupCap
+{
+    Index group = 0;
+    std::size_t first = 0, count = 0;  ///< triangles
+};
+
+/// A seam between classes of points that coincide.
+struct OutlineSeam
+{
+    SeamIndex seam = kNone;
+    Index from = 0, to = 0;  ///< in `outline_points`, as it runs in the surface of the positive side
+};
+
+class CapPlanner;
+class Components;
+class Stitcher;
+class Rebuilder;
+
+/// A vector whose elements are used again and again without being made anew: add() returns one as it was left.
+template <class T>
+class Recycled
+{
+public:
+    T& add()
+    {
+        if (size_ == items_.size()) items_.emplace_back();
+        return items_[size_++];
+    }
+    void clear() { size_ = 0; }
+    void reserve(std::size_t count)
+    {
+        if (items_.size() < count) items_.resize(count);
+    }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    T& operator[](std::size_t i) { return items_[i]; }
+    const T& operator[](std::size_t i) const { return items_[i]; }
+    auto begin() { return items_.begin(); }
+    auto end() { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
+    auto begin() const { return items_.begin(); }
+    auto end() const { return items_.begin() + static_cast<std::ptrdiff_t>(size_); }
+
+private:
+    std::vector<T> items_;
+    std::size_t size_ = 0;
+};
+
+struct CutScratch
+{
+    // FIND
+    std::vector<TreeOp> ops;
+    std::vector<Index> entries;
+    Recycled<Crossing> crossings;
+    std::vector<InPlaneEdge> in_plane;
+    std::vector<FlushEdge> flush;
+    std::vector<CutShell> cut_shells;
+    std::uint64_t nodes_visited = 0;
+    std::uint64_t triangles_read = 0;  ///< in leaves that were opened and handed over whole
+    std::vector<std::pair<Index, bool>> stack;
+
+    std::uint64_t extra_stamps = 0;  ///< stamps used beyond those of the crossing triangles
+
+    // WALK
+    std::vector<glm::vec3> cut_points;  ///< position of each cut edge's point
+    std::vector<Index> chain;
+    std::vector<BoundaryCut> boundary_cuts;
+    std::size_t new_vertices = 0;  ///< written behind the universe's vertices so far
+    bool irregular = false;        ///< some cut points coincide with vertices or each other, or edges lie in the plane
+    bool collapsed = false;        ///< a cut point fell on a corner off the plane, or on another: pieces vanish
+    bool meets_boundary = false;   ///< the section runs through a vertex on the boundary of the mesh
+    std::vector<OutlineSeam> outline;       ///< irregular sections: all seams that do not cancel
+    std::vector<glm::vec3> outline_points;  ///< irregular sections: by class
+    /// By cut point: more than one vertex may be there on a side, or it is one with others. What lies there finds its
+    /// vertices by going around them; anywhere else a cut point is one vertex on each side.
+    std::vector<std::uint8_t> shared_cut;
+    bool any_shared = false;  ///< some point of the outline is shared
+    /// Loop by loop, and behind them, once caps are planned, the points where loops cross: those are points of caps
+    /// alone, each with a seam near by.
+    std::vector<Index> loop_seams;
+    std::vector<glm::vec3> loop_points;
+    std::vector<Loop> loops;
+    std::vector<std::array<SeamIndex, 2>> cancelled;  ///< pairs of seams that run forth and back over the same points
+
+    // CAP
+    /// Corners are loop points, counter-clockwise seen from the positive side; outline edges are those of `loop_seams`.
+    std::vector<CapTriangle> caps;
+    std::vector<GroupCap> group_caps;
+    std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a group
+
+    // What goes where
+    std::vector<Target> targets;
+    std::vector<Bundle> bundles;
+    std::vector<std::array<Index, 2>> cap_bundle;  ///< of each cap triangle, by side
+
+    /// Says of point p of the outline that it is shared.
+    void share_point(std::size_t p)
+    {
+        any_shared = true;
+        const SeamIndex seam = loop_seams[p];
+        if (seam < crossings.size() && crossings[seam].entry_cut != kNone) shared_cut[crossings[seam].entry_cut] = 1;
+    }
+    /// The same of both ends of a seam.
+    void share_ends(SeamIndex seam)
+    {
+        any_shared = true;
+        if (seam >= crossings.size()) return;
+        for (const Index cut : {crossings[seam].entry_cut, crossings[seam].exit_cut})
+            if (cut != kNone) shared_cut[cut] = 1;
+    }
+    bool is_shared(Index cut) const { return cut == kNone || shared_cut[cut] != 0; }
+    /// Whether some corner of a crossing triangle's pieces may be at a shared point.
+    bool is_shared(const Crossing& c) const
+    {
+        return c.split.next_code != TriangleSplit::kCutNext || c.split.previous_code != TriangleSplit::kCutPrevious ||
+               is_shared(c.entry_cut) || is_shared(c.exit_cut);
+    }
+
+    // The steps that keep memory of their own
+    std::unique_ptr<CapPlanner> cap_planner;
+    std::unique_ptr<Components> components;
+    std::unique_ptr<Stitcher> stitcher;
+    std::unique_ptr<Rebuilder> rebuilder;
+
+    CutScratch();
+    ~CutScratch();
+    /// Makes room for a cut that crosses so many triangles, and touches it.
+    void reserve(std::size_t crossings);
+    /// Forgets the last cut.
+    void begin(Universe& universe);
+    /// Stamps, from the universe's `stamp_base` on, that the last cut has put on faces.
+    std::uint64_t stamps_used() const { return crossings.size() + extra_stamps; }
+
+    /// Each curve that the surface is cut along is a loop or chain of the outline. Not so where a curve shrinks to a
+    /// point (a thin neck) or to a path run forth and back (a thin sheet), or falls apart at the boundary.
+    bool loops_are_all_curves() const { return !collapsed && !meets_boundary && cancelled.empty(); }
+
+    /// The face at a seam on one side, as it is before the cut.
+    Index face_of_seam(SeamIndex seam, Side side) const
+    {
+        if (seam < crossings.size()) return crossings[seam].face;
+        const InPlaneEdge& e = in_plane[seam - crossings.size()];
+        return side == Side::negative ? e.negative_face : e.positive_face;
+    }
+    Index group_of_seam(SeamIndex seam) const
+    {
+        return seam < crossings.size() ? crossings[seam].group : in_plane[seam - crossings.size()].group;
+    }
+    Index shell_of_seam(SeamIndex seam) const
+    {
+        return seam < crossings.size() ? crossings[seam].shell : in_plane[seam - crossings.size()].shell;
+    }
+    /// Where what is left of it on that side goes.
+    Index target_of_seam(SeamIndex seam, Side side) const
+    {
+        const auto at = static_cast<std::size_t>(side);
+        return seam < crossings.size() ? crossings[seam].target[at] : in_plane[seam - crossings.size()].target[at];
+    }
+    /// The smaller one of its faces' sources: a flipped plane has the same.
+    std::uint32_t source_of_seam(const Universe& universe, SeamIndex seam) const
+    {
+        return std::min(universe.source_of_face[face_of_seam(seam, Side::negative)],
+                        universe.source_of_face[face_of_seam(seam, Side::positive)]);
+    }
+    bool bounds_nothing(SeamIndex seam, Side side) const
+    {
+        return seam < crossings.size() && crossings[seam].bounds_nothing[static_cast<std::size_t>(side)];
+    }
+    /// The bundles that a seam lies between, by side.
+    std::array<Index, 2> bundles_of_seam(SeamIndex seam) const
+    {
+        return {targets[target_of_seam(seam, Side::negative)].bundle,
+                targets[target_of_seam(seam, Side::positive)].bundle};
+    }
+
+private:
+    void clear();
+};
+
+/// FIND for one shell: appends its program, crossing triangles and in-plane edges. `shell_index` numbers the cut
+/// shells; targets are 2 * shell_index + side. Returns which sides keep whole triangles; crossing triangles count for
+/// both.
+std::array<bool, 2> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch);
+
+/// SPLIT and WALK: splits the crossing triangles, makes the new vertices and links the outline into loops and chains.
+void split_crossings(const Universe& universe, CutScratch& scratch);
+void walk_section(Universe& universe, const Plane& plane, CutScratch& scratch);
+
+}  // namespace kerf::halfedge

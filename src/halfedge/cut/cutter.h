@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <vector>
+
+#include "common/cutting/cut.h"
+#include "halfedge/cut/piece_plan.h"
+#include "halfedge/universe/universe.h"
+
+namespace kerf::halfedge {
+
+/// A fragment to be.
+struct PlannedFragment
+{
+    std::size_t shells = 0;          ///< that it gets, at most
+    std::vector<SectionLoop> loops;  ///< that bound it
+};
+
+/// One cut of one object, in two steps: what may fail changes nothing, what changes the universe can't fail.
+class Cutter
+{
+public:
+    /// @param universe        locked by the caller, until the cutter has ended
+    /// @param scratch         in which cuts in this universe are planned
+    /// @param material_count  of the object: the first of the universe's materials
+    Cutter(Universe& universe, CutScratch& scratch, const std::vector<Shell>& shells, std::size_t material_count)
+        : u_(universe), s_(scratch), shells_(shells), material_count_(material_count)
+    {
+    }
+
+    /// From FIND to the caps, and room for all that is new. False if the plane misses; `result` then says no more than
+    /// what it took to see that. May throw std::bad_alloc.
+    bool plan(const Plane& plane, const CutOptions& options, CutResult& result);
+
+    /// The fragments of a side, once the cut is planned.
+    std::vector<PlannedFragment> planned_fragments(Side side) const;
+    std::size_t material_count() const { return material_count_; }
+
+    /// STITCH and REBUILD; completes the statistics of `result`.
+    void carry_out(CutResult& result) noexcept;
+
+    /// Calls visit(side, fragment, shell) for each shell of the fragments, once the cut is carried out.
+    template <class Visit>
+    void for_each_shell(Visit visit) const
+    {
+        for (const Side side : {Side::negative, Side::positive}) {
+            const auto at = static_cast<std::size_t>(side);
+            for (std::size_t i = 0; i < whole_[at].size(); ++i)
+                visit(side, pieces_.whole_fragment[at][i], whole_[at][i]);
+        }
+        for (const Bundle& b : s_.bundles)
+            if (b.root != kNone) visit(b.side, b.fragment, Shell{b.root, b.solid, b.connected});
+    }
+
+private:
+    bool misses(const Plane& plane, std::uint64_t& nodes_visited) const;
+    void find_shells(const Plane& plane);
+    /// Whether a side gets any triangle, once the crossing triangles are split: asked before targets are made.
+    bool keeps_triangles(Side side) const;
+    /// Names the groups of the caps, those that are to be added included, and makes room for them.
+    void plan_cap_groups(const CutOptions& options);
+    /// Adds the cap material and groups; can't fail.
+    void add_cap_groups();
+    /// Adds the time since the last call to a phase.
+    void done(Phase phase, CutResult& result);
+
+    Universe& u_;
+    CutScratch& s_;
+    const std::vector<Shell>& shells_;
+    std::array<std::vector<Shell>, 2> whole_;  ///< shells that the plane does not cut, by side
+    PiecePlan pieces_;
+    std::size_t material_count_;  ///< of the object; from plan_cap_groups() on that of the fragments
+    bool adds_cap_material_ = false;
+    std::vector<Group> new_groups_;
+    bool leaves_open_ = false;  ///< some fragment may be open afterwards
+    Plane plane_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace kerf::halfedge

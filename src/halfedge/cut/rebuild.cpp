@@ -1,0 +1,267 @@
+#include "halfedge/cut/rebuild.h"
+
+#include <algorithm>
+
+namespace kerf::halfedge {
+
+namespace {
+
+bool is_crossing(Index entry)
+{
+    return (entry & kCrossingEntry) != 0;
+}
+
+std::size_t end_of_entries(const Universe& u, const TreeOp& op)
+{
+    return op.argument + u.tree.nodes[op.node].count;
+}
+
+}  // namespace
+
+std::size_t Rebuilder::plan(Universe& u, CutScratch& s)
+{
+    start_.assign(s.targets.size(), kNone);
+    std::size_t whole = 0;
+    for (const CutShell& shell : s.cut_shells)
+        for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
+            const TreeOp& op = s.ops[i];
+            whole += op.kind == TreeOp::Kind::whole;
+            if (op.kind == TreeOp::Kind::leaf) count_leaf(u, op, static_cast<Index>(i), s);
+        }
+
+    // Negative side first, caps behind the surface of their side.
+    std::uint32_t slot = static_cast<std::uint32_t>(u.slots.size());
+    std::size_t nodes = 0;
+    for (const Side side : {Side::negative, Side::positive}) {
+        for (Target& t : s.targets) {
+            if (t.side != side) continue;
+            t.cursor = slot;
+            slot += t.count;
+            nodes += 2 * (t.leaves + TriangleTree::nodes_for_run(t.count));
+        }
+        for (Bundle& b : s.bundles) {
+            if (b.side != side) continue;
+            b.cap_first = b.cap_cursor = slot;
+            slot += b.cap_count;
+            nodes += TriangleTree::nodes_for_run(b.cap_count) + 1;
+        }
+    }
+    nodes += whole + s.targets.size();
+    new_slots_ = slot - u.slots.size();
+    new_vertices_ = s.new_vertices + (s.caps.empty() ? 0 : 2 * s.loop_points.size());
+
+    results_.clear();
+    results_.reserve(2 * whole + 4 * s.entries.size() + 16);
+    lengths_.clear();
+    lengths_.reserve(s.ops.size() + 2);
+    touched_.reserve(s.targets.size() + 2);
+
+    const std::size_t faces = 2 * s.crossings.size() + 2 * s.caps.size();
+    std::size_t grown = u.vertices.make_room(new_vertices_) + u.slots.make_room(new_slots_) +
+                        u.face_of_slot.make_room(new_slots_) + u.source_of_face.make_room(faces) +
+                        u.stamp_of_face.make_room(faces) + u.tree.make_room(nodes);
+    for (Stream& stream : u.streams) grown += stream.values.make_room(new_vertices_ * stream.width);
+    return grown;
+}
+
+void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, CutScratch& s)
+{
+    const auto count = [&](Index target) {
+        ++s.targets[target].count;
+        if (start_[target] != number) ++s.targets[target].leaves;
+        start_[target] = number;
+    };
+    for (std::size_t e = op.argument; e < end_of_entries(u, op); ++e) {
+        if (!is_crossing(s.entries[e])) {
+            count(s.entries[e]);
+            continue;
+        }
+        const Crossing& c = s.crossings[s.entries[e] - kCrossingEntry];
+        for (std::size_t i = 0; i < c.split.piece_count; ++i)
+            count(c.target[static_cast<std::size_t>(c.split.pieces[i].side)]);
+    }
+}
+
+void Rebuilder::run(Universe& u, const Plane& plane, const Stitcher& stitcher, CutScratch& s)
+{
+    // Positions of the new vertices are behind the end already.
+    cap_vertices_ = static_cast<Index>(u.vertices.size() + s.new_vertices);
+    if (!s.caps.empty()) write_cap_vertices(u, plane, s);
+    u.vertices.extend(new_vertices_);
+    for (Stream& stream : u.streams) stream.values.extend(new_vertices_ * stream.width);
+
+    const std::size_t faces = 2 * s.crossings.size() + 2 * s.caps.size();
+    u.stamp_of_face.extend(faces);
+    u.source_of_face.extend(faces);
+    for (Index c = 0; c < s.crossings.size(); ++c) {
+        const Index source = u.source_of_face[s.crossings[c].face];
+        u.source_of_face[stitcher.first_piece_face() + 2 * c] = source;
+        u.source_of_face[stitcher.first_piece_face() + 2 * c + 1] = source;
+    }
+
+    u.slots.extend(new_slots_);
+    u.face_of_slot.extend(new_slots_);
+    first_fresh_node_ = static_cast<Index>(u.tree.nodes.size());
+    std::fill(start_.begin(), start_.end(), kNone);
+    for (const CutShell& shell : s.cut_shells) {
+        results_.clear();
+        lengths_.clear();
+        for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
+            constexpr std::size_t kAhead = 8;
+            if (i + kAhead < shell.first_op + shell.op_count && s.ops[i + kAhead].kind == TreeOp::Kind::whole)
+                u.tree.prefetch(s.ops[i + kAhead].node);
+            const TreeOp& op = s.ops[i];
+            switch (op.kind) {
+                case TreeOp::Kind::whole:
+                    results_.push_back({op.argument, op.node});
+                    lengths_.push_back(1);
+                    break;
+                case TreeOp::Kind::leaf:
+                    rewrite_leaf(u, op, stitcher, s);
+                    break;
+                case TreeOp::Kind::join:
+                    join_results(u);
+                    // A subtree that went to one side as a whole after all is still the old node.
+                    if (lengths_.back() == 1) {
+                        const Node& old = u.tree.nodes[op.node];
+                        const Node& made = u.tree.nodes[results_.back().node];
+                        if (made.left == old.left && made.right == old.right) results_.back().node = op.node;
+                    }
+                    break;
+            }
+        }
+        for (const Result& result : results_) s.targets[result.target].root = result.node;
+    }
+    for (const Target& t : s.targets) s.bundles[t.bundle].root = u.tree.join(s.bundles[t.bundle].root, t.root);
+    write_caps(u, stitcher, s);
+}
+
+void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const CutScratch& s)
+{
+    const PlaneFrame frame = PlaneFrame::of(plane.normal);
+    const glm::vec3 normal(plane.normal);
+    const Index points = static_cast<Index>(s.loop_points.size());
+    for (Index i = 0; i < points; ++i) {
+        const glm::vec3& p = s.loop_points[i];
+        const glm::vec2 uv = frame.uv(p);
+        u.vertices.data()[cap_vertices_ + i] = {p, normal, uv};
+        u.vertices.data()[cap_vertices_ + points + i] = {p, -normal, uv};
+    }
+    for (Stream& stream : u.streams)
+        for (Index i = 0; i < points; ++i) {
+            // What the surface has where the seam starts.
+            const SeamIndex seam = s.loop_seams[i];
+            Index from;
+            if (seam < s.crossings.size()) {
+                const Crossing& c = s.crossings[seam];
+                const std::uint8_t code = c.split.section_from;
+                from = code == TriangleSplit::kCutNext       ? c.n_vertex()
+                       : code == TriangleSplit::kCutPrevious ? c.p_vertex()
+                                                             : c.corner[code];
+            } else {
+                from = s.in_plane[seam - s.crossings.size()].start_vertex;
+            }
+            const float* values = stream.values.data() + std::size_t(from) * stream.width;
+            for (const Index copy : {cap_vertices_ + i, cap_vertices_ + points + i})
+                std::copy_n(values, stream.width, stream.values.data() + std::size_t(copy) * stream.width);
+        }
+}
+
+void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Stitcher& stitcher, CutScratch& s)
+{
+    const Node leaf = u.tree.nodes[op.node];
+    touched_.clear();
+    const auto emit = [&](Index target, const Triangle& triangle, Index face) {
+        Target& t = s.targets[target];
+        if (start_[target] == kNone) {
+            start_[target] = t.cursor;
+            touched_.push_back(target);
+        }
+        u.slots[t.cursor] = triangle;
+        u.face_of_slot[t.cursor] = face;
+        ++t.cursor;
+    };
+    for (Index i = 0; i < leaf.count; ++i) {
+        const Index entry = s.entries[op.argument + i];
+        if (!is_crossing(entry)) {
+            emit(entry, u.slots[leaf.first + i], u.face_of_slot[leaf.first + i]);
+            continue;
+        }
+        const Index number = entry - kCrossingEntry;
+        const Crossing& c = s.crossings[number];
+        const auto vertex = [&](std::uint8_t code) {
+            if (code == TriangleSplit::kCutNext) return c.n_vertex();
+            if (code == TriangleSplit::kCutPrevious) return c.p_vertex();
+            return c.corner[code];
+        };
+        for (const Stitcher::Piece& piece : Stitcher::pieces(c, number, stitcher.first_piece_face()))
+            if (piece.exists)
+                emit(c.target[static_cast<std::size_t>(piece.side)],
+                     {vertex(piece.corners[0]), vertex(piece.corners[1]), vertex(piece.corners[2])}, piece.face);
+    }
+    std::sort(touched_.begin(), touched_.end());
+    for (const Index target : touched_) {
+        const std::uint32_t first = start_[target], count = s.targets[target].cursor - first;
+        start_[target] = kNone;
+        const Index node = count <= kMaxLeafTriangles ? u.tree.make_leaf(u.geometry(), first, count, leaf.group)
+                                                      : u.tree.make_run(u.geometry(), first, count, leaf.group);
+        results_.push_back({target, node});
+    }
+    lengths_.push_back(static_cast<std::uint32_t>(touched_.size()));
+}
+
+void Rebuilder::join_results(Universe& u)
+{
+    const std::uint32_t right_count = lengths_.back(), left_count = lengths_[lengths_.size() - 2];
+    lengths_.pop_back();
+    const auto combine = [&](Index left, Index right) {
+        const Node &l = u.tree.nodes[left], &r = u.tree.nodes[right];
+        if (left >= first_fresh_node_ && right >= first_fresh_node_ && l.is_leaf() && r.is_leaf() &&
+            l.group == r.group && l.first + l.count == r.first && l.count + r.count <= kMaxLeafTriangles)
+            return u.tree.merge_leaves(left, right);
+        return u.tree.join(left, right);
+    };
+    const std::size_t end = results_.size(), middle = end - right_count, begin = middle - left_count;
+    // The merged list is built behind the two and moved down.
+    std::size_t l = begin, r = middle;
+    while (l < middle || r < end) {
+        if (r == end || (l < middle && results_[l].target < results_[r].target))
+            results_.push_back(results_[l++]);
+        else if (l == middle || results_[r].target < results_[l].target)
+            results_.push_back(results_[r++]);
+        else {
+            const Result joined{results_[l].target, combine(results_[l].node, results_[r].node)};
+            results_.push_back(joined);
+            ++l;
+            ++r;
+        }
+    }
+    const std::size_t merged = results_.size() - end;
+    std::copy(results_.begin() + static_cast<std::ptrdiff_t>(end), results_.end(),
+              results_.begin() + static_cast<std::ptrdiff_t>(begin));
+    results_.resize(begin + merged);
+    lengths_.back() = static_cast<std::uint32_t>(merged);
+}
+
+void Rebuilder::write_caps(Universe& u, const Stitcher& stitcher, CutScratch& s)
+{
+    const Index positive_vertices = cap_vertices_ + static_cast<Index>(s.loop_points.size());
+    for (const Index t : s.cap_order) {
+        const CapTriangle& cap = s.caps[t];
+        for (const Side side : {Side::negative, Side::positive}) {
+            Bundle& b = s.bundles[s.cap_bundle[t][static_cast<std::size_t>(side)]];
+            const Index slot = b.cap_cursor++;
+            u.slots[slot] = side == Side::negative
+                                ? Triangle{cap_vertices_ + cap.corner[0], cap_vertices_ + cap.corner[1],
+                                           cap_vertices_ + cap.corner[2]}
+                                : Triangle{positive_vertices + cap.corner[0], positive_vertices + cap.corner[2],
+                                           positive_vertices + cap.corner[1]};
+            u.face_of_slot[slot] = stitcher.cap_face(side, t);
+            u.source_of_face[stitcher.cap_face(side, t)] = kNoSource;
+        }
+    }
+    for (Bundle& b : s.bundles)
+        b.root = u.tree.join(b.root, u.tree.make_run(u.geometry(), b.cap_first, b.cap_count, b.cap_group));
+}
+
+}  // namespace kerf::halfedge

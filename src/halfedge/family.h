@@ -1,0 +1,28 @@
+#pragma once
+
+#include "halfedge/cut/cut_plan.h"
+#include "halfedge/universe/universe.h"
+
+namespace kerf::halfedge {
+
+/// What all objects that descend from one prepared mesh share: the universe that they lie in, and the memory that cuts
+/// of any of them are planned in. Both are guarded by the universe's lock.
+struct Family
+{
+    Universe universe;
+    CutScratch scratch;
+
+    Family() = default;
+    /// A copy with a lock of its own. Call it with `other` locked.
+    Family(const Family& other) : universe(other.universe)
+    {
+        universe.stamp_base += other.scratch.stamps_used();  // the copied faces keep their stamps
+        make_room(other.universe.slots.size());
+    }
+    Family& operator=(const Family&) = delete;
+
+    /// For planning one cut of an object of so many triangles.
+    void make_room(std::size_t triangles) { scratch.reserve(crossings_of_one_cut(triangles)); }
+};
+
+}  // namespace kerf::halfedge

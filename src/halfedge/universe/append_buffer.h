@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include "halfedge/universe/huge_pages.h"
+
+namespace kerf::halfedge {
+
+/// An array that only grows at its end, in memory that has been written to before it is needed: the first touch of a
+/// page costs more than the work of a cut on it. Elements beyond size() may be written up to capacity(); they become
+/// part of the array by extend(), which can't fail. Elements are trivial.
+///
+/// Behind the touched memory lies as much again that is only asked for and costs addresses, not memory. When room runs
+/// out it is touched bit by bit, so that growing costs what is needed and not what is there.
+template <class T>
+class AppendBuffer
+{
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    AppendBuffer() = default;
+    ~AppendBuffer() { std::free(data_); }
+    AppendBuffer(const AppendBuffer& other) : AppendBuffer()
+    {
+        reserve(other.capacity_);
+        std::copy_n(other.data_, other.size_, data_);
+        size_ = other.size_;
+    }
+    AppendBuffer(AppendBuffer&& other) noexcept { swap(other); }
+    AppendBuffer& operator=(AppendBuffer other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    void swap(AppendBuffer& other) noexcept
+    {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+        std::swap(asked_, other.asked_);
+    }
+
+    std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
+    bool empty() const { return size_ == 0; }
+    T* data() { return data_; }
+    const T* data() const { return data_; }
+    T& operator[](std::size_t i) { return data_[i]; }
+    const T& operator[](std::size_t i) const { return data_[i]; }
+    T* begin() { return data_; }
+    T* end() { return data_ + size_; }
+    const T* begin() const { return data_; }
+    const T* end() const { return data_ + size_; }
+
+    /// Makes room for `capacity` elements in all and touches the new room. Throws std::bad_alloc, and is unchanged
+    /// then.
+    void reserve(std::size_t capacity)
+    {
+        if (capacity <= capacity_) return;
+        if (capacity > static_cast<std::size_t>(-1) / sizeof(T) / kAskedFor) throw std::bad_alloc();
+        if (capacity > asked_ && !ask_for(kAskedFor * capacity) && !ask_for(capacity)) throw std::bad_alloc();
+        T* const fresh = data_ + capacity_;
+        prefer_huge_pages(static_cast<void*>(fresh), (capacity - capacity_) * sizeof(T));
+        // Not 0: memory that is to be 0 the compiler asks the system for, and it comes untouched.
+        std::memset(static_cast<void*>(fresh), 0xff, (capacity - capacity_) * sizeof(T));
+        capacity_ = capacity;
+    }
+
+    /// Makes room for `extra` more elements. Returns the bytes by which the buffer grew: 0 as long as reserved room
+    /// lasts. O(extra), unless the memory that was asked for is used up.
+    std::size_t make_room(std::size_t extra)
+    {
+        if (extra <= capacity_ - size_) return 0;
+        const std::size_t before = capacity_;
+        reserve(size_ + extra);
+        return (capacity_ - before) * sizeof(T);
+    }
+
+    /// Counts elements beyond the end, which were written already, as part of the array.
+    void extend(std::size_t count) { size_ += count; }
+
+    /// Sets the size within the capacity; new elements keep whatever bytes are there.
+    void set_size(std::size_t size) { size_ = size; }
+
+    /// Needs room for one more.
+    void push(const T& value) { data_[size_++] = value; }
+
+    /// That are held in memory.
+    std::size_t bytes_reserved() const { return capacity_ * sizeof(T); }
+
+private:
+    static constexpr std::size_t kAskedFor = 2;
+
+    bool ask_for(std::size_t count)
+    {
+        // realloc() moves the pages of a large block instead of copying what is in them.
+        void* data = std::realloc(static_cast<void*>(data_), count * sizeof(T));
+        if (data == nullptr) return false;
+        data_ = static_cast<T*>(data);
+        asked_ = count;
+        return true;
+    }
+
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;  ///< touched
+    std::size_t asked_ = 0;
+};
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,310 @@
+#include "halfedge/universe/triangle_tree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <limits>
+
+#include "common/cutting/cut_geometry.h"
+
+namespace kerf::halfedge {
+
+namespace {
+
+constexpr std::size_t kLines = kSupportDirections / 2;  // directions come in opposite pairs, i and i + kLines
+constexpr std::size_t kLanes = 4;
+
+// Four floats: what every x86-64 and every 64-bit ARM computes in one step.
+using Four = float __attribute__((vector_size(16)));
+
+/// One of each pair of directions, four at a time.
+struct Lines
+{
+    std::array<Four, kLines / kLanes> x, y, z;
+};
+
+const Lines& lines()
+{
+    static const Lines table = [] {
+        Lines l;
+        for (std::size_t i = 0; i < kLines; ++i) {
+            const glm::vec3& d = support_directions()[i];
+            assert(support_directions()[i + kLines] == -d);
+            l.x[i / kLanes][i % kLanes] = d.x;
+            l.y[i / kLanes][i % kLanes] = d.y;
+            l.z[i / kLanes][i % kLanes] = d.z;
+        }
+        return l;
+    }();
+    return table;
+}
+
+Four load(const float* p)
+{
+    Four four;
+    std::memcpy(&four, p, sizeof four);
+    return four;
+}
+
+void store(float* p, const Four& four)
+{
+    std::memcpy(p, &four, sizeof four);
+}
+
+// Written so that it is one instruction.
+Four larger(Four a, Four b)
+{
+    return a > b ? a : b;
+}
+
+/// Maxima over vertices, in registers.
+class SupportSum
+{
+public:
+    SupportSum()
+    {
+        for (std::size_t i = 0; i < kLines / kLanes; ++i) {
+            high_[i] = Four{} - std::numeric_limits<float>::infinity();
+            low_[i] = Four{} + std::numeric_limits<float>::infinity();
+        }
+    }
+
+    void add(const Lines& l, const glm::vec3& p)
+    {
+        for (std::size_t i = 0; i < kLines / kLanes; ++i) {
+            // The order of operations is that of support_value().
+            const Four value = (l.x[i] * p.x + l.y[i] * p.y) + l.z[i] * p.z;
+            high_[i] = larger(value, high_[i]);
+            low_[i] = value < low_[i] ? value : low_[i];
+        }
+    }
+
+    Support support() const
+    {
+        Support support;
+        for (std::size_t i = 0; i < kLines / kLanes; ++i) {
+            store(&support.best[i * kLanes], high_[i]);
+            // Rounding is symmetric, so the value along -d is the negative of the value along d.
+            store(&support.best[kLines + i * kLanes], -low_[i]);
+        }
+        return support;
+    }
+
+private:
+    std::array<Four, kLines / kLanes> high_, low_;
+};
+
+/// Remembers which vertices of a leaf were seen. It may forget, which costs time only.
+class SeenVertices
+{
+public:
+    bool is_new(Index vertex)
+    {
+        Index& entry = table_[vertex % kEntries];
+        if (entry == vertex) return false;
+        entry = vertex;
+        return true;
+    }
+    void clear() { table_.fill(kNone); }
+
+private:
+    static constexpr std::size_t kEntries = 128;
+    std::array<Index, kEntries> table_;
+};
+
+}  // namespace
+
+Support Support::none()
+{
+    Support support;
+    support.best.fill(-std::numeric_limits<float>::infinity());
+    return support;
+}
+
+void Support::add(const glm::vec3& p)
+{
+    for (std::size_t d = 0; d < kSupportDirections; ++d)
+        best[d] = std::max(best[d], support_value(support_directions()[d], p));
+}
+
+void Support::add(const Support& other)
+{
+    for (std::size_t i = 0; i < kSupportDirections; i += kLanes)
+        store(&best[i], larger(load(&other.best[i]), load(&best[i])));
+}
+
+Box Support::box() const
+{
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        box.hi[axis] = best[i] + 0.0f;  // not -0
+        box.lo[axis] = 0.0f - best[kLines + i];
+    }
+    return box;
+}
+
+Index TriangleTree::make_leaf(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group)
+{
+    const Lines& l = lines();
+    SupportSum sum;
+    SeenVertices seen;
+    seen.clear();
+    for (std::uint32_t s = first; s < first + count; ++s)
+        for (const Index v : geometry.slots[s])
+            if (seen.is_new(v)) sum.add(l, geometry.vertices[v].position);
+    const Support support = sum.support();
+    nodes.push({support.box(), kNone, kNone, first, count, group});
+    moments.push(mass_moments(geometry.vertices, geometry.slots.subspan(first, count), geometry.reference));
+    supports.push(support);
+    return static_cast<Index>(nodes.size() - 1);
+}
+
+Index TriangleTree::make_run(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group)
+{
+    if (count == 0) return kNone;
+    if (count <= kLeafTriangles) return make_leaf(geometry, first, count, group);
+    // Halve the number of leaves, so that all but the last are full.
+    const std::uint32_t leaves = (count + kLeafTriangles - 1) / kLeafTriangles;
+    const std::uint32_t half = (leaves / 2) * kLeafTriangles;
+    const Index left = make_run(geometry, first, half, group);
+    const Index right = make_run(geometry, first + half, count - half, group);
+    return join(left, right);
+}
+
+Index TriangleTree::join(Index left, Index right)
+{
+    if (left == kNone) return right;
+    if (right == kNone) return left;
+    Node node;
+    const Node &l = nodes[left], &r = nodes[right];
+    node.box = l.box;
+    node.box.add(r.box);
+    node.left = left;
+    node.right = right;
+    node.count = l.count + r.count;
+    node.first = l.first;
+    node.group = l.group == r.group && l.first + l.count == r.first ? l.group : kMixed;
+    nodes.push(node);
+    moments.push(moments[left]);
+    moments[moments.size() - 1].add(moments[right]);
+    supports.push(supports[left]);
+    supports[supports.size() - 1].add(supports[right]);
+    return static_cast<Index>(nodes.size() - 1);
+}
+
+Index TriangleTree::merge_leaves(Index left, Index right)
+{
+    nodes[left].box.add(nodes[right].box);
+    nodes[left].count += nodes[right].count;
+    moments[left].add(moments[right]);
+    supports[left].add(supports[right]);
+    return left;
+}
+
+void TriangleTree::reserve(std::size_t count)
+{
+    nodes.reserve(count);
+    moments.reserve(count);
+    supports.reserve(count);
+}
+
+std::size_t TriangleTree::make_room(std::size_t count)
+{
+    return nodes.make_room(count) + moments.make_room(count) + supports.make_room(count);
+}
+
+std::size_t TriangleTree::bytes_reserved() const
+{
+    return nodes.bytes_reserved() + moments.bytes_reserved() + supports.bytes_reserved();
+}
+
+void TriangleTree::append_runs(Index root, std::vector<Run>& runs) const
+{
+    std::vector<Index> stack;
+    if (root != kNone) stack.push_back(root);
+    while (!stack.empty()) {
+        const Node& node = nodes[stack.back()];
+        stack.pop_back();
+        if (node.group == kMixed) {
+            stack.push_back(node.right);
+            stack.push_back(node.left);
+        } else if (!runs.empty() && runs.back().group == node.group &&
+                   runs.back().first + runs.back().count == node.first) {
+            runs.back().count += node.count;
+        } else {
+            runs.push_back({node.first, node.count, node.group});
+        }
+    }
+}
+
+bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
+                    double limit, int sign, std::uint64_t& visited)
+{
+    const auto reach = [&](Index n) {
+        const auto [lo, hi] = plane.distance_range(tree.nodes[n].box);
+        return sign > 0 ? std::array{lo, hi} : std::array{-hi, -lo};
+    };
+    std::vector<Index> stack{root};
+    while (!stack.empty()) {
+        const Index n = stack.back();
+        stack.pop_back();
+        ++visited;
+        const auto [near, far] = reach(n);
+        if (!(far > limit)) continue;
+        if (near > limit) return true;
+        const Node& node = tree.nodes[n];
+        if (node.is_leaf()) {
+            for (std::uint32_t s = node.first; s < node.first + node.count; ++s)
+                for (const std::uint32_t v : geometry.slots[s])
+                    if (sign * plane.signed_distance(geometry.vertices[v].position) > limit) return true;
+            continue;
+        }
+        const bool left_first = reach(node.left)[1] > reach(node.right)[1];
+        stack.push_back(left_first ? node.right : node.left);
+        stack.push_back(left_first ? node.left : node.right);
+    }
+    return false;
+}
+
+std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
+                                                         std::span<const Index> roots)
+{
+    Support best = Support::none();
+    for (const Index root : roots) best.add(tree.supports[root]);
+
+    std::array<glm::vec3, kSupportDirections> points;
+    std::vector<Index> stack;
+    for (std::size_t d = 0; d < kSupportDirections; ++d) {
+        const glm::vec3& direction = support_directions()[d];
+        bool found = false;
+        glm::vec3 point{0.0f};
+        // Several vertices may share the maximum (all of a flat side): a box whose least corner does not come before
+        // the point found holds nothing better.
+        stack.assign(roots.rbegin(), roots.rend());
+        while (!stack.empty()) {
+            const Index n = stack.back();
+            stack.pop_back();
+            if (tree.supports[n].best[d] != best.best[d]) continue;
+            const Node& node = tree.nodes[n];
+            if (found && !lexicographically_less(node.box.lo, point)) continue;
+            if (node.is_leaf()) {
+                for (std::uint32_t s = node.first; s < node.first + node.count; ++s)
+                    for (const std::uint32_t v : geometry.slots[s]) {
+                        const glm::vec3& p = geometry.vertices[v].position;
+                        if (support_value(direction, p) != best.best[d]) continue;
+                        if (!found || lexicographically_less(p, point)) point = p;
+                        found = true;
+                    }
+                continue;
+            }
+            const bool left_first = lexicographically_less(tree.nodes[node.left].box.lo, tree.nodes[node.right].box.lo);
+            stack.push_back(left_first ? node.right : node.left);
+            stack.push_back(left_first ? node.left : node.right);
+        }
+        points[d] = point;
+    }
+    return points;
+}
+
+}  // namespace kerf::halfedge

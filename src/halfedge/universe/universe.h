@@ -1,0 +1,109 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "common/cutting/cut.h"
+#include "common/mesh/indexed_mesh.h"
+#include "common/repair/proven_mesh.h"
+#include "halfedge/universe/append_buffer.h"
+#include "halfedge/universe/fair_shared_mutex.h"
+#include "halfedge/universe/surface_mesh.h"
+#include "halfedge/universe/triangle_tree.h"
+
+namespace kerf::halfedge {
+
+/// What triangles have in common that are drawn and solved together.
+struct Group
+{
+    std::uint32_t material = 0;
+    std::uint32_t solid = 0;
+    TriangleKind kind = TriangleKind::surface;
+};
+
+/// The order in which groups are drawn and exported.
+inline bool draws_before(const Group& a, const Group& b)
+{
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.material != b.material ? a.material < b.material : a.solid < b.solid;
+}
+
+/// One float stream of the vertices.
+struct Stream
+{
+    std::string name;
+    std::uint32_t width = 1;
+    AppendBuffer<float> values;
+};
+
+/// Everything that descends from one prepared mesh: connectivity, vertices, triangles and tree nodes of all fragments,
+/// in the mesh's own coordinates. Arrays only grow; a face id and a slot never move.
+///
+/// A *face* is a triangle of the half-edge mesh. A *slot* is its place in the index buffer: a cut writes the triangles
+/// around the section to new slots at the end, and the old ones are dead.
+///
+/// Fragments may be used by different threads: who reads the arrays holds `mutex` shared, who cuts holds it alone.
+struct Universe
+{
+    mutable FairSharedMutex mutex;
+
+    SurfaceMesh mesh;
+    AppendBuffer<Vertex> vertices;       ///< the vertex buffer
+    std::vector<Stream> streams;         ///< run parallel to `vertices`
+    AppendBuffer<Triangle> slots;        ///< the index buffer
+    AppendBuffer<Index> face_of_slot;    ///< corner 0 of a slot is the origin of its face's half-edge
+    AppendBuffer<Index> source_of_face;  ///< input triangle, or kNoSource
+    AppendBuffer<Index> stamp_of_face;   ///< scratch of cuts: `stamp_base` + number of the crossing triangle
+    std::uint64_t stamp_base = 1;
+    TriangleTree tree;
+    std::vector<Group> groups;
+    std::vector<Material> materials;
+    std::uint32_t cap_material = kDefaultCapMaterial;  ///< the one that was added for caps, if one was
+    glm::dvec3 reference{0.0};  ///< what mass moments are summed about: the centre of the prepared mesh
+    double noise = 0.0;         ///< plane_noise() of the prepared mesh
+    bool has_boundary = false;  ///< some fragment may be open: the prepared mesh was, or a section was not closed
+
+    std::size_t uploaded_vertices = 0, uploaded_slots = 0;  ///< what the GPU has
+
+    std::atomic<std::size_t> live_slots = 0;  ///< that some fragment draws; fragments end without the lock
+
+    Universe() = default;
+    /// With a lock of its own. Call it with `other` locked.
+    Universe(const Universe& other);
+    Universe& operator=(const Universe&) = delete;
+
+    TreeGeometry geometry() const
+    {
+        return {{vertices.data(), vertices.size()}, {slots.data(), slots.size()}, reference};
+    }
+
+    /// Bytes held, reserve included.
+    std::size_t bytes_reserved() const;
+};
+
+/// A connected part of an object: what a shell of the prepared mesh has become.
+struct Shell
+{
+    Index root = kNone;
+    std::uint32_t solid = 0;
+    /// The triangles, caps included, are known to be connected by edges and closed or bounded by boundary of the
+    /// prepared mesh only. False: unknown.
+    bool connected = true;
+};
+
+/// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for cuts
+/// (kReservedCrossings). Returns the shells of the mesh. O(n log n) with a radix sort's constant.
+std::vector<Shell> prepare_universe(const ProvenMesh& proven, Universe& universe);
+
+/// Room that prepare_universe() reserves and touches, in crossing triangles: about eight cuts through the middle of a
+/// surface, whose section crosses some 3 sqrt(n) triangles.
+std::size_t reserved_crossings(std::size_t triangles);
+
+/// The crossing triangles of one cut through the middle, with some to spare: room for planning one such cut.
+std::size_t crossings_of_one_cut(std::size_t triangles);
+
+/// Makes room in all arrays for cuts that cross `crossings` triangles in all, as an estimate. Throws std::bad_alloc.
+void reserve_for_cuts(Universe& universe, std::size_t crossings);
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,522 @@
+// A cap uses every edge of the outline once, and covers it as often as the loops wind around it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "common/caps/clipping_triangulator.h"
+#include "common/caps/constrained_triangulator.h"
+#include "common/caps/halving_triangulator.h"
+#include "common/caps/untangling_triangulator.h"
+#include "support/fixtures.h"
+#include "support/referee.h"
+
+namespace kerf {
+namespace {
+
+std::unique_ptr<CapTriangulator> make_untangling()
+{
+    return make_untangling_triangulator(make_constrained_triangulator(), make_route_finder());
+}
+
+struct Outline
+{
+    std::vector<glm::dvec2> points;
+    std::vector<glm::vec3> positions;
+    std::vector<Index> starts;
+
+    void add(const std::vector<glm::dvec2>& loop)
+    {
+        if (starts.empty()) starts.push_back(0);
+        for (const glm::dvec2& p : loop) {
+            points.push_back(p);
+            positions.emplace_back(p.x, p.y, 0.0f);
+        }
+        starts.push_back(static_cast<Index>(points.size()));
+    }
+    CapOutline view() const { return {points, positions, starts}; }
+
+    double area() const
+    {
+        double twice = 0;
+        for (std::size_t l = 0; l + 1 < starts.size(); ++l)
+            for (Index i = starts[l]; i < starts[l + 1]; ++i) {
+                const glm::dvec2 &a = points[i], &b = points[view().successor(i, static_cast<Index>(l))];
+                twice += a.x * b.y - b.x * a.y;
+            }
+        return twice / 2;
+    }
+};
+
+/// Where a corner lies: a point of the outline, or where edges of it cross.
+glm::dvec2 place_of(const Outline& outline, const CapMesh& cap, Index corner)
+{
+    const std::size_t n = outline.points.size();
+    return corner < n ? outline.points[corner] : glm::dvec2(cap.crossing_points[corner - n].position);
+}
+
+double area_of(const Outline& outline, const CapMesh& cap, const CapTriangle& t)
+{
+    const glm::dvec2 a = place_of(outline, cap, t.corner[0]), b = place_of(outline, cap, t.corner[1]),
+                     c = place_of(outline, cap, t.corner[2]);
+    return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+}
+
+/// Links are mutual, and each edge of the outline is linked once or cancelled.
+void expect_linked(const Outline& outline, const CapMesh& cap)
+{
+    std::vector<int> uses(outline.points.size(), 0);
+    for (Index t = 0; t < cap.triangles.size(); ++t)
+        for (Index i = 0; i < 3; ++i) {
+            const CapLink link = cap.triangles[t].link[i];
+            ASSERT_NE(link, CapLink());
+            if (link.is_outline())
+                ++uses[link.outline_edge()];
+            else
+                EXPECT_EQ(cap.triangles[link.triangle()].link[link.corner()], CapLink::to_triangle(t, i));
+        }
+    for (const auto& [a, b] : cap.cancelled) {
+        ++uses[a];
+        ++uses[b];
+    }
+    EXPECT_EQ(uses, std::vector<int>(uses.size(), 1));
+}
+
+double signed_area(const Outline& outline, const CapMesh& cap)
+{
+    double sum = 0;
+    for (const CapTriangle& t : cap.triangles) sum += area_of(outline, cap, t);
+    return sum;
+}
+
+double unsigned_area(const Outline& outline, const CapMesh& cap)
+{
+    double sum = 0;
+    for (const CapTriangle& t : cap.triangles) sum += std::abs(area_of(outline, cap, t));
+    return sum;
+}
+
+std::vector<glm::dvec2> star(std::size_t points, double outer, double inner, glm::dvec2 centre = {0, 0})
+{
+    std::vector<glm::dvec2> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double angle = 2 * std::numbers::pi * double(i) / double(points), r = i % 2 == 0 ? outer : inner;
+        loop.emplace_back(float(centre.x + r * std::cos(angle)), float(centre.y + r * std::sin(angle)));
+    }
+    return loop;
+}
+
+std::vector<glm::dvec2> reversed(std::vector<glm::dvec2> loop)
+{
+    return {loop.rbegin(), loop.rend()};
+}
+
+TEST(ConvexTriangulator, CoversAConvexLoopWithoutAFan)
+{
+    constexpr std::size_t kPoints = 1000;
+    Outline outline;
+    outline.add(star(kPoints, 1, 1));
+    CapMesh cap;
+    ASSERT_TRUE(make_convex_triangulator()->triangulate(outline.view(), cap));
+    EXPECT_EQ(cap.triangles.size(), kPoints - 2);
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    std::vector<std::size_t> valence(kPoints, 0);
+    for (const CapTriangle& t : cap.triangles)
+        for (const Index corner : t.corner) ++valence[corner];
+    EXPECT_LE(*std::max_element(valence.begin(), valence.end()), 2 * std::ceil(std::log2(kPoints)));
+}
+
+TEST(ConvexTriangulator, RefusesWhatIsNotStrictlyConvex)
+{
+    CapMesh cap;
+    Outline concave, collinear, twice_around, two_loops;
+    concave.add(star(10, 1, 0.5));
+    collinear.add({{0, 0}, {1, 0}, {2, 0}, {2, 2}});
+    auto ring = star(8, 1, 1);
+    ring.insert(ring.end(), ring.begin(), ring.begin() + 8);
+    twice_around.add(ring);
+    two_loops.add(star(8, 1, 1));
+    two_loops.add(star(8, 1, 1, {4, 0}));
+    for (const Outline* outline : {&concave, &collinear, &twice_around, &two_loops})
+        EXPECT_FALSE(make_convex_triangulator()->triangulate(outline->view(), cap));
+}
+
+/// The section of a rock: a circle with a few octaves of noise.
+std::vector<glm::dvec2> rocky(std::size_t points)
+{
+    test::Random random(4);
+    std::array<double, 12> phase{};
+    for (double& p : phase) p = 2 * std::numbers::pi * random.uniform();
+    std::vector<glm::dvec2> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double angle = 2 * std::numbers::pi * double(i) / double(points);
+        double r = 1, amplitude = 0.2, frequency = 2;
+        for (const double p : phase) {
+            r += amplitude * std::sin(frequency * angle + p);
+            amplitude *= 0.55;
+            frequency *= 2;
+        }
+        loop.emplace_back(float(r * std::cos(angle)), float(r * std::sin(angle)));
+    }
+    return loop;
+}
+
+/// How many triangles a random line crosses, on average: what a later cut pays for a cap.
+double triangles_along_a_line(const Outline& outline, const CapMesh& cap)
+{
+    test::Random random(8);
+    std::size_t crossed = 0;
+    constexpr int kLines = 200;
+    for (int i = 0; i < kLines; ++i) {
+        const double angle = 2 * std::numbers::pi * random.uniform(), offset = 1.6 * random.uniform() - 0.8;
+        const glm::dvec2 n(std::cos(angle), std::sin(angle));
+        for (const CapTriangle& t : cap.triangles) {
+            int above = 0;
+            for (const Index corner : t.corner) above += glm::dot(n, outline.points[corner]) > offset;
+            crossed += above == 1 || above == 2;
+        }
+    }
+    return double(crossed) / kLines;
+}
+
+TEST(ClippingTriangulator, CoversAConcaveLoopOnce)
+{
+    for (const auto& loop : {rocky(1000), star(50, 2, 1), star(7, 1, 1), star(3, 1, 1)}) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_clipping_triangulator()->triangulate(outline.view(), cap));
+        EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    }
+}
+
+TEST(ClippingTriangulator, LeavesFewTrianglesAlongALine)
+{
+    // The issue allows 1.7 times as many as Delaunay's.
+    for (const auto& loop : {rocky(3462), star(3462, 1, 1), star(1000, 1, 0.97)}) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh clipped, delaunay;
+        ASSERT_TRUE(make_clipping_triangulator()->triangulate(outline.view(), clipped));
+        ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), delaunay));
+        EXPECT_LE(triangles_along_a_line(outline, clipped), 1.7 * triangles_along_a_line(outline, delaunay));
+    }
+}
+
+TEST(ClippingTriangulator, RefusesHolesAndSeveralLoops)
+{
+    CapMesh cap;
+    Outline hole, two_loops;
+    hole.add(reversed(star(12, 2, 1)));
+    two_loops.add(star(8, 1, 1));
+    two_loops.add(star(8, 1, 1, {4, 0}));
+    EXPECT_FALSE(make_clipping_triangulator()->triangulate(hole.view(), cap));
+    EXPECT_FALSE(make_clipping_triangulator()->triangulate(two_loops.view(), cap));
+}
+
+TEST(ConstrainedTriangulator, CoversConcaveAndNestedLoopsOnce)
+{
+    Outline outline;
+    outline.add(star(40, 4, 3));
+    outline.add(reversed(star(12, 2, 1.5)));  // a hole
+    outline.add(star(8, 1, 0.7));             // an island in it
+    outline.add(star(6, 1, 1, {10, 0}));      // beside it
+    CapMesh cap;
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-9);
+}
+
+TEST(ConstrainedTriangulator, CoversTwiceWhatIsWoundAroundTwice)
+{
+    Outline outline;
+    outline.add(star(20, 3, 2.5));
+    outline.add(star(8, 1, 1));
+    CapMesh cap;
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+}
+
+TEST(ConstrainedTriangulator, LetsLoopsTouchInPointsAndEdges)
+{
+    Outline outline;
+    outline.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    outline.add({{1, 1}, {2, 1}, {2, 2}, {1, 2}});  // touches in a corner
+    outline.add({{1, 0}, {2, 0}, {2, 1}, {1, 1}});  // touches in two edges
+    CapMesh cap;
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 3.0, 1e-12);
+    for (const Index i : {1u, 2u, 4u, 8u, 11u})  // corners (1, 0) and (1, 1)
+        EXPECT_EQ(std::count(cap.shared_points.begin(), cap.shared_points.end(), i) > 0, true) << i;
+}
+
+TEST(ConstrainedTriangulator, RefusesLoopsThatCrossOrRunThroughAPoint)
+{
+    CapMesh cap;
+    Outline crossing, through;
+    crossing.add({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+    through.add({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    through.add({{2, 0}, {3, 1}, {2, 2}, {1, 1}});
+    const auto triangulator = make_constrained_triangulator();
+    EXPECT_FALSE(triangulator->triangulate(crossing.view(), cap));
+    EXPECT_FALSE(triangulator->triangulate(through.view(), cap));
+    // And is fit for use afterwards.
+    Outline good;
+    good.add(star(10, 2, 1));
+    ASSERT_TRUE(triangulator->triangulate(good.view(), cap));
+    EXPECT_NEAR(unsigned_area(good, cap), good.area(), 1e-12);
+}
+
+std::vector<glm::dvec2> polygon(std::size_t points, glm::dvec2 (*at)(double))
+{
+    std::vector<glm::dvec2> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        const glm::dvec2 p(glm::vec2(at(double(i) / double(points))));
+        if (loop.empty() || loop.back() != p) loop.push_back(p);
+    }
+    return loop;
+}
+
+double power_of_two(double share)
+{
+    return std::exp2(-80 * share);
+}
+
+TEST(ConstrainedTriangulator, TakesAFewStepsForEachPointWhereverPointsCluster)
+{
+    constexpr std::size_t kPoints = 16'000;
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const std::vector<std::pair<std::string, std::vector<glm::dvec2>>> loops{
+        // Half of the points as good as in one place, on a line, the others on an arc around them.
+        {"beside a tip", polygon(kPoints,
+                                 [](double t) {
+                                     if (t < 0.5) return glm::dvec2(1, (0.5 - t) * 0x1p-53);
+                                     const double angle = 0.45 * kTurn * (2 * t - 1.5);
+                                     return glm::dvec2(1 - std::cos(angle), std::sin(angle));
+                                 })},
+        {"around a centre", polygon(kPoints,
+                                    [](double t) {
+                                        const double angle = kTurn * (t < 0.5 ? 0.8 * t - 0.2 : 0.6 - 0.8 * t);
+                                        const double r = t < 0.5 ? 1 : 1e-17;
+                                        return glm::dvec2(r * std::cos(angle), r * std::sin(angle));
+                                    })},
+        {"in line", polygon(kPoints, [](double t) { return t == 0 ? glm::dvec2(0.5, 0.7) : glm::dvec2(1 - t, 0); })},
+        {"teeth that shrink", polygon(kPoints,
+                                      [](double t) {
+                                          const auto i = static_cast<std::size_t>(std::round(t * kPoints));
+                                          if (i < 2) return glm::dvec2(double(i), -1);
+                                          const std::size_t pair = i / 2;
+                                          return glm::dvec2(power_of_two(double(pair - 1) * 2 / kPoints),
+                                                            (i - 1) / 2 % 2);
+                                      })},
+        {"steps to a corner", polygon(kPoints,
+                                      [](double t) {
+                                          const auto i = static_cast<std::size_t>(std::round(t * kPoints));
+                                          if (i == 0) return glm::dvec2(1, 0);
+                                          const std::size_t across = i / 2, up = (i - 1) / 2;
+                                          return glm::dvec2(power_of_two(double(across) * 2 / kPoints),
+                                                            power_of_two(double(up) * 2 / kPoints));
+                                      })},
+        {"spiral to a point", polygon(kPoints,
+                                      [](double t) {
+                                          const double s = t < 0.5 ? 2 * t : 2 - 2 * t;
+                                          const double r = (t < 0.5 ? 1 : 0.6) * power_of_two(s);
+                                          return glm::dvec2(r * std::cos(60 * kTurn * s), r * std::sin(60 * kTurn * s));
+                                      })},
+        {"small clusters", polygon(kPoints,
+                                   [](double t) {
+                                       const double cluster = std::floor(30 * t);
+                                       const double angle = kTurn * (cluster + 1e-4 * (30 * t - cluster)) / 30;
+                                       return glm::dvec2(std::cos(angle), std::sin(angle));
+                                   })},
+    };
+    for (const auto& [name, loop] : loops) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), cap)) << name;
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), std::abs(outline.area()), 1e-9) << name;
+        EXPECT_LE(cap.steps, 200 * loop.size()) << name;
+        EXPECT_GT(loop.size(), 3'000) << name;
+    }
+}
+
+TEST(UntanglingTriangulator, LetsLoopsRunThroughPointsOfOthers)
+{
+    Outline outline;
+    outline.add({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    outline.add(reversed({{2, 0}, {3, 1}, {2, 2}, {1, 1}}));  // a hole that touches the lower edge
+    outline.add({{4, 1}, {6, 1}, {6, 2}, {4, 2}});            // lies against the right edge
+    CapMesh cap;
+    ASSERT_FALSE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 16.0 - 2.0 + 2.0, 1e-12);
+}
+
+TEST(UntanglingTriangulator, CancelsSpikesAndEdgesThatRunForthAndBack)
+{
+    Outline outline;
+    // A spike out of the corner (2, 0) that comes back a part of its way, and one inward that is two edges long.
+    outline.add({{0, 0}, {5, 0}, {2, 0}, {2, 1}, {1, 1}, {0.5, 1}, {1, 1}, {2, 1}, {2, 2}, {0, 2}});
+    CapMesh cap;
+    ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 4.0, 1e-12);
+}
+
+TEST(UntanglingTriangulator, SetsPointsApartThatDifferOnlyAlongTheDroppedAxis)
+{
+    // Two squares that touch in a corner which rounding has put at two heights.
+    Outline outline;
+    outline.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    outline.add({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+    outline.positions[4].z = std::nextafter(0.0f, 1.0f);
+    CapMesh cap;
+    ASSERT_FALSE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+    ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), 2.0, 1e-12);
+    for (const CapTriangle& t : cap.triangles)
+        for (const Index corner : t.corner) EXPECT_EQ(corner == 4, outline.positions[corner].z != 0.0f);
+}
+
+/// Combs whose teeth meet those of the next one in points, in edges and across, shaken by a unit in the last place.
+TEST(UntanglingTriangulator, CoversWhatRoundingHasLedAcrossItself)
+{
+    test::Random random(5);
+    std::size_t refused_without = 0;
+    for (int run = 0; run < 200; ++run) {
+        const double angle = 2 * std::numbers::pi * random.uniform();
+        const auto turned = [&](double x, double y) {
+            const auto shaken = [&](double v) {
+                const auto rounded = static_cast<float>(v);
+                return double(std::nextafter(rounded, random.uniform() < 0.5 ? -10.0f : 10.0f));
+            };
+            return glm::dvec2(shaken(std::cos(angle) * x - std::sin(angle) * y),
+                              shaken(std::sin(angle) * x + std::cos(angle) * y));
+        };
+        const int teeth = 3 + static_cast<int>(random.below(20));
+        Outline outline;
+        std::vector<glm::dvec2> comb, other;
+        comb.push_back(turned(0, 0));
+        for (int i = 0; i <= teeth; ++i) {
+            comb.push_back(turned(i, 2 + random.below(2)));  // some tips lie in the other comb's back
+            if (i < teeth) comb.push_back(turned(i + 0.5, 1));
+        }
+        comb.push_back(turned(teeth, 0));
+        std::reverse(comb.begin(), comb.end());
+        outline.add(comb);
+        outline.add({turned(-1, 3), turned(teeth + 1, 3), turned(teeth + 1, 4), turned(-1, 4)});
+        CapMesh cap;
+        refused_without += make_constrained_triangulator()->triangulate(outline.view(), cap) ? 0 : 1;
+        ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+        // A unit in the last place of 20 over the length of the back.
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 2e-6 * teeth);
+        for (const CapTriangle& t : cap.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_NE(outline.positions[t.corner[i]], outline.positions[t.corner[(i + 1) % 3]]);
+    }
+    EXPECT_GT(refused_without, 100u);
+}
+
+TEST(UntanglingTriangulator, CoversOutlinesThatCrossInEarnestAsOftenAsTheyWind)
+{
+    test::Random random(2);
+    for (int n = 3; n < 60; ++n) {
+        std::vector<glm::dvec2> loop;
+        while (loop.size() < std::size_t(n)) loop.emplace_back(float(random.uniform()), float(random.uniform()));
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+        const SectionLoop wound{outline.positions, true};
+        EXPECT_NEAR(unsigned_area(outline, cap), referee::wound_area({&wound, 1}, {0, 0, 1}), 1e-6 * n);
+    }
+}
+
+TEST(UntanglingTriangulator, AddsNoPointWhereLoopsOnlyTouch)
+{
+    Outline outline;
+    outline.add({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+    outline.add(reversed({{2, 0}, {3, 1}, {2, 2}, {1, 1}}));
+    outline.add({{4, 1}, {6, 1}, {6, 2}, {4, 2}});
+    CapMesh cap;
+    ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+    EXPECT_TRUE(cap.crossing_points.empty());
+}
+
+TEST(UntanglingTriangulator, AddsOnePointWhereSeveralEdgesCrossInOne)
+{
+    // Three bars through the origin.
+    Outline outline;
+    outline.add({{-4, -4}, {4, 4}, {4, 5}, {-4, -3}});
+    outline.add({{-4, 4}, {4, -4}, {4, -3}, {-4, 5}});
+    outline.add({{-4, 0}, {4, 0}, {4, 1}, {-4, 1}});
+    CapMesh cap;
+    ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+    expect_linked(outline, cap);
+    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-5);
+    EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+    const auto at_origin = [](const CrossingPoint& p) { return p.position == glm::vec3(0.0f); };
+    EXPECT_EQ(std::count_if(cap.crossing_points.begin(), cap.crossing_points.end(), at_origin), 1);
+}
+
+TEST(UntanglingTriangulator, SeesAFoldOfACornerThatADifferenceInDoubleDoesNot)
+{
+    // As a section of a scanned man had it: alone, and with a hole.
+    const double fold = 1.62488128e-20f;
+    const std::vector<glm::dvec2> corner{
+        {0.125f, 0},  {0.1348581165f, fold}, {0.1348581165f, 0}, {0.1330788136f, 0.00131935824f},
+        {0.1f, 0.1f}, {0.02f, 0.1f},         {0.05f, 0.05f},     {0, 0}};
+    Outline outline;
+    outline.add(corner);
+    for (const bool with_hole : {false, true}) {
+        if (with_hole) outline.add(reversed({{0.07f, 0.03f}, {0.08f, 0.03f}, {0.08f, 0.04f}, {0.07f, 0.04f}}));
+        CapMesh cap;
+        ASSERT_FALSE(make_constrained_triangulator()->triangulate(outline.view(), cap));
+        ASSERT_TRUE(make_untangling()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-15);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-15);
+    }
+}
+
+TEST(TopologicalTriangulator, ClosesAnythingWithTheRightSignedArea)
+{
+    test::Random random(1);
+    for (int n = 3; n < 60; ++n) {
+        std::vector<glm::dvec2> loop;
+        // On a coarse grid, so that points fall together; consecutive ones never do.
+        while (loop.size() < std::size_t(n)) {
+            const glm::dvec2 p(random.below(4), random.below(4));
+            if (!loop.empty() && (loop.back() == p || (loop.size() + 1 == std::size_t(n) && loop.front() == p)))
+                continue;
+            loop.push_back(p);
+        }
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_topological_triangulator()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(signed_area(outline, cap), outline.area(), 1e-9);
+        for (const CapTriangle& t : cap.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                EXPECT_NE(outline.points[t.corner[i]], outline.points[t.corner[(i + 1) % 3]]);
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,183 @@
+#include "support/check_universe.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace kerf::halfedge {
+
+namespace {
+
+class Checker
+{
+public:
+    explicit Checker(const Universe& universe)
+        : u_(universe), face_used_(u_.mesh.faces()), slot_used_(u_.slots.size()), outgoing_(u_.mesh.vertices())
+    {
+    }
+
+    std::string run(std::span<const Shell> shells)
+    {
+        for (const Shell& shell : shells) {
+            if (shell.root == kNone || shell.root >= u_.tree.nodes.size()) return "a shell has no root";
+            if (!check_subtree(shell.root)) return error_;
+        }
+        for (Index face = 0; face < face_used_.size(); ++face)
+            if (face_used_[face] && !check_neighbours(face)) return error_;
+        for (Index vertex = 0; vertex < outgoing_.size(); ++vertex)
+            if (outgoing_[vertex] > 0 && !check_umbrella(vertex)) return error_;
+        return {};
+    }
+
+private:
+    bool fail(const std::string& what)
+    {
+        error_ = what;
+        return false;
+    }
+    static std::string number(Index i) { return std::to_string(i); }
+
+    bool check_subtree(Index n)
+    {
+        const Node& node = u_.tree.nodes[n];
+        if (!node.is_leaf()) {
+            const Node &l = u_.tree.nodes[node.left], &r = u_.tree.nodes[node.right];
+            if (!check_subtree(node.left) || !check_subtree(node.right)) return false;
+            if (node.count != l.count + r.count) return fail("node " + number(n) + " counts wrongly");
+            if (node.group != kMixed && (l.group != node.group || r.group != node.group || l.first != node.first ||
+                                         l.first + l.count != r.first))
+                return fail("node " + number(n) + " is no run");
+            Box box = l.box;
+            box.add(r.box);
+            MassMoments moments = u_.tree.moments[node.left];
+            moments.add(u_.tree.moments[node.right]);
+            Support support = u_.tree.supports[node.left];
+            support.add(u_.tree.supports[node.right]);
+            return check_sums(n, box, moments, support);
+        }
+        if (node.group >= u_.groups.size()) return fail("leaf " + number(n) + " has no group");
+        Box box;
+        MassMoments moments;
+        Support support = Support::none();
+        for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+            if (slot >= u_.slots.size()) return fail("leaf " + number(n) + " names a slot that does not exist");
+            if (slot_used_[slot]) return fail("slot " + number(slot) + " occurs twice");
+            slot_used_[slot] = true;
+            const Triangle& t = u_.slots[slot];
+            for (const Index v : t) {
+                if (v >= u_.vertices.size())
+                    return fail("slot " + number(slot) + " names a vertex that does not exist");
+                box.add(u_.vertices[v].position);
+                for (std::size_t d = 0; d < kSupportDirections; ++d)
+                    support.best[d] =
+                        std::max(support.best[d], support_value(support_directions()[d], u_.vertices[v].position));
+            }
+            moments.add(u_.reference, u_.vertices[t[0]].position, u_.vertices[t[1]].position,
+                        u_.vertices[t[2]].position);
+            if (!check_face(slot)) return false;
+        }
+        return check_sums(n, box, moments, support);
+    }
+
+    bool check_sums(Index n, const Box& box, const MassMoments& moments, const Support& support)
+    {
+        const Box& have = u_.tree.nodes[n].box;
+        if (have.lo != box.lo || have.hi != box.hi) return fail("node " + number(n) + " has a wrong box");
+        if (u_.tree.supports[n].best != support.best) return fail("node " + number(n) + " has wrong maxima");
+        // The order of the additions may differ: rounding is relative to what is added up, which may cancel. The
+        // numbers in front are those of the tetrahedra's sums (mass_properties.h).
+        const glm::dvec3 far =
+            glm::max(glm::abs(glm::dvec3(box.lo) - u_.reference), glm::abs(glm::dvec3(box.hi) - u_.reference));
+        const double r = glm::length(far);
+        constexpr double kRounding = 1e-9;
+        const auto near = [&](double x, double y, double largest) {
+            return std::abs(x - y) <= kRounding * largest + std::numeric_limits<double>::min();
+        };
+        const MassMoments& m = u_.tree.moments[n];
+        bool same = near(m.volume6, moments.volume6, 6 * r * r * r);
+        for (int i = 0; i < 3; ++i)
+            same = same && near(m.first24[i], moments.first24[i], 24 * r * r * r * r) &&
+                   near(m.squares120[i], moments.squares120[i], 120 * r * r * r * r * r) &&
+                   near(m.products120[i], moments.products120[i], 120 * r * r * r * r * r);
+        return same || fail("node " + number(n) + " has wrong moments");
+    }
+
+    bool check_face(Index slot)
+    {
+        const Index face = u_.face_of_slot[slot];
+        if (face >= u_.mesh.faces()) return fail("slot " + number(slot) + " has no face");
+        if (face_used_[face]) return fail("face " + number(face) + " occurs twice");
+        face_used_[face] = true;
+        Index h = u_.mesh.halfedge_of_face(face);
+        if (h == kNone) return fail("face " + number(face) + " is dead");
+        const Index start = h;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            if (u_.mesh.face(h) != face)
+                return fail("half-edge " + number(h) + " has another face than " + number(face));
+            if (u_.mesh.prev(u_.mesh.next(h)) != h)
+                return fail("half-edge " + number(h) + " is not before its next one");
+            if (u_.mesh.to(h) >= u_.mesh.vertices()) return fail("half-edge " + number(h) + " has no vertex");
+            if (u_.mesh.from(h) != u_.mesh.to(u_.mesh.prev(h)))
+                return fail("half-edge " + number(h) + " does not start where the one before ends");
+            const Index vertex = u_.mesh.from(h);
+            ++outgoing_[vertex];
+            if (u_.mesh.point(vertex) != u_.vertices[u_.slots[slot][corner]].position)
+                return fail("corner " + number(static_cast<Index>(corner)) + " of slot " + number(slot) +
+                            " is not where its point is");
+            h = u_.mesh.next(h);
+        }
+        return h == start || fail("face " + number(face) + " is no triangle");
+    }
+
+    bool check_neighbours(Index face)
+    {
+        Index h = u_.mesh.halfedge_of_face(face);
+        for (int i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
+            const Index outer = h ^ 1u, neighbour = u_.mesh.face(outer);
+            if (neighbour != kNone) {
+                if (neighbour >= face_used_.size() || !face_used_[neighbour])
+                    return fail("face " + number(face) + " has neighbour " + number(neighbour) +
+                                ", which is not in the fragment");
+                continue;
+            }
+            if (u_.mesh.prev(u_.mesh.next(outer)) != outer || !u_.mesh.is_boundary(u_.mesh.next(outer)))
+                return fail("boundary half-edge " + number(outer) + " is not linked");
+            if (u_.mesh.from(u_.mesh.next(outer)) != u_.mesh.to(outer))
+                return fail("boundary half-edge " + number(outer) + " does not end where the next one starts");
+        }
+        return true;
+    }
+
+    bool check_umbrella(Index vertex)
+    {
+        const Index start = u_.mesh.halfedge_of_vertex(vertex);
+        if (start == kNone) return fail("vertex " + number(vertex) + " has no half-edge");
+        if (u_.mesh.from(start) != vertex)
+            return fail("the half-edge of vertex " + number(vertex) + " starts elsewhere");
+        Index count = 0;
+        bool boundary = false;
+        for_each_outgoing(u_.mesh, start, [&](Index h) {
+            if (u_.mesh.is_boundary(h))
+                boundary = true;
+            else
+                ++count;
+        });
+        if (count != outgoing_[vertex]) return fail("vertex " + number(vertex) + " has more than one umbrella");
+        return !boundary || u_.mesh.is_boundary(start) ||
+               fail("boundary vertex " + number(vertex) + " does not name its boundary half-edge");
+    }
+
+    const Universe& u_;
+    std::vector<bool> face_used_, slot_used_;
+    std::vector<Index> outgoing_;  // half-edges with a face that leave each vertex
+    std::string error_;
+};
+
+}  // namespace
+
+std::string check_universe(const Universe& universe, std::span<const Shell> shells)
+{
+    return Checker(universe).run(shells);
+}
+
+}  // namespace kerf::halfedge
