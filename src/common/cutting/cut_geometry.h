@@ -50,8 +50,8 @@ inline TriangleClass classify(double da, double db, double dc)
 }
 
 /// The side of the solid that a triangle in the plane bounds: behind the triangle. A triangle of zero area, or one
-/// whose normal is perpendicular to the plane's, goes to the side of larger x (then y, z): the same place when the plane
-/// is flipped. Independent of the corner that comes first.
+/// whose normal is perpendicular to the plane's, goes to the side of larger x (then y, z): the same place when the
+/// plane is flipped. Independent of the corner that comes first.
 Side coplanar_side(const Plane& plane, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 /// The point where an edge meets the plane.

@@ -63,8 +63,8 @@ struct VertexStream
 };
 
 /// An indexed triangle mesh that a back end can cut. `repair()` (common/repair/repair.h) makes one out of triangles as
-/// they come and establishes what is promised here; `prove()` (common/repair/proven_mesh.h) tests it, for meshes made by hand.
-/// What breaks a promise is refused with one sentence.
+/// they come and establishes what is promised here; `prove()` (common/repair/proven_mesh.h) tests it, for meshes made
+/// by hand. What breaks a promise is refused with one sentence.
 ///
 /// * There is a triangle; at most 2^32 / 3 triangles and fewer than 2^32 - 1 vertices; each vertex has a point and is a
 ///   corner of a triangle; each triangle has a source.

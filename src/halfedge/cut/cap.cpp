@@ -104,8 +104,8 @@ bool CapPlanner::append_loop(const Loop& loop, CutScratch& scratch)
 void CapPlanner::connect(CapLink a, CapLink b, CutScratch& scratch)
 {
     if (!kerf::connect(scratch.caps, a, b)) return;
-    scratch.cancelled.push_back({scratch.loop_seams[a.outline_edge()], scratch.loop_seams[b.outline_edge()]});
-    for (const SeamIndex seam : scratch.cancelled.back()) scratch.share_ends(seam);
+    scratch.cancelled.push_back({scratch.loop_edges[a.outline_edge()], scratch.loop_edges[b.outline_edge()]});
+    for (const OutlineEdgeId edge : scratch.cancelled.back()) scratch.share_ends(edge);
 }
 
 void CapPlanner::close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch)
@@ -159,8 +159,8 @@ void CapPlanner::take_over(CutScratch& scratch)
     for (const CrossingPoint& crossing : mesh_.crossing_points) {
         global_.push_back(static_cast<Index>(scratch.loop_points.size()));
         scratch.loop_points.push_back(crossing.position);
-        const SeamIndex seam = scratch.loop_seams[global_[crossing.edge]];
-        scratch.loop_seams.push_back(seam);
+        const OutlineEdgeId edge = scratch.loop_edges[global_[crossing.edge]];
+        scratch.loop_edges.push_back(edge);
         scratch.share_point(global_.back());
     }
     for (const CapTriangle& t : mesh_.triangles)

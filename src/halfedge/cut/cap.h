@@ -12,9 +12,9 @@ class CapPlanner
 public:
     CapPlanner();
 
-    /// Fills `caps`, `group_caps`, `cap_order` and, where seams cancel, `cancelled` from the closed loops in `scratch`;
-    /// where loops cross, points are appended to `loop_points`. O(k) for one convex loop, otherwise O(k log k). May
-    /// throw std::bad_alloc.
+    /// Fills `caps`, `group_caps`, `cap_order` and, where outline edges cancel, `cancelled` from the closed loops in
+    /// `scratch`; where loops cross, points are appended to `loop_points`. O(k) for one convex loop, otherwise O(k log
+    /// k). May throw std::bad_alloc.
     void plan(const Plane& plane, CutScratch& scratch);
 
     /// By how much the caps of the last plan(), each triangle counted positive, have more area than the section; mesh
@@ -39,7 +39,7 @@ private:
     void take_over(CutScratch& scratch);
     /// Area of the triangles in `mesh_` that are turned over, in the projection.
     double turned_area(const CutScratch& scratch) const;
-    /// Joins two edges: of cap triangles, or seams.
+    /// Joins two edges: of cap triangles, or outline edges.
     static void connect(CapLink a, CapLink b, CutScratch& scratch);
     void order_spatially(const GroupCap& cap, CutScratch& scratch);
     glm::dvec2 projected(const glm::vec3& p) const { return {p[axis_u_], p[axis_v_]}; }

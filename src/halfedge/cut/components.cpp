@@ -38,7 +38,7 @@ void Components::separate(Universe& universe, CutScratch& scratch)
     for (auto& glued : glued_) glued.clear();
     for (const auto& [a, b] : scratch.cancelled)
         for (const Side side : {Side::negative, Side::positive}) {
-            const Index f = scratch.face_of_seam(a, side), g = scratch.face_of_seam(b, side);
+            const Index f = scratch.face_of(a, side), g = scratch.face_of(b, side);
             glued_[static_cast<std::size_t>(side)].emplace(f, g);
             glued_[static_cast<std::size_t>(side)].emplace(g, f);
         }

@@ -58,7 +58,7 @@ private:
     std::uint64_t mark_base_ = 0;                      // stamps of kept faces: this + search
     bool any_pinched_ = false;                         // some crossing triangle shrinks to two edges on its far side
     std::unordered_set<Index> in_plane_edges_;
-    std::unordered_multimap<Index, Index> glued_[2];  // faces joined by seams that cancel, by side
+    std::unordered_multimap<Index, Index> glued_[2];  // faces joined by outline edges that cancel, by side
     std::vector<TreeOp> ops_;
     std::vector<std::pair<Index, bool>> stack_;
     std::array<Box, 2> small_parts_;  // what the parts that are not the largest reach

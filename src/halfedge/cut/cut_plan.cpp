@@ -41,7 +41,7 @@ void CutScratch::reserve(std::size_t k)
     reserve_touched(cut_points, k);
     reserve_touched(shared_cut, k);
     reserve_touched(chain, k);
-    reserve_touched(loop_seams, k);
+    reserve_touched(loop_edges, k);
     reserve_touched(loop_points, k);
     reserve_touched(caps, k);
     reserve_touched(cap_order, k);
@@ -78,7 +78,7 @@ void CutScratch::clear()
     outline_points.clear();
     shared_cut.clear();
     any_shared = false;
-    loop_seams.clear();
+    loop_edges.clear();
     loop_points.clear();
     loops.clear();
     cancelled.clear();

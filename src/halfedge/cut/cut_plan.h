@@ -126,19 +126,19 @@ struct Bundle
     std::uint32_t cap_count = 0, cap_first = 0, cap_cursor = 0;
 };
 
-/// An outline edge is a *seam*: seam i < crossings is the section edge of crossing triangle i, the ones after it are
+/// An edge of the section's outline: i < crossings is the section edge of crossing triangle i, the ones after it are
 /// the in-plane edges.
-using SeamIndex = Index;
+using OutlineEdgeId = Index;
 
-/// A closed loop of seams, or a chain that ends at boundary.
+/// A closed loop of outline edges, or a chain that ends at boundary.
 struct Loop
 {
-    std::size_t first = 0, count = 0;  ///< in `loop_seams` and `loop_points`: seam i starts at point i
+    std::size_t first = 0, count = 0;  ///< in `loop_edges` and `loop_points`: outline edge i starts at point i
     std::uint32_t solid = 0;
     Index shell = 0;      ///< of the cut shells
     Index cap_group = 0;  ///< loops of one group are closed together: they bound the same bundles on both sides
     bool closed = true;
-    glm::vec3 end{0.0f};  ///< chains: the end of the last seam
+    glm::vec3 end{0.0f};  ///< chains: the end of the last outline edge
 };
 
 /// A crossed edge on the boundary of the mesh.
@@ -156,10 +156,10 @@ struct GroupCap
     std::size_t first = 0, count = 0;  ///< triangles
 };
 
-/// A seam between classes of points that coincide.
-struct OutlineSeam
+/// An outline edge between classes of points that coincide.
+struct ClassedEdge
 {
-    SeamIndex seam = kNone;
+    OutlineEdgeId id = kNone;
     Index from = 0, to = 0;  ///< in `outline_points`, as it runs in the surface of the positive side
 };
 
@@ -220,21 +220,22 @@ struct CutScratch
     bool irregular = false;        ///< some cut points coincide with vertices or each other, or edges lie in the plane
     bool collapsed = false;        ///< a cut point fell on a corner off the plane, or on another: pieces vanish
     bool meets_boundary = false;   ///< the section runs through a vertex on the boundary of the mesh
-    std::vector<OutlineSeam> outline;       ///< irregular sections: all seams that do not cancel
+    std::vector<ClassedEdge> outline;       ///< irregular sections: all outline edges that do not cancel
     std::vector<glm::vec3> outline_points;  ///< irregular sections: by class
     /// By cut point: more than one vertex may be there on a side, or it is one with others. What lies there finds its
     /// vertices by going around them; anywhere else a cut point is one vertex on each side.
     std::vector<std::uint8_t> shared_cut;
     bool any_shared = false;  ///< some point of the outline is shared
     /// Loop by loop, and behind them, once caps are planned, the points where loops cross: those are points of caps
-    /// alone, each with a seam near by.
-    std::vector<Index> loop_seams;
+    /// alone, each with an outline edge near by.
+    std::vector<Index> loop_edges;
     std::vector<glm::vec3> loop_points;
     std::vector<Loop> loops;
-    std::vector<std::array<SeamIndex, 2>> cancelled;  ///< pairs of seams that run forth and back over the same points
+    /// Pairs of outline edges that run forth and back over the same points.
+    std::vector<std::array<OutlineEdgeId, 2>> cancelled;
 
     // CAP
-    /// Corners are loop points, counter-clockwise seen from the positive side; outline edges are those of `loop_seams`.
+    /// Corners are loop points, counter-clockwise seen from the positive side; outline edges are those of `loop_edges`.
     std::vector<CapTriangle> caps;
     std::vector<GroupCap> group_caps;
     std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a group
@@ -248,15 +249,15 @@ struct CutScratch
     void share_point(std::size_t p)
     {
         any_shared = true;
-        const SeamIndex seam = loop_seams[p];
-        if (seam < crossings.size() && crossings[seam].entry_cut != kNone) shared_cut[crossings[seam].entry_cut] = 1;
+        const OutlineEdgeId edge = loop_edges[p];
+        if (edge < crossings.size() && crossings[edge].entry_cut != kNone) shared_cut[crossings[edge].entry_cut] = 1;
     }
-    /// The same of both ends of a seam.
-    void share_ends(SeamIndex seam)
+    /// The same of both ends of an outline edge.
+    void share_ends(OutlineEdgeId edge)
     {
         any_shared = true;
-        if (seam >= crossings.size()) return;
-        for (const Index cut : {crossings[seam].entry_cut, crossings[seam].exit_cut})
+        if (edge >= crossings.size()) return;
+        for (const Index cut : {crossings[edge].entry_cut, crossings[edge].exit_cut})
             if (cut != kNone) shared_cut[cut] = 1;
     }
     bool is_shared(Index cut) const { return cut == kNone || shared_cut[cut] != 0; }
@@ -286,42 +287,41 @@ struct CutScratch
     /// point (a thin neck) or to a path run forth and back (a thin sheet), or falls apart at the boundary.
     bool loops_are_all_curves() const { return !collapsed && !meets_boundary && cancelled.empty(); }
 
-    /// The face at a seam on one side, as it is before the cut.
-    Index face_of_seam(SeamIndex seam, Side side) const
+    /// The face at an outline edge on one side, as it is before the cut.
+    Index face_of(OutlineEdgeId edge, Side side) const
     {
-        if (seam < crossings.size()) return crossings[seam].face;
-        const InPlaneEdge& e = in_plane[seam - crossings.size()];
+        if (edge < crossings.size()) return crossings[edge].face;
+        const InPlaneEdge& e = in_plane[edge - crossings.size()];
         return side == Side::negative ? e.negative_face : e.positive_face;
     }
-    Index group_of_seam(SeamIndex seam) const
+    Index group_of(OutlineEdgeId edge) const
     {
-        return seam < crossings.size() ? crossings[seam].group : in_plane[seam - crossings.size()].group;
+        return edge < crossings.size() ? crossings[edge].group : in_plane[edge - crossings.size()].group;
     }
-    Index shell_of_seam(SeamIndex seam) const
+    Index shell_of(OutlineEdgeId edge) const
     {
-        return seam < crossings.size() ? crossings[seam].shell : in_plane[seam - crossings.size()].shell;
+        return edge < crossings.size() ? crossings[edge].shell : in_plane[edge - crossings.size()].shell;
     }
     /// Where what is left of it on that side goes.
-    Index target_of_seam(SeamIndex seam, Side side) const
+    Index target_of(OutlineEdgeId edge, Side side) const
     {
         const auto at = static_cast<std::size_t>(side);
-        return seam < crossings.size() ? crossings[seam].target[at] : in_plane[seam - crossings.size()].target[at];
+        return edge < crossings.size() ? crossings[edge].target[at] : in_plane[edge - crossings.size()].target[at];
     }
     /// The smaller one of its faces' sources: a flipped plane has the same.
-    std::uint32_t source_of_seam(const Universe& universe, SeamIndex seam) const
+    std::uint32_t source_of(const Universe& universe, OutlineEdgeId edge) const
     {
-        return std::min(universe.source_of_face[face_of_seam(seam, Side::negative)],
-                        universe.source_of_face[face_of_seam(seam, Side::positive)]);
+        return std::min(universe.source_of_face[face_of(edge, Side::negative)],
+                        universe.source_of_face[face_of(edge, Side::positive)]);
     }
-    bool bounds_nothing(SeamIndex seam, Side side) const
+    bool bounds_nothing(OutlineEdgeId edge, Side side) const
     {
-        return seam < crossings.size() && crossings[seam].bounds_nothing[static_cast<std::size_t>(side)];
+        return edge < crossings.size() && crossings[edge].bounds_nothing[static_cast<std::size_t>(side)];
     }
-    /// The bundles that a seam lies between, by side.
-    std::array<Index, 2> bundles_of_seam(SeamIndex seam) const
+    /// The bundles that an outline edge lies between, by side.
+    std::array<Index, 2> bundles_of(OutlineEdgeId edge) const
     {
-        return {targets[target_of_seam(seam, Side::negative)].bundle,
-                targets[target_of_seam(seam, Side::positive)].bundle};
+        return {targets[target_of(edge, Side::negative)].bundle, targets[target_of(edge, Side::positive)].bundle};
     }
 
 private:

@@ -36,10 +36,10 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
 
     // New vertices are written behind the others as the walk makes them: two for each crossing triangle at most, and
     // two for each point of the outline.
-    const std::size_t seams = s.crossings.size() + s.in_plane.size();
-    statistics.bytes_grown += u.vertices.make_room(2 * s.crossings.size() + 2 * seams);
+    const std::size_t outline_edges = s.crossings.size() + s.in_plane.size();
+    statistics.bytes_grown += u.vertices.make_room(2 * s.crossings.size() + 2 * outline_edges);
     for (Stream& stream : u.streams)
-        statistics.bytes_grown += stream.values.make_room((2 * s.crossings.size() + 2 * seams) * stream.width);
+        statistics.bytes_grown += stream.values.make_room((2 * s.crossings.size() + 2 * outline_edges) * stream.width);
     done(Phase::growth, result);
 
     split_crossings(u, s);
@@ -220,7 +220,7 @@ std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
         const auto first = s_.loop_points.begin() + static_cast<std::ptrdiff_t>(loop.first);
         copy.points.assign(first, first + static_cast<std::ptrdiff_t>(loop.count));
         if (!loop.closed) copy.points.push_back(loop.end);
-        const Index bundle = s_.bundles_of_seam(s_.loop_seams[loop.first])[at];
+        const Index bundle = s_.bundles_of(s_.loop_edges[loop.first])[at];
         fragments[s_.bundles[bundle].fragment].loops.push_back(std::move(copy));
     }
     return fragments;

@@ -67,27 +67,27 @@ void unite_coinciding(const Universe& u, const CutScratch& s, PointClasses& clas
     }
 }
 
-/// Collects the seams with the classes of their ends, and says which cut points are shared.
-void collect_seams(const Universe& u, CutScratch& s)
+/// Collects the outline edges with the classes of their ends, and says which cut points are shared.
+void collect_outline_edges(const Universe& u, CutScratch& s)
 {
     PointClasses classes(s);
     unite_coinciding(u, s, classes);
-    const auto add = [&](SeamIndex seam, Index from, Index to) {
+    const auto add = [&](OutlineEdgeId outline_edge, Index from, Index to) {
         from = classes.find(from);
         to = classes.find(to);
-        if (from != to) s.outline.push_back({seam, from, to});
+        if (from != to) s.outline.push_back({outline_edge, from, to});
     };
-    for (SeamIndex i = 0; i < s.crossings.size(); ++i) {
+    for (OutlineEdgeId i = 0; i < s.crossings.size(); ++i) {
         const Crossing& c = s.crossings[i];
         if (!c.split.has_section_edge()) continue;
         const Index from = element_of_code(u, c, c.split.section_from, classes);
         add(i, from, element_of_code(u, c, c.split.section_to, classes));
     }
-    for (SeamIndex i = 0; i < s.in_plane.size(); ++i) {
+    for (OutlineEdgeId i = 0; i < s.in_plane.size(); ++i) {
         // As seen in the positive side's surface.
         const Index h = s.in_plane[i].positive_halfedge;
         const Index from = classes.of_vertex(u.mesh, u.mesh.from(h));
-        add(static_cast<SeamIndex>(s.crossings.size()) + i, from, classes.of_vertex(u.mesh, u.mesh.to(h)));
+        add(static_cast<OutlineEdgeId>(s.crossings.size()) + i, from, classes.of_vertex(u.mesh, u.mesh.to(h)));
     }
     // A cut point that is alone is one vertex on each side.
     std::vector<Index> members(classes.size(), 0);
@@ -98,12 +98,12 @@ void collect_seams(const Universe& u, CutScratch& s)
     for (Index i = 0; i < classes.size(); ++i) s.outline_points[i] = classes.position(i);
 }
 
-/// Takes out pairs of seams that run forth and back.
-void cancel_seams(const Universe& u, CutScratch& s)
+/// Takes out pairs of outline edges that run forth and back.
+void cancel_outline_edges(const Universe& u, CutScratch& s)
 {
     std::vector<bool> gone(s.outline.size(), false);
     for (const auto& [a, b] : opposite_edges(s.outline_points.size(), outline_edges(u, s))) {
-        s.cancelled.push_back({s.outline[a].seam, s.outline[b].seam});
+        s.cancelled.push_back({s.outline[a].id, s.outline[b].id});
         gone[a] = gone[b] = true;
     }
     if (s.cancelled.empty()) return;
@@ -118,17 +118,17 @@ void divide(const Universe& u, const Plane& plane, std::span<const std::uint64_t
 {
     const DividedOutline divided = divide_outline(plane, s.outline_points, outline_edges(u, s), tags);
     for (const OutlinePath& path : divided.paths) {
-        const auto edge = [&](std::size_t i) -> const OutlineSeam& { return s.outline[divided.edges[path.first + i]]; };
+        const auto edge = [&](std::size_t i) -> const ClassedEdge& { return s.outline[divided.edges[path.first + i]]; };
         Loop loop;
-        loop.first = s.loop_seams.size();
+        loop.first = s.loop_edges.size();
         loop.count = path.count;
         // What bounds nothing on a side is no loop to be closed.
-        loop.closed = path.closed && !s.bounds_nothing(edge(0).seam, Side::negative) &&
-                      !s.bounds_nothing(edge(0).seam, Side::positive);
-        loop.solid = u.groups[s.group_of_seam(edge(0).seam)].solid;
-        loop.shell = s.shell_of_seam(edge(0).seam);
+        loop.closed = path.closed && !s.bounds_nothing(edge(0).id, Side::negative) &&
+                      !s.bounds_nothing(edge(0).id, Side::positive);
+        loop.solid = u.groups[s.group_of(edge(0).id)].solid;
+        loop.shell = s.shell_of(edge(0).id);
         for (std::size_t i = 0; i < path.count; ++i) {
-            s.loop_seams.push_back(edge(i).seam);
+            s.loop_edges.push_back(edge(i).id);
             s.loop_points.push_back(s.outline_points[edge(i).from]);
         }
         if (!loop.closed) loop.end = s.outline_points[edge(path.count - 1).to];
@@ -219,31 +219,31 @@ std::vector<OutlineEdge> outline_edges(const Universe& u, const CutScratch& s)
 {
     std::vector<OutlineEdge> edges;
     edges.reserve(s.outline.size());
-    for (const OutlineSeam& e : s.outline) edges.push_back({e.from, e.to, {}, s.source_of_seam(u, e.seam)});
+    for (const ClassedEdge& e : s.outline) edges.push_back({e.from, e.to, {}, s.source_of(u, e.id)});
     return edges;
 }
 
 void link_outline(const Universe& universe, const Plane& plane, CutScratch& scratch)
 {
-    collect_seams(universe, scratch);
-    cancel_seams(universe, scratch);
+    collect_outline_edges(universe, scratch);
+    cancel_outline_edges(universe, scratch);
     std::vector<std::uint64_t> solids;
     solids.reserve(scratch.outline.size());
-    for (const OutlineSeam& e : scratch.outline) solids.push_back(universe.groups[scratch.group_of_seam(e.seam)].solid);
+    for (const ClassedEdge& e : scratch.outline) solids.push_back(universe.groups[scratch.group_of(e.id)].solid);
     divide(universe, plane, solids, scratch);
 }
 
 void relink_outline(const Universe& universe, const Plane& plane, CutScratch& scratch)
 {
     scratch.loops.clear();
-    scratch.loop_seams.clear();
+    scratch.loop_edges.clear();
     scratch.loop_points.clear();
     std::vector<std::uint64_t> bundles;
     bundles.reserve(scratch.outline.size());
-    for (const OutlineSeam& e : scratch.outline) {
-        std::array<Index, 2> bundle = scratch.bundles_of_seam(e.seam);
+    for (const ClassedEdge& e : scratch.outline) {
+        std::array<Index, 2> bundle = scratch.bundles_of(e.id);
         for (const Side side : {Side::negative, Side::positive})
-            if (scratch.bounds_nothing(e.seam, side)) bundle[static_cast<std::size_t>(side)] = kNone;
+            if (scratch.bounds_nothing(e.id, side)) bundle[static_cast<std::size_t>(side)] = kNone;
         bundles.push_back(std::uint64_t{bundle[0]} << 32 | bundle[1]);
     }
     divide(universe, plane, bundles, scratch);
@@ -263,7 +263,7 @@ std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, co
     return pairs;
 }
 
-void find_seams_that_bound_nothing(const Universe& u, CutScratch& s)
+void find_edges_that_bound_nothing(const Universe& u, CutScratch& s)
 {
     std::vector<std::pair<Index, Side>> vanished;
     for (Index i = 0; i < s.crossings.size(); ++i)

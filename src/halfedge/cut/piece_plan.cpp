@@ -361,34 +361,34 @@ struct PiecesOutline
 PiecesOutline outline_of(const Universe& u, const CutScratch& s, std::array<PartsOfSide, 2>& sides)
 {
     PiecesOutline outline;
-    const auto bound = [&](OutlineEdge& edge, SeamIndex seam) {
+    const auto bound = [&](OutlineEdge& edge, OutlineEdgeId outline_edge) {
         for (const Side side : kSides) {
             const auto at = static_cast<std::size_t>(side);
             edge.part[at] = kNoPart;
-            if (s.bounds_nothing(seam, side)) continue;
-            edge.part[at] = sides[at].of_target(s.target_of_seam(seam, side));
+            if (s.bounds_nothing(outline_edge, side)) continue;
+            edge.part[at] = sides[at].of_target(s.target_of(outline_edge, side));
             sides[at].mark_cut(edge.part[at]);
         }
     };
     if (s.irregular) {
         outline.points = s.outline_points;
         outline.edges = outline_edges(u, s);
-        for (std::size_t i = 0; i < s.outline.size(); ++i) bound(outline.edges[i], s.outline[i].seam);
+        for (std::size_t i = 0; i < s.outline.size(); ++i) bound(outline.edges[i], s.outline[i].id);
         return outline;
     }
-    const auto add = [&](SeamIndex seam, Index from, Index to) {
-        bound(outline.edges.emplace_back(OutlineEdge{from, to, {}, s.source_of_seam(u, seam)}), seam);
+    const auto add = [&](OutlineEdgeId outline_edge, Index from, Index to) {
+        bound(outline.edges.emplace_back(OutlineEdge{from, to, {}, s.source_of(u, outline_edge)}), outline_edge);
     };
     outline.points = s.loop_points;
     for (const Loop& loop : s.loops) {
         const auto first = static_cast<Index>(loop.first), last = static_cast<Index>(loop.first + loop.count - 1);
-        for (Index i = first; i < last; ++i) add(s.loop_seams[i], i, i + 1);
+        for (Index i = first; i < last; ++i) add(s.loop_edges[i], i, i + 1);
         Index end = first;
         if (!loop.closed) {
             end = static_cast<Index>(outline.points.size());
             outline.points.push_back(loop.end);
         }
-        add(s.loop_seams[last], last, end);
+        add(s.loop_edges[last], last, end);
     }
     return outline;
 }
@@ -434,7 +434,7 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
     DisjointSets same(static_cast<std::uint32_t>(s.targets.size()));
     if (s.irregular && s.targets.size() > 2 * s.cut_shells.size())
         for (const auto& [a, b] : targets_that_share_edges(universe, s)) same.unite(a, b);
-    if (s.irregular && universe.has_boundary) find_seams_that_bound_nothing(universe, s);
+    if (s.irregular && universe.has_boundary) find_edges_that_bound_nothing(universe, s);
     for (PartsOfSide& side : sides) side.list(same);
     const PiecesOutline outline = outline_of(universe, s, sides);
     for (PartsOfSide& side : sides) side.measure();
@@ -456,8 +456,7 @@ void group_loops(CutScratch& s)
 {
     std::map<std::array<Index, 2>, Index> groups;
     for (Loop& loop : s.loops)
-        loop.cap_group =
-            groups.try_emplace(s.bundles_of_seam(s.loop_seams[loop.first]), Index(groups.size())).first->second;
+        loop.cap_group = groups.try_emplace(s.bundles_of(s.loop_edges[loop.first]), Index(groups.size())).first->second;
 }
 
 void hand_out_caps(CutScratch& s)
@@ -465,7 +464,7 @@ void hand_out_caps(CutScratch& s)
     std::vector<std::array<Index, 2>> bundles_of_group;
     for (const Loop& loop : s.loops) {
         if (loop.cap_group >= bundles_of_group.size()) bundles_of_group.resize(loop.cap_group + 1);
-        bundles_of_group[loop.cap_group] = s.bundles_of_seam(s.loop_seams[loop.first]);
+        bundles_of_group[loop.cap_group] = s.bundles_of(s.loop_edges[loop.first]);
     }
     s.cap_bundle.resize(s.caps.size());
     for (const GroupCap& cap : s.group_caps) {
@@ -489,9 +488,9 @@ void divide_bundles(CutScratch& s)
         for (std::uint32_t t = 0; t < caps; ++t)
             for (const CapLink link : s.caps[t].link)
                 joined.unite(cap_number(side, t), link.is_outline()
-                                                      ? s.target_of_seam(s.loop_seams[link.outline_edge()], side)
+                                                      ? s.target_of(s.loop_edges[link.outline_edge()], side)
                                                       : cap_number(side, link.triangle()));
-        for (const auto& [a, b] : s.cancelled) joined.unite(s.target_of_seam(a, side), s.target_of_seam(b, side));
+        for (const auto& [a, b] : s.cancelled) joined.unite(s.target_of(a, side), s.target_of(b, side));
     }
     // The first target of a bundle keeps it together with all that is connected with it.
     std::vector<Index> first(s.bundles.size(), kNone), bundle_of_set(targets, kNone);

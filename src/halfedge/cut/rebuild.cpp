@@ -149,17 +149,17 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const CutScr
     }
     for (Stream& stream : u.streams)
         for (Index i = 0; i < points; ++i) {
-            // What the surface has where the seam starts.
-            const SeamIndex seam = s.loop_seams[i];
+            // What the surface has where the outline edge starts.
+            const OutlineEdgeId outline_edge = s.loop_edges[i];
             Index from;
-            if (seam < s.crossings.size()) {
-                const Crossing& c = s.crossings[seam];
+            if (outline_edge < s.crossings.size()) {
+                const Crossing& c = s.crossings[outline_edge];
                 const std::uint8_t code = c.split.section_from;
                 from = code == TriangleSplit::kCutNext       ? c.n_vertex()
                        : code == TriangleSplit::kCutPrevious ? c.p_vertex()
                                                              : c.corner[code];
             } else {
-                from = s.in_plane[seam - s.crossings.size()].start_vertex;
+                from = s.in_plane[outline_edge - s.crossings.size()].start_vertex;
             }
             const float* values = stream.values.data() + std::size_t(from) * stream.width;
             for (const Index copy : {cap_vertices_ + i, cap_vertices_ + points + i})

@@ -176,13 +176,13 @@ private:
         // Coincidences change what follows what: then the outline is linked by its points instead.
         if (s_.irregular) return;
         Loop loop;
-        loop.first = s_.loop_seams.size();
+        loop.first = s_.loop_edges.size();
         loop.count = chain.size();
         loop.closed = closed;
         loop.solid = u_.groups[s_.crossings[start].group].solid;
         loop.shell = s_.crossings[start].shell;
         for (const Index i : chain) {
-            s_.loop_seams.push_back(i);
+            s_.loop_edges.push_back(i);
             s_.loop_points.push_back(s_.cut_points[s_.crossings[i].entry_cut]);
         }
         if (!closed) loop.end = s_.cut_points[s_.crossings[chain.back()].exit_cut];
@@ -201,7 +201,7 @@ void walk_section(Universe& universe, const Plane& plane, CutScratch& scratch)
     scratch.shared_cut.assign(scratch.cut_points.size(), 0);
     if (scratch.irregular) {
         scratch.loops.clear();
-        scratch.loop_seams.clear();
+        scratch.loop_edges.clear();
         scratch.loop_points.clear();
         link_outline(universe, plane, scratch);
     }

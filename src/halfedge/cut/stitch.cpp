@@ -6,9 +6,9 @@ namespace kerf::halfedge {
 
 namespace {
 
-bool has_section_edge(const CutScratch& s, SeamIndex seam)
+bool has_section_edge(const CutScratch& s, OutlineEdgeId edge)
 {
-    return seam >= s.crossings.size() || s.crossings[seam].split.has_section_edge();
+    return edge >= s.crossings.size() || s.crossings[edge].split.has_section_edge();
 }
 
 /// Which diagonal divides the far side of a crossing triangle: N - previous, or next - P. Where pieces vanish it is the
@@ -43,7 +43,8 @@ std::array<Stitcher::Piece, 3> Stitcher::pieces(const Crossing& c, Index number,
 std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
 {
     const auto index = [](std::size_t i) { return static_cast<Index>(i); };
-    const std::size_t cuts = s.cut_points.size(), crossings = s.crossings.size(), seams = crossings + s.in_plane.size();
+    const std::size_t cuts = s.cut_points.size(), crossings = s.crossings.size(),
+                      outline_edges = crossings + s.in_plane.size();
     const std::size_t caps = s.caps.size();
     vertices0_ = index(u.mesh.vertices());
     edges0_ = index(u.mesh.edges());
@@ -55,9 +56,9 @@ std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
     first_cap_face_ = index(faces0_ + 2 * crossings);
     cap_count_ = index(caps);
 
-    seam_is_closed_.assign(seams, false);
+    edge_is_closed_.assign(outline_edges, false);
     for (const auto& pair : s.cancelled)
-        for (const SeamIndex seam : pair) seam_is_closed_[seam] = true;
+        for (const OutlineEdgeId edge : pair) edge_is_closed_[edge] = true;
     // Edges inside the caps are numbered by the first of their two triangles.
     cap_edge_.assign(3 * caps, kNone);
     cap_edge_count_ = 0;
@@ -65,7 +66,7 @@ std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
         for (std::size_t i = 0; i < 3; ++i) {
             const CapLink link = s.caps[t].link[i];
             if (link.is_outline()) {
-                seam_is_closed_[s.loop_seams[link.outline_edge()]] = true;
+                edge_is_closed_[s.loop_edges[link.outline_edge()]] = true;
             } else if (cap_edge_[3 * t + i] == kNone) {
                 cap_edge_[3 * t + i] = 2 * (first_cap_edge_ + cap_edge_count_);
                 cap_edge_[link.edge()] = cap_edge_[3 * t + i] + 1;
@@ -73,7 +74,7 @@ std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
             }
         }
 
-    cap_half_.resize(2 * seams);
+    cap_half_.resize(2 * outline_edges);
     vanished_.clear();
     boundary_.clear();
     touched_.clear();
@@ -82,18 +83,19 @@ std::size_t Stitcher::plan(Universe& u, const CutScratch& s)
     order_.clear();
     // Contractions move at most one half-edge each.
     const std::size_t contractions = 3 * crossings + 2 * s.cancelled.size();
-    boundary_.reserve(2 * (s.boundary_cuts.size() + seams) + contractions);
+    boundary_.reserve(2 * (s.boundary_cuts.size() + outline_edges) + contractions);
     vertices_ = 2 * cuts;
     if (needs_orbits(s)) {
-        // Contractions touch two half-edges each; orbits start at corners of pieces, caps and whatever lies at a seam.
-        const std::size_t corners = 9 * crossings + 6 * caps + 6 * seams + 6 * contractions;
+        // Contractions touch two half-edges each; orbits start at corners of pieces, caps and whatever lies at an
+        // outline edge.
+        const std::size_t corners = 9 * crossings + 6 * caps + 6 * outline_edges + 6 * contractions;
         vanished_.reserve(3 * crossings);
         touched_.reserve(2 * contractions);
         orbit_start_.reserve(corners);
         orbit_label_.reserve(corners);
         order_.reserve(corners);
-        // Every point of the outline may fall apart into one vertex for each end of a seam.
-        vertices_ += 4 * seams + 6 * caps;
+        // Every point of the outline may fall apart into one vertex for each end of an outline edge.
+        vertices_ += 4 * outline_edges + 6 * caps;
     }
     edges_ = cuts + 3 * crossings + s.in_plane.size() + 2 * std::size_t(cap_edge_count_);
     faces_ = 2 * crossings + 2 * caps;
@@ -126,7 +128,7 @@ public:
                 for (const Side side : {Side::negative, Side::positive}) contract(cap_half(a, side), cap_half(b, side));
         }
         for (Index t = 0; t < s_.caps.size(); ++t) sew_cap(t);
-        collect_open_seams();
+        collect_open_edges();
         if (plan_.needs_orbits(s_)) renumber_vertices();
         for (const Index h : plan_.boundary_) link_boundary(h);
     }
@@ -136,7 +138,7 @@ private:
 
     Index cut_vertex(Index cut, Side side) const { return plan_.vertices0_ + 2 * cut + static_cast<Index>(side); }
 
-    Index& cap_half(SeamIndex seam, Side side) { return plan_.cap_half_[2 * seam + static_cast<Index>(side)]; }
+    Index& cap_half(OutlineEdgeId edge, Side side) { return plan_.cap_half_[2 * edge + static_cast<Index>(side)]; }
 
     /// The half-edge of a section edge that belongs to the surface; its opposite waits for the cap.
     Index section_half(Index crossing, Side side) const
@@ -267,15 +269,15 @@ private:
     void open_in_plane_edge(Index q)
     {
         const InPlaneEdge& e = s_.in_plane[q];
-        const SeamIndex seam = static_cast<SeamIndex>(s_.crossings.size()) + q;
+        const OutlineEdgeId edge = static_cast<OutlineEdgeId>(s_.crossings.size()) + q;
         const Index copy = 2 * (plan_.first_in_plane_ + q);
         const Index a = mesh_.from(e.negative_halfedge);
         move_halfedge(e.negative_halfedge, copy);
         move_outgoing(a, e.negative_halfedge, copy);
         mesh_.set_to(copy ^ 1u, a);
         mesh_.set_face(e.negative_halfedge, kNone);
-        cap_half(seam, Side::positive) = e.negative_halfedge;
-        cap_half(seam, Side::negative) = copy ^ 1u;
+        cap_half(edge, Side::positive) = e.negative_halfedge;
+        cap_half(edge, Side::negative) = copy ^ 1u;
     }
 
     // ----- contracting -----
@@ -336,20 +338,20 @@ private:
 
     bool is_shared_point(Index loop_point) const
     {
-        const SeamIndex seam = s_.loop_seams[loop_point];
-        return seam >= s_.crossings.size() || s_.is_shared(s_.crossings[seam].entry_cut);
+        const OutlineEdgeId edge = s_.loop_edges[loop_point];
+        return edge >= s_.crossings.size() || s_.is_shared(s_.crossings[edge].entry_cut);
     }
 
     /// The vertex of the half-edge mesh at a point of the outline; kNone where that is still to be found.
     Index outline_vertex(Index loop_point, Side side) const
     {
         if (is_shared_point(loop_point)) return kNone;
-        return cut_vertex(s_.crossings[s_.loop_seams[loop_point]].entry_cut, side);
+        return cut_vertex(s_.crossings[s_.loop_edges[loop_point]].entry_cut, side);
     }
 
-    bool is_shared_seam(SeamIndex seam) const
+    bool is_shared_edge(OutlineEdgeId edge) const
     {
-        return seam >= s_.crossings.size() || s_.is_shared(s_.crossings[seam]);
+        return edge >= s_.crossings.size() || s_.is_shared(s_.crossings[edge]);
     }
 
     void sew_cap(Index t)
@@ -358,9 +360,9 @@ private:
         std::array<Index, 3> negative, positive;
         for (std::size_t i = 0; i < 3; ++i) {
             if (const CapLink link = cap.link[i]; link.is_outline()) {
-                const SeamIndex seam = s_.loop_seams[link.outline_edge()];
-                negative[i] = cap_half(seam, Side::negative);
-                positive[i] = cap_half(seam, Side::positive);
+                const OutlineEdgeId edge = s_.loop_edges[link.outline_edge()];
+                negative[i] = cap_half(edge, Side::negative);
+                positive[i] = cap_half(edge, Side::positive);
             } else {
                 negative[i] = plan_.cap_edge_[std::size_t{3} * t + i];
                 positive[i] = negative[i] + 2 * plan_.cap_edge_count_;
@@ -373,16 +375,16 @@ private:
         mesh_.set_triangle(plan_.cap_face(Side::positive, t), positive[2], positive[1], positive[0]);
     }
 
-    void collect_open_seams()
+    void collect_open_edges()
     {
-        for (SeamIndex seam = 0; seam < plan_.seam_is_closed_.size(); ++seam) {
-            if (plan_.seam_is_closed_[seam] || !has_section_edge(s_, seam)) continue;
+        for (OutlineEdgeId edge = 0; edge < plan_.edge_is_closed_.size(); ++edge) {
+            if (plan_.edge_is_closed_[edge] || !has_section_edge(s_, edge)) continue;
             for (const Side side : {Side::negative, Side::positive}) {
-                const Index h = cap_half(seam, side);
+                const Index h = cap_half(edge, side);
                 mesh_.set_face(h, kNone);
                 // As seen in the surface, the section runs from entry to exit on the positive side.
-                if (!is_shared_seam(seam)) {
-                    const Crossing& c = s_.crossings[seam];
+                if (!is_shared_edge(edge)) {
+                    const Crossing& c = s_.crossings[edge];
                     mesh_.set_to(h, cut_vertex(side == Side::positive ? c.entry_cut : c.exit_cut, side));
                 }
                 plan_.boundary_.push_back(h);
@@ -409,7 +411,7 @@ private:
 
     /// Makes each umbrella at a shared point one vertex. A vertex in the plane whose faces are divided between the
     /// sides, or that several loops run through, falls apart; cut points that coincide become one. Every such umbrella
-    /// has a face that is a piece, a cap triangle, lies at a seam or was glued.
+    /// has a face that is a piece, a cap triangle, lies at an outline edge or was glued.
     void renumber_vertices()
     {
         for (Index c = 0; c < s_.crossings.size(); ++c) {
@@ -422,10 +424,10 @@ private:
             if (std::none_of(corner.begin(), corner.end(), [&](Index p) { return is_shared_point(p); })) continue;
             for (const Side side : {Side::negative, Side::positive}) start_orbits(plan_.cap_face(side, t));
         }
-        for (SeamIndex seam = 0; seam < plan_.seam_is_closed_.size(); ++seam) {
-            if (!is_shared_seam(seam) || !has_section_edge(s_, seam)) continue;
+        for (OutlineEdgeId edge = 0; edge < plan_.edge_is_closed_.size(); ++edge) {
+            if (!is_shared_edge(edge) || !has_section_edge(s_, edge)) continue;
             for (const Side side : {Side::negative, Side::positive}) {
-                const Index face = mesh_.face(cap_half(seam, side) ^ 1u);
+                const Index face = mesh_.face(cap_half(edge, side) ^ 1u);
                 if (face != kNone) start_orbits(face);
             }
         }

@@ -41,9 +41,9 @@ private:
     Index first_cap_face_ = 0, cap_count_ = 0;
     std::size_t edges_ = 0, faces_ = 0, vertices_ = 0;
 
-    std::vector<Index> cap_half_;       // for each seam and side the half-edge that waits for a cap
+    std::vector<Index> cap_half_;       // for each outline edge and side the half-edge that waits for a cap
     std::vector<Index> cap_edge_;       // for each cap triangle and edge its half-edge, on the negative side
-    std::vector<bool> seam_is_closed_;  // linked to a cap, or cancelled
+    std::vector<bool> edge_is_closed_;  // linked to a cap, or cancelled
     std::vector<Index> vanished_;       // faces with two half-edges
     std::vector<Index> boundary_;       // boundary half-edges whose neighbours change
     std::vector<Index> touched_;        // half-edges that were glued
