@@ -156,15 +156,14 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     return side;
 }
 
-std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
-                                                      const Section& section, const std::array<PartsOfSide, 2>& parts,
-                                                      const Plane& plane)
+BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builders, const Section& section,
+                                               const BySide<PartsOfSide>& parts, const Plane& plane)
 {
     std::vector<OutlineEdge> outline = outline_of(section);
     for (std::size_t i = 0; i < outline.size(); ++i)
-        outline[i].part = {parts[0].part_of_edge[i], parts[1].part_of_edge[i]};
-    std::array<SideParts, 2> sides;
-    for (std::size_t side = 0; side < 2; ++side)
+        for (const Side side : kSides) outline[i].part[side] = parts[side].part_of_edge[i];
+    BySide<SideParts> sides;
+    for (const Side side : kSides)
         sides[side] = {parts[side].parts, RayCounter(builders[side].mesh, parts[side].part_of_triangle)};
     return group_pieces(plane, sides, positions_of(section), outline);
 }

@@ -24,11 +24,10 @@ struct PartsOfSide
 PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
                        double noise);
 
-/// The piece of each part, by side. O(n), and for each whole cavity of a solid that falls apart a loop over the side's
+/// The piece of each part. O(n), and for each whole cavity of a solid that falls apart a loop over the side's
 /// triangles.
-std::array<std::vector<std::uint32_t>, 2> find_pieces(const std::array<SideBuilder, 2>& builders,
-                                                      const Section& section, const std::array<PartsOfSide, 2>& parts,
-                                                      const Plane& plane);
+BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builders, const Section& section,
+                                               const BySide<PartsOfSide>& parts, const Plane& plane);
 
 /// Takes a fragment apart, each piece with just the vertices and points that it uses, in their old order. O(n).
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle);

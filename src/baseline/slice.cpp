@@ -95,7 +95,7 @@ public:
         for (const SideBuilder& b : builders_)
             if (b.mesh.triangles.empty()) return std::move(slices_);
         for (SideBuilder& b : builders_) b.join_points(crossings_.cut_points);
-        section_ = find_section(mesh_, crossings_, edges_in_plane_[0], edges_in_plane_[1]);
+        section_ = find_section(mesh_, crossings_, edges_in_plane_[Side::negative], edges_in_plane_[Side::positive]);
         close_sections(watch);
         finish();
         phases[Phase::copy] += watch.lap();
@@ -105,16 +105,17 @@ public:
 private:
     static constexpr bool kRemaps = std::is_same_v<Lookup, RemapLookup>;
 
-    std::array<Lookup, 2> make_lookups()
+    BySide<Lookup> make_lookups()
     {
+        SideBuilder &negative = builders_[Side::negative], &positive = builders_[Side::positive];
         if constexpr (kRemaps)
-            return {Lookup(builders_[0], table_), Lookup(builders_[1], table_)};
+            return {Lookup(negative, table_), Lookup(positive, table_)};
         else
-            return {Lookup(builders_[0]), Lookup(builders_[1])};
+            return {Lookup(negative), Lookup(positive)};
     }
 
-    SideBuilder& builder(Side side) { return builders_[static_cast<std::size_t>(side)]; }
-    Lookup& lookup(Side side) { return lookups_[static_cast<std::size_t>(side)]; }
+    SideBuilder& builder(Side side) { return builders_[side]; }
+    Lookup& lookup(Side side) { return lookups_[side]; }
 
     std::uint8_t class_of(const Triangle& t) const
     {
@@ -173,7 +174,7 @@ private:
     void renumber_untouched(std::uint32_t g)
     {
         const TriangleGroup& group = mesh_.groups[g];
-        IndexedMesh &below = builders_[0].mesh, &above = builders_[1].mesh;
+        IndexedMesh &below = builders_[Side::negative].mesh, &above = builders_[Side::positive].mesh;
         std::size_t at_below = below.triangles.size(), at_above = above.triangles.size();
         // Room for all on either side; what is not needed is given back at once and never written.
         for (IndexedMesh* mesh : {&below, &above}) {
@@ -223,7 +224,7 @@ private:
                                      mesh_.vertices[t[2]].position);
             for (std::uint8_t corner = 0; corner < 3; ++corner)
                 if (classes[t[corner]] == kOn && classes[t[(corner + 1u) % 3]] == kOn)
-                    edges_in_plane_[static_cast<std::size_t>(side)].push_back({i, g, corner});
+                    edges_in_plane_[side].push_back({i, g, corner});
             add_untouched(i, side);
         }
     }
@@ -244,8 +245,7 @@ private:
         for (std::size_t i = 0; i < crossings_.triangles.size(); ++i) {
             const CrossingTriangle& crossing = crossings_.triangles[i];
             const Triangle& t = mesh_.triangles[crossing.triangle];
-            for (std::uint8_t p = 0; p < crossing.split.piece_count; ++p) {
-                const TriangleSplit::Piece& piece = crossing.split.pieces[p];
+            for (const SubTriangle& piece : crossing.split.sub_triangles()) {
                 Lookup& find = lookup(piece.side);
                 Triangle result;
                 for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -267,21 +267,21 @@ private:
         const glm::vec3 centre = section_centre(section_);
         const double step = whole_.noise / kNoiseInUnits;
         statistics.phases[Phase::cap] += watch.lap();
-        std::array<PartsOfSide, 2> parts;
-        std::array<std::vector<std::uint32_t>, 2> piece_of_part;
-        const auto piece_at = [&](std::size_t side, std::uint32_t edge) {
+        BySide<PartsOfSide> parts;
+        BySide<std::vector<std::uint32_t>> piece_of_part;
+        const auto piece_at = [&](Side side, std::uint32_t edge) {
             const std::uint32_t part = parts[side].part_of_edge[edge];
             return part == kNoPart ? kNoPart : piece_of_part[side][part];
         };
         std::vector<std::uint64_t> tags;
         tags.reserve(section_.edges.size());
         if (options_.split_components) {
-            for (std::size_t side = 0; side < 2; ++side)
+            for (const Side side : kSides)
                 parts[side] = find_parts(builders_[side], crossings_, section_, plane_, whole_.noise);
             piece_of_part = find_pieces(builders_, section_, parts, plane_);
             // Loops keep to one piece on either side: where they touch, the other way round would join pieces.
             for (std::uint32_t e = 0; e < section_.edges.size(); ++e)
-                tags.push_back(std::uint64_t{piece_at(0, e)} << 32 | piece_at(1, e));
+                tags.push_back(std::uint64_t{piece_at(Side::negative, e)} << 32 | piece_at(Side::positive, e));
         } else {
             for (const SectionEdge& edge : section_.edges) tags.push_back(edge.solid);
         }
@@ -291,21 +291,20 @@ private:
         // What bounds nothing on a side is no loop to be closed.
         if (options_.split_components)
             for (SectionPath& path : paths)
-                path.closed = path.closed && piece_at(0, path.edges.front()) != kNoPart &&
-                              piece_at(1, path.edges.front()) != kNoPart;
+                path.closed = path.closed && piece_at(Side::negative, path.edges.front()) != kNoPart &&
+                              piece_at(Side::positive, path.edges.front()) != kNoPart;
         for (const SectionPath& path : paths) ++(path.closed ? statistics.section_loops : statistics.open_chains);
         slices_.section_area = area_of(section_, paths, plane_);
-        std::array<std::vector<std::uint32_t>, 2> path_of_cap;
+        BySide<std::vector<std::uint32_t>> path_of_cap;
         if (options_.build_caps) {
             const FanFacts fan = measure_fan(section_, paths, centre, plane_);
             slices_.caps_exceed_section = caps_exceed_section(fan.excess, slices_.section_area, fan.rim, step);
             for (SideBuilder& b : builders_)
-                path_of_cap[static_cast<std::size_t>(b.side())] =
-                    close_with_fan(b, crossings_, section_, paths, centre, step, plane_, material);
+                path_of_cap[b.side()] = close_with_fan(b, crossings_, section_, paths, centre, step, plane_, material);
         }
         statistics.phases[Phase::cap] += watch.lap();
         if (options_.split_components)
-            for (std::size_t side = 0; side < 2; ++side) {
+            for (const Side side : kSides) {
                 const std::vector<std::uint32_t>& piece = piece_of_part[side];
                 const auto piece_of_path = [&](std::uint32_t path) {
                     return piece_at(side, paths[path].edges.front());
@@ -356,7 +355,7 @@ private:
             fragment.mesh = std::move(b.mesh);
             fragment.mesh.materials = materials_;
             std::vector<Fragment>& out = b.side() == Side::positive ? slices_.positive : slices_.negative;
-            const auto side = static_cast<std::size_t>(b.side());
+            const Side side = b.side();
             if (!is_one_piece_[side])
                 out = extract_pieces(fragment, piece_of_triangle_[side]);
             else if (some_snapped)
@@ -385,18 +384,18 @@ private:
     std::vector<std::uint32_t> group_order_;
     Crossings crossings_;
     std::vector<std::uint32_t> point_table_ = std::vector<std::uint32_t>(mesh_.point_count, SideBuilder::kNone);
-    std::array<SideBuilder, 2> builders_{SideBuilder(mesh_, Side::negative, point_table_),
-                                         SideBuilder(mesh_, Side::positive, point_table_)};
+    BySide<SideBuilder> builders_{SideBuilder(mesh_, Side::negative, point_table_),
+                                  SideBuilder(mesh_, Side::positive, point_table_)};
     Buffer<std::uint32_t> table_;  ///< remap: new index of each vertex on its own side
-    std::array<Lookup, 2> lookups_ = make_lookups();
-    std::array<std::vector<EdgeInPlane>, 2> edges_in_plane_;
+    BySide<Lookup> lookups_ = make_lookups();
+    BySide<std::vector<EdgeInPlane>> edges_in_plane_;
     Section section_;
     std::vector<SectionLoop> loops_;
     std::vector<Material> materials_;
     std::uint32_t added_cap_material_ = kDefaultCapMaterial;
-    std::array<bool, 2> is_one_piece_{true, true};                 ///< nothing has to be taken apart
-    std::array<std::vector<std::uint32_t>, 2> piece_of_triangle_;  ///< caps included; of sides that are several
-    std::array<std::vector<std::uint32_t>, 2> piece_of_loop_;
+    BySide<bool> is_one_piece_{true, true};                 ///< nothing has to be taken apart
+    BySide<std::vector<std::uint32_t>> piece_of_triangle_;  ///< caps included; of sides that are several
+    BySide<std::vector<std::uint32_t>> piece_of_loop_;
 };
 
 }  // namespace

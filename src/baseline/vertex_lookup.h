@@ -163,8 +163,8 @@ public:
     /// index + 1 on the positive side, 2 * index on the negative one. Vertices on the plane wait until a triangle asks
     /// for them. O(n). `classify(visit)` calls visit(vertex, class) for every vertex in order and returns the classes.
     template <class Classify>
-    static void copy_vertices(const IndexedMesh& source, std::array<SideBuilder, 2>& builders,
-                              Buffer<std::uint32_t>& table, std::span<std::uint32_t> point_table, Classify&& classify)
+    static void copy_vertices(const IndexedMesh& source, BySide<SideBuilder>& builders, Buffer<std::uint32_t>& table,
+                              std::span<std::uint32_t> point_table, Classify&& classify)
     {
         const std::size_t n = source.vertices.size();
         // The table spends one bit on the side.
@@ -178,9 +178,10 @@ public:
         }
         // Locals, which the compiler can keep in registers: everything here is written through pointers of the same
         // types.
-        Vertex *const below = builders[0].mesh.vertices.data(), *const above = builders[1].mesh.vertices.data();
-        std::uint32_t *const points_below = builders[0].mesh.points.data(), *const points_above =
-                                                                                builders[1].mesh.points.data();
+        SideBuilder &negative = builders[Side::negative], &positive = builders[Side::positive];
+        Vertex *const below = negative.mesh.vertices.data(), *const above = positive.mesh.vertices.data();
+        std::uint32_t* const points_below = negative.mesh.points.data();
+        std::uint32_t* const points_above = positive.mesh.points.data();
         const Vertex* const vertices = source.vertices.data();
         const std::uint32_t* const points = source.points.data();
         std::uint32_t *const indices = table.data(), *const point_ids = point_table.data();
@@ -203,8 +204,8 @@ public:
                 indices[vertex] = 2 * next_above++ + 1;
             }
         });
-        builders[0].set_copied(classes, 1, next_below, next_point_below, box_below);
-        builders[1].set_copied(classes, 2, next_above, next_point_above, box_above);
+        negative.set_copied(classes, 1, next_below, next_point_below, box_below);
+        positive.set_copied(classes, 2, next_above, next_point_above, box_above);
     }
 
     /// Makes room for the vertices on `count` cut edges.

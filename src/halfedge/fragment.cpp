@@ -227,8 +227,8 @@ IndexedMesh Fragment::to_indexed_mesh() const
 Fragment::FragmentsBySide Fragment::planned_fragments(const Cutter& cutter) const
 {
     FragmentsBySide fragments;
-    for (std::size_t side = 0; side < 2; ++side)
-        for (PlannedFragment& planned : cutter.planned_fragments(static_cast<Side>(side))) {
+    for (const Side side : kSides)
+        for (PlannedFragment& planned : cutter.planned_fragments(side)) {
             auto& fragment = fragments[side].emplace_back(
                 std::make_unique<Fragment>(family_, planned.shells, cutter.material_count()));
             fragment->loops_ = std::move(planned.loops);
@@ -243,20 +243,19 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
     Cutter cutter(family_->universe, family_->scratch, shells_, material_count_);
     if (!cutter.plan(plane, options, result)) return result;
     FragmentsBySide fragments = planned_fragments(cutter);
-    result.negative.reserve(fragments[0].size());
-    result.positive.reserve(fragments[1].size());
+    result.negative.reserve(fragments[Side::negative].size());
+    result.positive.reserve(fragments[Side::positive].size());
 
     // From here on nothing can fail.
     cutter.carry_out(result);
-    cutter.for_each_shell([&](Side side, Index fragment, const Shell& shell) {
-        fragments[static_cast<std::size_t>(side)][fragment]->add_shell(shell);
-    });
+    cutter.for_each_shell(
+        [&](Side side, Index fragment, const Shell& shell) { fragments[side][fragment]->add_shell(shell); });
     const auto hand_over = [](auto& from, auto& to) {
         for (auto& fragment : from)
             if (!fragment->shells_.empty()) to.push_back(std::move(fragment));
     };
-    hand_over(fragments[0], result.negative);
-    hand_over(fragments[1], result.positive);
+    hand_over(fragments[Side::negative], result.negative);
+    hand_over(fragments[Side::positive], result.positive);
     release();
     return result;
 }

@@ -41,7 +41,7 @@ private:
     const void* buffers() const noexcept override { return family_.get(); }
     bool has_relatives() const noexcept override { return family_.use_count() > 1; }
 
-    using FragmentsBySide = std::array<std::vector<std::unique_ptr<Fragment>>, 2>;
+    using FragmentsBySide = BySide<std::vector<std::unique_ptr<Fragment>>>;
 
     void add_shell(const Shell& shell);
     std::unique_ptr<Fragment> compacted() const;

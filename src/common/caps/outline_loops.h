@@ -8,6 +8,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/side.h"
 
 // How the outline of a section is divided into loops and chains, for both back ends: docs/cutting-rules.md, "Loops and
 // chains". What comes out follows from where the points of the outline are and from the triangles that its edges lie
@@ -21,9 +22,9 @@ inline constexpr std::uint32_t kNoPart = 0xFFFFFFFFu;
 /// An edge of a section, as it runs in the surface of the positive side.
 struct OutlineEdge
 {
-    std::uint32_t from = 0, to = 0;       ///< numbers of points
-    std::array<std::uint32_t, 2> part{};  ///< by Side, what it bounds there, or kNoPart
-    std::uint32_t source = kNoSource;     ///< IndexedMesh::sources of the triangle that it lies in; the smaller of two
+    std::uint32_t from = 0, to = 0;    ///< numbers of points
+    BySide<std::uint32_t> part{};      ///< what it bounds there, or kNoPart
+    std::uint32_t source = kNoSource;  ///< IndexedMesh::sources of the triangle that it lies in; the smaller of two
 };
 
 /// A loop or chain: a run of DividedOutline::edges.

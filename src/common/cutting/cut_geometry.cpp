@@ -119,7 +119,7 @@ TriangleSplit split_triangle(const std::array<glm::vec3, 3>& p, const std::array
     const std::uint8_t n = split.next_code, q = split.previous_code;
 
     const auto add = [&](Side s, std::uint8_t a, std::uint8_t b, std::uint8_t c) {
-        if (a != b && b != c && c != a) split.pieces[split.piece_count++] = {s, {a, b, c}};
+        if (a != b && b != c && c != a) split.sub_triangle[split.sub_triangle_count++] = {s, {a, b, c}};
     };
     add(split.lone_side, lone, n, q);
 

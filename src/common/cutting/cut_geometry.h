@@ -8,28 +8,12 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/position_order.h"
+#include "common/mesh/side.h"
 
 // The geometry of one cut triangle, shared by both back ends so that they agree bit for bit. docs/cutting-rules.md
 // explains why the rules are as they are.
 
 namespace kerf {
-
-enum class Side : std::uint8_t
-{
-    negative = 0,
-    positive = 1
-};
-
-inline Side opposite(Side side)
-{
-    return side == Side::positive ? Side::negative : Side::positive;
-}
-
-/// Side of a point by its signed distance; there is no "on".
-inline Side side_of(double signed_distance)
-{
-    return signed_distance >= 0.0 ? Side::positive : Side::negative;
-}
 
 /// Where a triangle lies.
 enum class TriangleClass : std::uint8_t
@@ -75,24 +59,25 @@ Vertex interpolate(const CutPoint& point, const Vertex& a, const Vertex& b);
 /// The same for a float stream: `width` values each.
 void interpolate(const CutPoint& point, const float* a, const float* b, float* result, std::uint32_t width);
 
+/// A triangle of what a crossing triangle falls into. Its corners are codes, as TriangleSplit says.
+struct SubTriangle
+{
+    Side side;
+    std::array<std::uint8_t, 3> corners;
+};
+
 /// How one crossing triangle falls apart. Corners are codes: 0, 1, 2 for the triangle's own; kCutNext for the cut point
 /// on the edge from the lone corner to the next one, kCutPrevious for that on the edge from the previous corner to the
 /// lone one.
 ///
-///              lone                    The lone piece is (lone, N, P), the four-sided one N, next, previous, P,
+///              lone                    On one side lies (lone, N, P), on the other the four-sided N, next, previous, P,
 ///              /  \                    divided by its shorter diagonal. Cut points that coincide bit for bit with a
-///          N  /____\  P                corner, or with each other, are that corner, or N: pieces that have no three
+///          N  /____\  P                corner, or with each other, are that corner, or N. Triangles that have no three
 ///            /      \                  different corners left are not made.
 ///        next ------ previous
 struct TriangleSplit
 {
     static constexpr std::uint8_t kCutNext = 3, kCutPrevious = 4;
-
-    struct Piece
-    {
-        Side side;
-        std::array<std::uint8_t, 3> corners;
-    };
 
     std::uint8_t lone = 0;  ///< the corner that is alone on its side
     Side lone_side = Side::positive;
@@ -100,8 +85,10 @@ struct TriangleSplit
     CutPoint cut_previous;                      ///< of the edge previous -> lone, in this order
     std::uint8_t next_code = kCutNext;          ///< what cut_next is after coincidences: a corner, or kCutNext
     std::uint8_t previous_code = kCutPrevious;  ///< likewise: a corner, kCutNext or kCutPrevious
-    std::uint8_t piece_count = 0;
-    std::array<Piece, 3> pieces{};
+    std::uint8_t sub_triangle_count = 0;
+    std::array<SubTriangle, 3> sub_triangle{};
+    /// What the triangle falls into, that with the lone corner first.
+    std::span<const SubTriangle> sub_triangles() const { return {sub_triangle.data(), sub_triangle_count}; }
 
     /// The directed section edge as it runs in the surface of the positive side (so a cap of the negative side contains
     /// it, and one of the positive side its reverse). No edge when both ends are the same code.

@@ -222,8 +222,8 @@ std::vector<std::uint32_t> numbered(DisjointSets& pieces, std::size_t part_count
 class SideGrouping
 {
 public:
-    SideGrouping(const SideParts& side, std::size_t at)
-        : pieces(static_cast<std::uint32_t>(side.parts.size())), side_(side), at_(at)
+    SideGrouping(const SideParts& side, Side which)
+        : pieces(static_cast<std::uint32_t>(side.parts.size())), side_(side), which_(which)
     {
         std::vector<std::uint32_t> ids;
         for (const SurfacePart& part : side.parts) ids.push_back(part.solid);
@@ -253,11 +253,11 @@ public:
     {
         std::vector<std::uint64_t> parts;
         parts.reserve(outline.edges().size());
-        for (const OutlineEdge& edge : outline.edges()) parts.push_back(edge.part[at_]);
+        for (const OutlineEdge& edge : outline.edges()) parts.push_back(edge.part[which_]);
         const DividedOutline divided = divide_outline(outline.plane(), outline.points(), outline.edges(), parts);
         std::vector<std::vector<FlatLoop>> flat(solids_.size());
         for (const OutlinePath& path : divided.paths) {
-            const std::uint32_t part = outline.edges()[divided.edges[path.first]].part[at_];
+            const std::uint32_t part = outline.edges()[divided.edges[path.first]].part[which_];
             if (!path.closed || path.count < 3 || part == kNoPart) continue;
             const std::uint32_t solid = solid_of_[part];
             if (solids_[solid].shown.size() > 1)
@@ -281,7 +281,7 @@ public:
         std::vector<Claim> claims;
         claims.reserve(outline.edges().size());
         for (const OutlineEdge& edge : outline.edges()) {
-            const std::uint32_t part = edge.part[at_];
+            const std::uint32_t part = edge.part[which_];
             if (part == kNoPart) continue;
             const std::uint32_t piece = pieces.find(part);
             if (!has_volume[piece]) continue;
@@ -423,7 +423,7 @@ private:
     }
 
     const SideParts& side_;
-    std::size_t at_;
+    Side which_;
     std::vector<std::uint32_t> solid_of_;  ///< dense numbers of the solids that occur
     std::vector<SolidParts> solids_;
     std::vector<std::uint32_t> first_piece_;  ///< of each solid, as find_first_pieces() found it
@@ -431,13 +431,12 @@ private:
 
 /// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
 /// then the pieces at that point become one. They stay apart if the outline itself ends there.
-void join_where_loops_need_it(const Outline& outline, const std::array<SideParts, 2>& sides,
-                              std::array<SideGrouping, 2>& grouping)
+void join_where_loops_need_it(const Outline& outline, const BySide<SideParts>& sides, BySide<SideGrouping>& grouping)
 {
     struct End
     {
         std::uint32_t point, solid;
-        std::array<std::uint32_t, 2> piece;
+        BySide<std::uint32_t> piece;
         std::int32_t leaves;  // +1 or -1
     };
     // Nearly everywhere one edge arrives and one leaves, between the same pieces: those are left out.
@@ -445,10 +444,10 @@ void join_where_loops_need_it(const Outline& outline, const std::array<SideParts
     std::vector<bool> is_plain(outline.points().size(), false);
     const auto visit_ends = [&](auto visit) {
         for (const OutlineEdge& edge : outline.edges()) {
-            if (edge.part[0] == kNoPart || edge.part[1] == kNoPart) continue;
-            const std::array<std::uint32_t, 2> piece{grouping[0].pieces.find(edge.part[0]),
-                                                     grouping[1].pieces.find(edge.part[1])};
-            const std::uint32_t solid = sides[0].parts[edge.part[0]].solid;
+            if (edge.part[Side::negative] == kNoPart || edge.part[Side::positive] == kNoPart) continue;
+            BySide<std::uint32_t> piece;
+            for (const Side side : kSides) piece[side] = grouping[side].pieces.find(edge.part[side]);
+            const std::uint32_t solid = sides[Side::negative].parts[edge.part[Side::negative]].solid;
             visit(End{edge.from, solid, piece, 1});
             visit(End{edge.to, solid, piece, -1});
         }
@@ -481,8 +480,7 @@ void join_where_loops_need_it(const Outline& outline, const std::array<SideParts
             for (end = begin; end < last && ends[end].piece == ends[begin].piece; ++end) sum += ends[end].leaves;
             if (std::exchange(sum, 0) == 0) continue;
             if (odd == nullptr) odd = &ends[begin];
-            for (std::size_t side = 0; side < 2; ++side)
-                grouping[side].pieces.unite(odd->piece[side], ends[begin].piece[side]);
+            for (const Side side : kSides) grouping[side].pieces.unite(odd->piece[side], ends[begin].piece[side]);
         }
     }
 }
@@ -505,9 +503,8 @@ glm::vec3 ShellSample::point() const
     return glm::vec3((glm::dvec3(first_[0]) + glm::dvec3(first_[1]) + glm::dvec3(first_[2])) / 3.0);
 }
 
-std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const std::array<SideParts, 2>& sides,
-                                                       std::span<const glm::vec3> points,
-                                                       std::span<const OutlineEdge> edges)
+BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide<SideParts>& sides,
+                                                std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
 {
     const int axis = dominant_axis(plane);
     if (plane.normal[axis] < 0.0) {
@@ -515,25 +512,28 @@ std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const
         std::vector<OutlineEdge> reversed;
         reversed.reserve(edges.size());
         for (const OutlineEdge& edge : edges)
-            reversed.push_back({edge.to, edge.from, {edge.part[1], edge.part[0]}, edge.source});
-        auto [positive, negative] = group_pieces(plane.flipped(), {sides[1], sides[0]}, points, reversed);
-        return {std::move(negative), std::move(positive)};
+            reversed.push_back(
+                {edge.to, edge.from, {edge.part[Side::positive], edge.part[Side::negative]}, edge.source});
+        auto piece = group_pieces(plane.flipped(), {sides[Side::positive], sides[Side::negative]}, points, reversed);
+        std::swap(piece[Side::negative], piece[Side::positive]);
+        return piece;
     }
-    std::array<SideGrouping, 2> grouping{SideGrouping(sides[0], 0), SideGrouping(sides[1], 1)};
-    const std::array<bool, 2> apart{grouping[0].has_come_apart(), grouping[1].has_come_apart()};
+    BySide<SideGrouping> grouping{SideGrouping(sides[Side::negative], Side::negative),
+                                  SideGrouping(sides[Side::positive], Side::positive)};
+    const BySide<bool> apart{grouping[Side::negative].has_come_apart(), grouping[Side::positive].has_come_apart()};
     std::optional<Outline> outline_of_parts;
-    if (apart[0] || apart[1]) {
+    if (apart[Side::negative] || apart[Side::positive]) {
         const Outline& outline = outline_of_parts.emplace(plane, points, edges);
-        for (std::size_t side = 0; side < 2; ++side)
+        for (const Side side : kSides)
             if (apart[side]) grouping[side].join_holes_of_solids(outline, axis);
         join_where_loops_need_it(outline, sides, grouping);
-        for (std::size_t side = 0; side < 2; ++side)
+        for (const Side side : kSides)
             if (apart[side]) grouping[side].join_flat_pieces(outline);
     }
-    for (const Side side : {Side::negative, Side::positive})
-        grouping[static_cast<std::size_t>(side)].join_the_rest({{}, axis, side == Side::positive},
-                                                               outline_of_parts ? &*outline_of_parts : nullptr);
-    return {grouping[0].result(), grouping[1].result()};
+    for (const Side side : kSides)
+        grouping[side].join_the_rest({{}, axis, side == Side::positive},
+                                     outline_of_parts ? &*outline_of_parts : nullptr);
+    return {grouping[Side::negative].result(), grouping[Side::positive].result()};
 }
 
 }  // namespace kerf

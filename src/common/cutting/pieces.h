@@ -11,6 +11,7 @@
 #include "common/caps/outline_loops.h"
 #include "common/geometry/ray_crossing.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/side.h"
 
 // Which parts of the sides of a cut are one piece: docs/cutting-rules.md, "Pieces". One function decides it for both
 // back ends; they differ in how they find its input. What it gets is the same for both up to the order, and the result
@@ -57,8 +58,7 @@ struct SideParts
     CountCrossings count_crossings;
 };
 
-/// Groups the parts of both sides into pieces. `sides` and the result are indexed by Side. Returns for each part the
-/// number of its piece on its side; pieces are numbered in the order of their first part.
+/// Groups the parts of both sides into pieces. Returns for each part the number of its piece on its side; pieces are numbered in the order of their first part.
 ///
 /// A solid that is not cut stays one piece. In a solid that is cut, a hole (clockwise loop) joins the smallest outer
 /// loop around it; a flat part joins the first piece that is not; a whole shell of negative volume joins the piece it
@@ -69,8 +69,8 @@ struct SideParts
 /// O(p) for p parts where each solid is in one part; otherwise O(p + e log e) for e outline edges, without a quadratic
 /// step for many loops, side by side or nested. Crossings are asked for once a side, for whole cavities only, and only
 /// where a solid has come apart; each one found costs O(log).
-std::array<std::vector<std::uint32_t>, 2> group_pieces(const Plane& plane, const std::array<SideParts, 2>& sides,
-                                                       std::span<const glm::vec3> points,
-                                                       std::span<const OutlineEdge> outline);
+BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide<SideParts>& sides,
+                                                std::span<const glm::vec3> points,
+                                                std::span<const OutlineEdge> outline);
 
 }  // namespace kerf

@@ -37,10 +37,10 @@ void Components::separate(Universe& universe, CutScratch& scratch)
     for (const InPlaneEdge& e : scratch.in_plane) in_plane_edges_.insert(e.negative_halfedge / 2);
     for (auto& glued : glued_) glued.clear();
     for (const auto& [a, b] : scratch.cancelled)
-        for (const Side side : {Side::negative, Side::positive}) {
+        for (const Side side : kSides) {
             const Index f = scratch.face_of(a, side), g = scratch.face_of(b, side);
-            glued_[static_cast<std::size_t>(side)].emplace(f, g);
-            glued_[static_cast<std::size_t>(side)].emplace(g, f);
+            glued_[side].emplace(f, g);
+            glued_[side].emplace(g, f);
         }
     for (Index i = 0; i < scratch.cut_shells.size(); ++i) {
         const CutShell& shell = scratch.cut_shells[i];
@@ -77,7 +77,7 @@ void Components::search_shell(Index shell)
         }
     if (!cut.connected) seed_whole_shell(shell);
 
-    for (const Side side : {Side::negative, Side::positive}) search_side(side, cut.connected);
+    for (const Side side : kSides) search_side(side, cut.connected);
     assign_targets(shell);
     retarget(shell);
     for (const Search& search : searches_) s_->triangles_read += search.faces.size();
@@ -112,15 +112,14 @@ bool Components::keeps_something(Index face, Side side) const
     const Index crossing = crossing_of(face);
     if (crossing == kNone) return true;
     const TriangleSplit& split = s_->crossings[crossing].split;
-    return std::any_of(split.pieces.begin(), split.pieces.begin() + split.piece_count,
-                       [&](const TriangleSplit::Piece& piece) { return piece.side == side; });
+    return std::ranges::any_of(split.sub_triangles(), [&](const SubTriangle& t) { return t.side == side; });
 }
 
 void Components::start(Index face, Side side)
 {
     const Index crossing = crossing_of(face);
     const std::uint64_t stamp = u_->stamp_of_face[face];
-    const bool reached = crossing != kNone ? crossing_mark_[crossing][static_cast<std::size_t>(side)] != kNone
+    const bool reached = crossing != kNone ? crossing_mark_[crossing][side] != kNone
                                            : stamp >= mark_base_ && stamp - mark_base_ < searches_.size();
     if (reached) return;
     Search search;
@@ -145,7 +144,7 @@ void Components::reach(Index face, Index search)
     const Index crossing = crossing_of(face);
     const Side side = searches_[search].side;
     if (crossing != kNone) {
-        Index& mark = crossing_mark_[crossing][static_cast<std::size_t>(side)];
+        Index& mark = crossing_mark_[crossing][side];
         if (mark != kNone) return meet(mark, search);
         mark = search;
     } else {
@@ -225,7 +224,7 @@ void Components::for_each_neighbour(Index face, Side side, Visit visit) const
             if (!near) across(c.halfedge[next]);
         }
     }
-    const auto& glued = glued_[static_cast<std::size_t>(side)];
+    const auto& glued = glued_[side];
     if (glued.empty()) return;
     const auto [first, last] = glued.equal_range(face);
     for (auto it = first; it != last; ++it) visit(it->second);
@@ -262,7 +261,7 @@ void Components::seed_whole_shell(Index shell)
 
 void Components::assign_targets(Index shell)
 {
-    for (const Side side : {Side::negative, Side::positive}) {
+    for (const Side side : kSides) {
         // The largest part keeps the target: the one that is not finished, or else the one with the most faces.
         // Crossing triangles whose pieces vanished count for nothing: a part of such alone does not exist.
         Index largest = kNone;
@@ -282,10 +281,10 @@ void Components::assign_targets(Index shell)
         };
         for (Index i = 0; i < searches_.size(); ++i)
             if (searches_[i].side == side && find(i) == i && (largest == kNone || better(i, largest))) largest = i;
-        const Index default_target = 2 * shell + static_cast<Index>(side);
+        const Index default_target = first_target(shell, side);
         if (largest != kNone) s_->targets[default_target].is_empty = size[largest] == 0 && !unfinished[largest];
 
-        Box& small = small_parts_[static_cast<std::size_t>(side)];
+        Box& small = small_parts_[side];
         small = Box();
         for (Index i = 0; i < searches_.size(); ++i) {
             if (searches_[i].side != side) continue;
@@ -317,13 +316,13 @@ void Components::assign_targets(Index shell)
 void Components::retarget(Index shell)
 {
     CutShell& cut = s_->cut_shells[shell];
-    const auto default_target = [&](Side side) { return 2 * shell + static_cast<Index>(side); };
+    const auto default_target = [&](Side side) { return first_target(shell, side); };
     for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
-        for (const Side side : {Side::negative, Side::positive}) {
-            const Index search = crossing_mark_[i][static_cast<std::size_t>(side)];
+        for (const Side side : kSides) {
+            const Index search = crossing_mark_[i][side];
             if (search == kNone) continue;
-            s_->crossings[i].target[static_cast<std::size_t>(side)] = searches_[search].target;
-            s_->crossings[i].bounds_nothing[static_cast<std::size_t>(side)] = searches_[search].is_empty;
+            s_->crossings[i].target[side] = searches_[search].target;
+            s_->crossings[i].bounds_nothing[side] = searches_[search].is_empty;
         }
     const auto target_of = [&](Index face, Side side) {
         const std::uint64_t stamp = u_->stamp_of_face[face];
@@ -367,7 +366,7 @@ void Components::retarget(Index shell)
                 continue;
             }
             const Node& node = u_->tree.nodes[n];
-            if (disjoint(node.box, small_parts_[static_cast<std::size_t>(side)])) {
+            if (disjoint(node.box, small_parts_[side])) {
                 s_->ops.push_back({TreeOp::Kind::whole, n, default_target(side)});
                 continue;
             }

@@ -54,14 +54,14 @@ private:
     Universe* u_ = nullptr;
     CutScratch* s_ = nullptr;
     std::vector<Search> searches_;
-    std::vector<std::array<Index, 2>> crossing_mark_;  // search that has reached a crossing triangle, by side
-    std::uint64_t mark_base_ = 0;                      // stamps of kept faces: this + search
-    bool any_pinched_ = false;                         // some crossing triangle shrinks to two edges on its far side
+    std::vector<BySide<Index>> crossing_mark_;  // search that has reached a crossing triangle
+    std::uint64_t mark_base_ = 0;               // stamps of kept faces: this + search
+    bool any_pinched_ = false;                  // some crossing triangle shrinks to two edges on its far side
     std::unordered_set<Index> in_plane_edges_;
-    std::unordered_multimap<Index, Index> glued_[2];  // faces joined by outline edges that cancel, by side
+    BySide<std::unordered_multimap<Index, Index>> glued_;  // faces joined by outline edges that cancel
     std::vector<TreeOp> ops_;
     std::vector<std::pair<Index, bool>> stack_;
-    std::array<Box, 2> small_parts_;  // what the parts that are not the largest reach
+    BySide<Box> small_parts_;  // what the parts that are not the largest reach
 };
 
 }  // namespace kerf::halfedge

@@ -26,10 +26,10 @@ struct Crossing
     std::array<Index, 3> point;     ///< vertices of the half-edge mesh at the corners; before the cut
     TriangleSplit split;
     bool walked = false;
-    std::array<Index, 2> target{};  ///< by side, where its pieces go
-    /// By side: no triangle is left at the section edge, neither a piece of this one nor what lies beyond. Open meshes
+    BySide<Index> target{};  ///< where what it falls into goes
+    /// No triangle is left at the section edge, neither a piece of this one nor what lies beyond. Open meshes
     /// only.
-    std::array<bool, 2> bounds_nothing{};
+    BySide<bool> bounds_nothing{};
 
     // The section runs through the triangle from its entry edge (positive to negative corner) to its exit edge
     // (negative to positive), as seen in the positive side's surface. kNone: it runs through an end point of that edge,
@@ -57,8 +57,8 @@ struct InPlaneEdge
     Index negative_face = kNone, positive_face = kNone;
     Index group = kNone;
     Index shell = 0;
-    Index start_vertex = kNone;     ///< where the positive half-edge starts
-    std::array<Index, 2> target{};  ///< by side, where its faces go
+    Index start_vertex = kNone;  ///< where the positive half-edge starts
+    BySide<Index> target{};      ///< where its faces go
 };
 
 /// An existing edge in the plane at a face that is kept on the same side as the face across it.
@@ -99,8 +99,20 @@ struct CutShell
     std::uint32_t loops = 0;  ///< closed loops and chains on it
 };
 
-/// A connected part of one side of a cut shell: where triangles go. Targets 2 i and 2 i + 1 are the negative and the
-/// positive side of cut shell i; if a side falls apart there are more behind them.
+/// The target that a side of a cut shell has before it is known whether the side falls apart.
+inline Index first_target(Index shell, Side side)
+{
+    return 2 * shell + static_cast<Index>(side);
+}
+
+/// The side of such a target.
+inline Side side_of_target(Index first_target)
+{
+    return static_cast<Side>(first_target % 2);
+}
+
+/// A connected part of one side of a cut shell: where triangles go. Each side of each cut shell has a first_target();
+/// if a side falls apart there are more behind them.
 struct Target
 {
     Side side = Side::negative;
@@ -243,7 +255,7 @@ struct CutScratch
     // What goes where
     std::vector<Target> targets;
     std::vector<Bundle> bundles;
-    std::vector<std::array<Index, 2>> cap_bundle;  ///< of each cap triangle, by side
+    std::vector<BySide<Index>> cap_bundle;  ///< of each cap triangle
 
     /// Says of point p of the outline that it is shared.
     void share_point(std::size_t p)
@@ -305,8 +317,7 @@ struct CutScratch
     /// Where what is left of it on that side goes.
     Index target_of(OutlineEdgeId edge, Side side) const
     {
-        const auto at = static_cast<std::size_t>(side);
-        return edge < crossings.size() ? crossings[edge].target[at] : in_plane[edge - crossings.size()].target[at];
+        return edge < crossings.size() ? crossings[edge].target[side] : in_plane[edge - crossings.size()].target[side];
     }
     /// The smaller one of its faces' sources: a flipped plane has the same.
     std::uint32_t source_of(const Universe& universe, OutlineEdgeId edge) const
@@ -316,10 +327,10 @@ struct CutScratch
     }
     bool bounds_nothing(OutlineEdgeId edge, Side side) const
     {
-        return edge < crossings.size() && crossings[edge].bounds_nothing[static_cast<std::size_t>(side)];
+        return edge < crossings.size() && crossings[edge].bounds_nothing[side];
     }
-    /// The bundles that an outline edge lies between, by side.
-    std::array<Index, 2> bundles_of(OutlineEdgeId edge) const
+    /// The bundles that an outline edge lies between.
+    BySide<Index> bundles_of(OutlineEdgeId edge) const
     {
         return {targets[target_of(edge, Side::negative)].bundle, targets[target_of(edge, Side::positive)].bundle};
     }
@@ -331,7 +342,7 @@ private:
 /// FIND for one shell: appends its program, crossing triangles and in-plane edges. `shell_index` numbers the cut
 /// shells; targets are 2 * shell_index + side. Returns which sides keep whole triangles; crossing triangles count for
 /// both.
-std::array<bool, 2> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch);
+BySide<bool> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch);
 
 /// SPLIT and WALK: splits the crossing triangles, makes the new vertices and links the outline into loops and chains.
 void split_crossings(const Universe& universe, CutScratch& scratch);

@@ -50,7 +50,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     done(Phase::walk, result);
 
     for (Index i = 0; i < s.cut_shells.size(); ++i)
-        for (const Side side : {Side::negative, Side::positive}) {
+        for (const Side side : kSides) {
             Target t;
             t.side = side;
             t.shell = i;
@@ -77,7 +77,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     hand_out_caps(s);
     if (options.split_components) divide_bundles(s);
     plan_cap_groups(options);
-    if (pieces_.fragment_count[0] == 0 || pieces_.fragment_count[1] == 0) {
+    if (pieces_.fragment_count[Side::negative] == 0 || pieces_.fragment_count[Side::positive] == 0) {
         result.section_area = 0.0;
         result.caps_exceed_section = false;
         return false;
@@ -129,11 +129,10 @@ bool Cutter::misses(const Plane& plane, std::uint64_t& nodes_visited) const
 bool Cutter::keeps_triangles(Side side) const
 {
     const CutScratch& s = s_;
-    if (!whole_[static_cast<std::size_t>(side)].empty()) return true;
-    const auto goes_to_side = [&](Index target) { return target % 2 == static_cast<Index>(side); };
+    if (!whole_[side].empty()) return true;
+    const auto goes_to_side = [&](Index target) { return side_of_target(target) == side; };
     const auto splits_to_side = [&](const Crossing& c) {
-        return std::any_of(c.split.pieces.begin(), c.split.pieces.begin() + c.split.piece_count,
-                           [&](const TriangleSplit::Piece& piece) { return piece.side == side; });
+        return std::ranges::any_of(c.split.sub_triangles(), [&](const SubTriangle& t) { return t.side == side; });
     };
     // The first crossing triangle answers, but for spikes.
     return std::any_of(s.crossings.begin(), s.crossings.end(), splits_to_side) ||
@@ -156,8 +155,8 @@ void Cutter::find_shells(const Plane& plane)
         cut.first_flush = s.flush.size();
         cut.first_in_plane = s.in_plane.size();
         cut.first_crossing = s.crossings.size();
-        const std::array<bool, 2> present = find(u, shells_[i].root, plane, static_cast<Index>(s.cut_shells.size()), s);
-        if (present[0] && present[1]) {
+        const BySide<bool> present = find(u, shells_[i].root, plane, static_cast<Index>(s.cut_shells.size()), s);
+        if (present[Side::negative] && present[Side::positive]) {
             cut.op_count = s.ops.size() - cut.first_op;
             cut.crossing_count = s.crossings.size() - cut.first_crossing;
             cut.flush_count = s.flush.size() - cut.first_flush;
@@ -166,7 +165,7 @@ void Cutter::find_shells(const Plane& plane)
         } else {
             s.ops.resize(cut.first_op);
             s.flush.resize(cut.first_flush);
-            whole_[present[1] ? 1 : 0].push_back(shells_[i]);
+            whole_[present[Side::positive] ? Side::positive : Side::negative].push_back(shells_[i]);
         }
     }
 }
@@ -208,9 +207,8 @@ void Cutter::add_cap_groups()
 
 std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
 {
-    const auto at = static_cast<std::size_t>(side);
-    std::vector<PlannedFragment> fragments(pieces_.fragment_count[at]);
-    for (const Index fragment : pieces_.whole_fragment[at]) ++fragments[fragment].shells;
+    std::vector<PlannedFragment> fragments(pieces_.fragment_count[side]);
+    for (const Index fragment : pieces_.whole_fragment[side]) ++fragments[fragment].shells;
     for (const Bundle& b : s_.bundles)
         if (b.side == side) ++fragments[b.fragment].shells;
     // Every fragment gets the loops that bound it.
@@ -220,7 +218,7 @@ std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
         const auto first = s_.loop_points.begin() + static_cast<std::ptrdiff_t>(loop.first);
         copy.points.assign(first, first + static_cast<std::ptrdiff_t>(loop.count));
         if (!loop.closed) copy.points.push_back(loop.end);
-        const Index bundle = s_.bundles_of(s_.loop_edges[loop.first])[at];
+        const Index bundle = s_.bundles_of(s_.loop_edges[loop.first])[side];
         fragments[s_.bundles[bundle].fragment].loops.push_back(std::move(copy));
     }
     return fragments;

@@ -44,11 +44,9 @@ public:
     template <class Visit>
     void for_each_shell(Visit visit) const
     {
-        for (const Side side : {Side::negative, Side::positive}) {
-            const auto at = static_cast<std::size_t>(side);
-            for (std::size_t i = 0; i < whole_[at].size(); ++i)
-                visit(side, pieces_.whole_fragment[at][i], whole_[at][i]);
-        }
+        for (const Side side : kSides)
+            for (std::size_t i = 0; i < whole_[side].size(); ++i)
+                visit(side, pieces_.whole_fragment[side][i], whole_[side][i]);
         for (const Bundle& b : s_.bundles)
             if (b.root != kNone) visit(b.side, b.fragment, Shell{b.root, b.solid, b.connected});
     }
@@ -68,7 +66,7 @@ private:
     Universe& u_;
     CutScratch& s_;
     const std::vector<Shell>& shells_;
-    std::array<std::vector<Shell>, 2> whole_;  ///< shells that the plane does not cut, by side
+    BySide<std::vector<Shell>> whole_;  ///< shells that the plane does not cut, by side
     PiecePlan pieces_;
     std::size_t material_count_;  ///< of the object; from plan_cap_groups() on that of the fragments
     bool adds_cap_material_ = false;

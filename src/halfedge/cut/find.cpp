@@ -30,7 +30,7 @@ public:
     {
     }
 
-    std::array<bool, 2> run(Index root)
+    BySide<bool> run(Index root)
     {
         const std::size_t first_op = s_.ops.size();
         traverse(root);
@@ -103,11 +103,11 @@ private:
 
     static constexpr int kLeavesAhead = 3;
 
-    Index target(Side side) const { return 2 * shell_ + static_cast<Index>(side); }
+    Index target(Side side) const { return first_target(shell_, side); }
 
     TreeOp whole(Index n, Side side)
     {
-        present_[static_cast<std::size_t>(side)] = true;
+        present_[side] = true;
         return {TreeOp::Kind::whole, n, target(side)};
     }
 
@@ -119,7 +119,7 @@ private:
         const std::size_t first_entry = s_.entries.size();
         s_.entries.resize(first_entry + node.count);
         Index* const entries = &s_.entries[first_entry];
-        std::array<std::uint32_t, 2> kept{};
+        BySide<std::uint32_t> kept{};
         std::uint32_t crossing = 0;
         for (Index slot = node.first; slot < node.first + node.count; ++slot) {
             const Triangle& t = u_.slots[slot];
@@ -139,17 +139,17 @@ private:
             const Side side =
                 on ? kept_side(plane, {vertices[t[0]].position, vertices[t[1]].position, vertices[t[2]].position}, d)
                    : static_cast<Side>(above);
-            ++kept[static_cast<std::size_t>(side)];
+            ++kept[side];
             entries[slot - node.first] = target(side);
             if (on && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
                 add_in_plane_edges(u_.face_of_slot[slot], side, t, d, node.group);
         }
-        if (crossing == 0 && (kept[0] == 0 || kept[1] == 0)) {
+        if (crossing == 0 && (kept[Side::negative] == 0 || kept[Side::positive] == 0)) {
             s_.entries.resize(first_entry);
             s_.triangles_read += node.count;
-            return whole(n, kept[0] == 0 ? Side::positive : Side::negative);
+            return whole(n, kept[Side::negative] == 0 ? Side::positive : Side::negative);
         }
-        for (std::size_t side = 0; side < 2; ++side) present_[side] |= crossing > 0 || kept[side] > 0;
+        for (const Side side : kSides) present_[side] |= crossing > 0 || kept[side] > 0;
         return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)};
     }
 
@@ -205,12 +205,12 @@ private:
     const Plane& plane_;
     const Index shell_;
     CutScratch& s_;
-    std::array<bool, 2> present_{};
+    BySide<bool> present_{};
 };
 
 }  // namespace
 
-std::array<bool, 2> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch)
+BySide<bool> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch)
 {
     return Finder(universe, plane, shell_index, scratch).run(root);
 }

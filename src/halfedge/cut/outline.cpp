@@ -165,18 +165,16 @@ std::vector<KeptEdge> kept_edges(const Universe& u, const CutScratch& s, PointCl
 {
     std::vector<KeptEdge> edges;
     for (const Crossing& c : s.crossings)
-        for (std::size_t i = 0; i < c.split.piece_count; ++i) {
-            const TriangleSplit::Piece& piece = c.split.pieces[i];
+        for (const SubTriangle& piece : c.split.sub_triangles()) {
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const Index from = element_of_code(u, c, piece.corners[corner], classes);
                 const Index to = element_of_code(u, c, piece.corners[(corner + 1) % 3], classes);
-                edges.push_back(
-                    kept_edge(piece.side, from, to, c.target[static_cast<std::size_t>(piece.side)], classes));
+                edges.push_back(kept_edge(piece.side, from, to, c.target[piece.side], classes));
             }
         }
     for (const InPlaneEdge& e : s.in_plane) {
-        edges.push_back(kept_edge(u, Side::negative, e.negative_halfedge, e.target[0], classes));
-        edges.push_back(kept_edge(u, Side::positive, e.positive_halfedge, e.target[1], classes));
+        edges.push_back(kept_edge(u, Side::negative, e.negative_halfedge, e.target[Side::negative], classes));
+        edges.push_back(kept_edge(u, Side::positive, e.positive_halfedge, e.target[Side::positive], classes));
     }
     for (const FlushEdge& e : s.flush) edges.push_back(kept_edge(u, e.side, e.halfedge, e.target, classes));
     return edges;
@@ -198,14 +196,14 @@ void add_edges_beside_crossings(const Universe& u, const CutScratch& s, PointCla
             if (is_above == is_below || u.mesh.is_boundary(opposite) || crosses.contains(u.mesh.face(opposite)))
                 continue;
             const Side side = is_above ? Side::positive : Side::negative;
-            edges.push_back(kept_edge(u, side, opposite, c.target[static_cast<std::size_t>(side)], classes));
+            edges.push_back(kept_edge(u, side, opposite, c.target[side], classes));
         }
 }
 
 /// False where all that the split leaves on a side does without the section's edge.
 bool has_piece_at_section(const TriangleSplit& split, Side side)
 {
-    return std::any_of(split.pieces.begin(), split.pieces.begin() + split.piece_count, [&](const auto& piece) {
+    return std::ranges::any_of(split.sub_triangles(), [&](const auto& piece) {
         const auto has = [&](std::uint8_t code) {
             return std::find(piece.corners.begin(), piece.corners.end(), code) != piece.corners.end();
         };
@@ -241,10 +239,10 @@ void relink_outline(const Universe& universe, const Plane& plane, CutScratch& sc
     std::vector<std::uint64_t> bundles;
     bundles.reserve(scratch.outline.size());
     for (const ClassedEdge& e : scratch.outline) {
-        std::array<Index, 2> bundle = scratch.bundles_of(e.id);
+        BySide<Index> bundle = scratch.bundles_of(e.id);
         for (const Side side : {Side::negative, Side::positive})
-            if (scratch.bounds_nothing(e.id, side)) bundle[static_cast<std::size_t>(side)] = kNone;
-        bundles.push_back(std::uint64_t{bundle[0]} << 32 | bundle[1]);
+            if (scratch.bounds_nothing(e.id, side)) bundle[side] = kNone;
+        bundles.push_back(std::uint64_t{bundle[Side::negative]} << 32 | bundle[Side::positive]);
     }
     divide(universe, plane, bundles, scratch);
 }
@@ -283,8 +281,7 @@ void find_edges_that_bound_nothing(const Universe& u, CutScratch& s)
         const Index to = classes.find(element_of_code(u, c, c.split.section_to, classes));
         const KeptEdge edge{side, std::min(from, to), std::max(from, to), 0};
         const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
-        if (found == edges.end() || found->place() != edge.place())
-            c.bounds_nothing[static_cast<std::size_t>(side)] = true;
+        if (found == edges.end() || found->place() != edge.place()) c.bounds_nothing[side] = true;
     }
 }
 

@@ -15,8 +15,6 @@ namespace kerf::halfedge {
 
 namespace {
 
-constexpr std::array kSides{Side::negative, Side::positive};
-
 /// Calls add(ray, term) for the crossings of rays with a subtree; boxes that no ray meets are skipped.
 template <class Add>
 void count_crossings(const Universe& u, Index root, const ParallelRays& rays, Add add)
@@ -66,11 +64,10 @@ void for_each_on_side(const Universe& u, const CutScratch& s, Side side, VisitNo
                     if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
                     return u.vertices[c.corner[code]].position;
                 };
-                for (std::size_t p = 0; p < c.split.piece_count; ++p) {
-                    const TriangleSplit::Piece& piece = c.split.pieces[p];
+                for (const SubTriangle& piece : c.split.sub_triangles()) {
                     if (piece.side == side)
-                        visit_triangle(c.target[static_cast<std::size_t>(side)], position(piece.corners[0]),
-                                       position(piece.corners[1]), position(piece.corners[2]));
+                        visit_triangle(c.target[side], position(piece.corners[0]), position(piece.corners[1]),
+                                       position(piece.corners[2]));
                 }
             }
         }
@@ -307,7 +304,6 @@ private:
     void mark_far_parts(std::vector<bool>& is_far, HasSeveral has_several) const
     {
         const int sign = side_ == Side::positive ? 1 : -1;
-        const auto at = static_cast<std::size_t>(side_);
         const auto is_beyond = [&](double distance) { return sign * distance > u_.noise; };
         for (const CutShell& shell : s_.cut_shells) {
             if (!has_several(shell.solid)) continue;
@@ -325,17 +321,16 @@ private:
                     const Index entry = s_.entries[op.argument + e];
                     const bool crosses = entry >= kCrossingEntry;
                     const Crossing* const c = crosses ? &s_.crossings[entry - kCrossingEntry] : nullptr;
-                    const Index part = of_target_[crosses ? c->target[at] : entry];
+                    const Index part = of_target_[crosses ? c->target[side_] : entry];
                     if (part == kNone || is_far[part]) continue;
                     if (!crosses) {
                         for (const Index v : u_.slots[node.first + e])
                             if (is_beyond(plane_.signed_distance(u_.vertices[v].position))) is_far[part] = true;
                         continue;
                     }
-                    for (std::size_t p = 0; p < c->split.piece_count; ++p)
-                        for (const std::uint8_t code : c->split.pieces[p].corners)
-                            if (c->split.pieces[p].side == side_ && code < 3 && is_beyond(c->distance[code]))
-                                is_far[part] = true;
+                    for (const SubTriangle& t : c->split.sub_triangles())
+                        for (const std::uint8_t code : t.corners)
+                            if (t.side == side_ && code < 3 && is_beyond(c->distance[code])) is_far[part] = true;
                 }
             }
         }
@@ -358,16 +353,15 @@ struct PiecesOutline
     std::vector<OutlineEdge> edges;
 };
 
-PiecesOutline outline_of(const Universe& u, const CutScratch& s, std::array<PartsOfSide, 2>& sides)
+PiecesOutline outline_of(const Universe& u, const CutScratch& s, BySide<PartsOfSide>& sides)
 {
     PiecesOutline outline;
     const auto bound = [&](OutlineEdge& edge, OutlineEdgeId outline_edge) {
         for (const Side side : kSides) {
-            const auto at = static_cast<std::size_t>(side);
-            edge.part[at] = kNoPart;
+            edge.part[side] = kNoPart;
             if (s.bounds_nothing(outline_edge, side)) continue;
-            edge.part[at] = sides[at].of_target(s.target_of(outline_edge, side));
-            sides[at].mark_cut(edge.part[at]);
+            edge.part[side] = sides[side].of_target(s.target_of(outline_edge, side));
+            sides[side].mark_cut(edge.part[side]);
         }
     };
     if (s.irregular) {
@@ -395,13 +389,12 @@ PiecesOutline outline_of(const Universe& u, const CutScratch& s, std::array<Part
 
 }  // namespace
 
-PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch& s)
+PiecePlan plan_sides(const BySide<std::vector<Shell>>& whole, CutScratch& s)
 {
     PiecePlan plan;
     for (const Side side : kSides) {
-        const auto at = static_cast<std::size_t>(side);
-        plan.whole_fragment[at].assign(whole[at].size(), 0);
-        plan.fragment_count[at] = whole[at].empty() && s.targets.empty() ? 0 : 1;
+        plan.whole_fragment[side].assign(whole[side].size(), 0);
+        plan.fragment_count[side] = whole[side].empty() && s.targets.empty() ? 0 : 1;
     }
     // Bundles come in pairs: negative, positive.
     std::unordered_map<std::uint32_t, Index> bundle_of_solid;
@@ -426,11 +419,11 @@ PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch&
     return plan;
 }
 
-PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::array<std::vector<Shell>, 2>& whole,
+PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const BySide<std::vector<Shell>>& whole,
                       CutScratch& s)
 {
-    std::array<PartsOfSide, 2> sides{PartsOfSide(universe, plane, Side::negative, whole[0], s),
-                                     PartsOfSide(universe, plane, Side::positive, whole[1], s)};
+    BySide<PartsOfSide> sides{PartsOfSide(universe, plane, Side::negative, whole[Side::negative], s),
+                              PartsOfSide(universe, plane, Side::positive, whole[Side::positive], s)};
     DisjointSets same(static_cast<std::uint32_t>(s.targets.size()));
     if (s.irregular && s.targets.size() > 2 * s.cut_shells.size())
         for (const auto& [a, b] : targets_that_share_edges(universe, s)) same.unite(a, b);
@@ -439,36 +432,36 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::a
     const PiecesOutline outline = outline_of(universe, s, sides);
     for (PartsOfSide& side : sides) side.measure();
 
-    std::array<SideParts, 2> input;
-    for (std::size_t at = 0; at < 2; ++at)
-        input[at] = {sides[at].parts(),
-                     [&parts = sides[at]](std::span<const AxisRay> rays, const std::vector<bool>& is_wanted,
-                                          const AddCrossing& add) { parts.count_crossings(rays, is_wanted, add); }};
-    const std::array<std::vector<std::uint32_t>, 2> piece = group_pieces(plane, input, outline.points, outline.edges);
+    BySide<SideParts> input;
+    for (const Side side : kSides)
+        input[side] = {sides[side].parts(),
+                       [&parts = sides[side]](std::span<const AxisRay> rays, const std::vector<bool>& is_wanted,
+                                              const AddCrossing& add) { parts.count_crossings(rays, is_wanted, add); }};
+    const BySide<std::vector<std::uint32_t>> piece = group_pieces(plane, input, outline.points, outline.edges);
     PiecePlan plan;
-    for (std::size_t at = 0; at < 2; ++at)
-        plan.fragment_count[at] = sides[at].make_bundles(piece[at], s, plan.whole_fragment[at]);
+    for (const Side side : kSides)
+        plan.fragment_count[side] = sides[side].make_bundles(piece[side], s, plan.whole_fragment[side]);
     if (s.irregular) relink_outline(universe, plane, s);
     return plan;
 }
 
 void group_loops(CutScratch& s)
 {
-    std::map<std::array<Index, 2>, Index> groups;
+    std::map<BySide<Index>, Index> groups;
     for (Loop& loop : s.loops)
         loop.cap_group = groups.try_emplace(s.bundles_of(s.loop_edges[loop.first]), Index(groups.size())).first->second;
 }
 
 void hand_out_caps(CutScratch& s)
 {
-    std::vector<std::array<Index, 2>> bundles_of_group;
+    std::vector<BySide<Index>> bundles_of_group;
     for (const Loop& loop : s.loops) {
         if (loop.cap_group >= bundles_of_group.size()) bundles_of_group.resize(loop.cap_group + 1);
         bundles_of_group[loop.cap_group] = s.bundles_of(s.loop_edges[loop.first]);
     }
     s.cap_bundle.resize(s.caps.size());
     for (const GroupCap& cap : s.group_caps) {
-        const std::array<Index, 2> bundles = bundles_of_group[cap.group];
+        const BySide<Index> bundles = bundles_of_group[cap.group];
         for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) s.cap_bundle[t] = bundles;
         for (const Index bundle : bundles) s.bundles[bundle].cap_count += static_cast<std::uint32_t>(cap.count);
     }
@@ -510,7 +503,7 @@ void divide_bundles(CutScratch& s)
     }
     for (const Side side : kSides)
         for (std::uint32_t t = 0; t < caps; ++t) {
-            Index& bundle = s.cap_bundle[t][static_cast<std::size_t>(side)];
+            Index& bundle = s.cap_bundle[t][side];
             --s.bundles[bundle].cap_count;
             bundle = bundle_of_set[joined.find(cap_number(side, t))];
             ++s.bundles[bundle].cap_count;

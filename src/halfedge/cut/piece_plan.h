@@ -10,16 +10,16 @@ namespace kerf::halfedge {
 /// Which fragment everything goes to.
 struct PiecePlan
 {
-    std::array<Index, 2> fragment_count{};             ///< by side
-    std::array<std::vector<Index>, 2> whole_fragment;  ///< of each shell that is not cut
+    BySide<Index> fragment_count{};
+    BySide<std::vector<Index>> whole_fragment;  ///< of each shell that is not cut
 };
 
 /// One fragment a side: one bundle for each side of each solid that is cut.
-PiecePlan plan_sides(const std::array<std::vector<Shell>, 2>& whole, CutScratch& scratch);
+PiecePlan plan_sides(const BySide<std::vector<Shell>>& whole, CutScratch& scratch);
 
 /// One fragment for each connected piece, as kerf::group_pieces() decides; targets must have been separated. An
 /// irregular outline is linked once more, so that each loop lies between two bundles.
-PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const std::array<std::vector<Shell>, 2>& whole,
+PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const BySide<std::vector<Shell>>& whole,
                       CutScratch& scratch);
 
 /// Groups the loops by the bundles that they lie between, so that each group can be closed by itself.

@@ -77,8 +77,7 @@ void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, Cu
             continue;
         }
         const Crossing& c = s.crossings[s.entries[e] - kCrossingEntry];
-        for (std::size_t i = 0; i < c.split.piece_count; ++i)
-            count(c.target[static_cast<std::size_t>(c.split.pieces[i].side)]);
+        for (const SubTriangle& t : c.split.sub_triangles()) count(c.target[t.side]);
     }
 }
 
@@ -196,7 +195,7 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Stitcher& stit
         };
         for (const Stitcher::Piece& piece : Stitcher::pieces(c, number, stitcher.first_piece_face()))
             if (piece.exists)
-                emit(c.target[static_cast<std::size_t>(piece.side)],
+                emit(c.target[piece.side],
                      {vertex(piece.corners[0]), vertex(piece.corners[1]), vertex(piece.corners[2])}, piece.face);
     }
     std::sort(touched_.begin(), touched_.end());
@@ -249,7 +248,7 @@ void Rebuilder::write_caps(Universe& u, const Stitcher& stitcher, CutScratch& s)
     for (const Index t : s.cap_order) {
         const CapTriangle& cap = s.caps[t];
         for (const Side side : {Side::negative, Side::positive}) {
-            Bundle& b = s.bundles[s.cap_bundle[t][static_cast<std::size_t>(side)]];
+            Bundle& b = s.bundles[s.cap_bundle[t][side]];
             const Index slot = b.cap_cursor++;
             u.slots[slot] = side == Side::negative
                                 ? Triangle{cap_vertices_ + cap.corner[0], cap_vertices_ + cap.corner[1],

@@ -18,8 +18,8 @@ bool diagonal_from_n(const Crossing& c)
     const TriangleSplit& split = c.split;
     if (split.previous_code == c.next()) return false;
     if (split.next_code == c.previous()) return true;
-    if (split.piece_count < 2) return true;
-    const TriangleSplit::Piece& first_far = split.pieces[split.piece_count - 2u];
+    if (split.sub_triangle_count < 2) return true;
+    const SubTriangle& first_far = split.sub_triangle[split.sub_triangle_count - 2u];
     return first_far.side == split.lone_side || first_far.corners[2] == c.previous();
 }
 

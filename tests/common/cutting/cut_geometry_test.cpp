@@ -81,7 +81,7 @@ TEST(SplitTriangle, AnOrdinaryCrossingMakesThreePieces)
 {
     const Corners p{glm::vec3{0, 0, 1}, glm::vec3{2, 0, -1}, glm::vec3{-2, 0, -1}};
     const TriangleSplit split = split_triangle(p, {1, -1, -1});
-    EXPECT_EQ(split.piece_count, 3);
+    EXPECT_EQ(split.sub_triangle_count, 3);
     EXPECT_EQ(split.lone, 0);
     EXPECT_EQ(split.lone_side, Side::positive);
     EXPECT_EQ(split.cut_next.position, glm::vec3(1, 0, 0));
@@ -92,7 +92,7 @@ TEST(SplitTriangle, ACornerOnThePlaneMakesTwoPieces)
 {
     const Corners p{glm::vec3{0, 0, 0}, glm::vec3{2, 0, 1}, glm::vec3{2, 0, -1}};
     const TriangleSplit split = split_triangle(p, {0, 1, -1});
-    EXPECT_EQ(split.piece_count, 2);
+    EXPECT_EQ(split.sub_triangle_count, 2);
 }
 
 TEST(SplitTriangle, APieceThatRoundsAwayLeavesTheTriangleWhole)
@@ -100,8 +100,8 @@ TEST(SplitTriangle, APieceThatRoundsAwayLeavesTheTriangleWhole)
     // Corner 0 is so little above the plane z = 1 - 1e-12 that both cut points round to it.
     const Corners p{glm::vec3{5, 1, 1}, glm::vec3{6, 1, -1}, glm::vec3{4, 1, -1}};
     const TriangleSplit split = split_triangle(p, {1e-12, -2, -2});
-    ASSERT_EQ(split.piece_count, 1);
-    EXPECT_EQ(split.pieces[0].side, Side::negative);
+    ASSERT_EQ(split.sub_triangle_count, 1);
+    EXPECT_EQ(split.sub_triangle[0].side, Side::negative);
     EXPECT_FALSE(split.has_section_edge());
 }
 
@@ -118,7 +118,7 @@ RC_GTEST_PROP(SplitTriangle, PiecesHaveTheTrianglesOutlineAndArea, ())
     RC_PRE(classify(d[0], d[1], d[2]) == TriangleClass::crossing);
 
     const TriangleSplit split = split_triangle(p, d);
-    RC_ASSERT(split.piece_count >= 1);
+    RC_ASSERT(split.sub_triangle_count >= 1);
     std::map<std::pair<std::uint8_t, std::uint8_t>, int> edges;
     const auto run = [&](std::uint8_t from, std::uint8_t to, int sign) {
         if (from == to) return;
@@ -126,8 +126,8 @@ RC_GTEST_PROP(SplitTriangle, PiecesHaveTheTrianglesOutlineAndArea, ())
         edges[{to, from}] -= sign;
     };
     glm::dvec3 area{0};
-    for (int i = 0; i < split.piece_count; ++i) {
-        const auto& c = split.pieces[std::size_t(i)].corners;
+    for (int i = 0; i < split.sub_triangle_count; ++i) {
+        const auto& c = split.sub_triangle[std::size_t(i)].corners;
         const glm::vec3 x = position_of(split, p, c[0]), y = position_of(split, p, c[1]),
                         z = position_of(split, p, c[2]);
         RC_ASSERT(x != y && y != z && z != x);
@@ -154,10 +154,11 @@ RC_GTEST_PROP(SplitTriangle, DoesNotDependOnTheFirstCorner, ())
     const TriangleSplit s = split_triangle(p, d);
     const Corners turned{p[1], p[2], p[0]};
     const TriangleSplit t = split_triangle(turned, {d[1], d[2], d[0]});
-    RC_ASSERT(s.piece_count == t.piece_count);
-    for (std::size_t i = 0; i < s.piece_count; ++i)
+    RC_ASSERT(s.sub_triangle_count == t.sub_triangle_count);
+    for (std::size_t i = 0; i < s.sub_triangle_count; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            RC_ASSERT(position_of(s, p, s.pieces[i].corners[k]) == position_of(t, turned, t.pieces[i].corners[k]));
+            RC_ASSERT(position_of(s, p, s.sub_triangle[i].corners[k]) ==
+                      position_of(t, turned, t.sub_triangle[i].corners[k]));
 }
 
 TEST(CoplanarSide, IsBehindTheTriangleWhicheverCornerComesFirst)

@@ -31,7 +31,6 @@ struct Loop
 Pieces pieces_of(const Plane& plane, Side side, const std::vector<SurfacePart>& parts, const std::vector<Loop>& loops,
                  const CountCrossings& count_crossings)
 {
-    const auto at = static_cast<std::size_t>(side);
     std::map<std::uint32_t, std::uint32_t> other_part;
     std::vector<SurfacePart> other_parts;
     std::vector<glm::vec3> points;
@@ -45,15 +44,15 @@ Pieces pieces_of(const Plane& plane, Side side, const std::vector<SurfacePart>& 
         for (std::uint32_t i = 0; i < count; ++i) {
             points.push_back(loop.points[i]);
             OutlineEdge edge{first + i, first + (i + 1) % count, {}};
-            edge.part[at] = loop.part;
-            edge.part[1 - at] = entry->second;
+            edge.part[side] = loop.part;
+            edge.part[opposite(side)] = entry->second;
             outline.push_back(edge);
         }
     }
-    std::array<SideParts, 2> sides;
-    sides[at] = {parts, count_crossings};
-    sides[1 - at] = {other_parts, no_crossings};
-    return group_pieces(plane, sides, points, outline)[at];
+    BySide<SideParts> sides;
+    sides[side] = {parts, count_crossings};
+    sides[opposite(side)] = {other_parts, no_crossings};
+    return group_pieces(plane, sides, points, outline)[side];
 }
 
 /// Loops of one section, each with a part of its own, drawn in the plane's frame: u to the right, v up.
@@ -333,7 +332,7 @@ struct Drawing
 
     std::array<Pieces, 2> pieces() const
     {
-        const std::array<SideParts, 2> sides{SideParts{parts[0], no_crossings}, SideParts{parts[1], no_crossings}};
+        const BySide<SideParts> sides{SideParts{parts[0], no_crossings}, SideParts{parts[1], no_crossings}};
         return group_pieces({{0, 0, 1}, 0.0}, sides, points, outline);
     }
 };
@@ -412,9 +411,9 @@ TEST(Pieces, EdgesThatRunForthAndBackBoundNothing)
     d.add_path({0, 1, 2, 0}, 0, d.add_part(Side::positive));
     const std::uint32_t gone = d.add_part(Side::positive);
     d.add_path({3, 4, 5, 3}, 0, gone);
-    EXPECT_EQ(d.pieces()[1], (Pieces{0, 0}));
+    EXPECT_EQ(d.pieces()[Side::positive], (Pieces{0, 0}));
     d.add_path({3, 5, 4, 3}, 0, gone);
-    EXPECT_EQ(d.pieces()[1], (Pieces{0, 1}));
+    EXPECT_EQ(d.pieces()[Side::positive], (Pieces{0, 1}));
 }
 
 RC_GTEST_PROP(Pieces, DoNotDependOnTheOrderOfEdgesAndPoints, ())
