@@ -11,10 +11,10 @@
 
 namespace kerf::halfedge {
 
-Fragment::Fragment(std::shared_ptr<Family> family, std::span<const Shell> shells, std::size_t material_count)
+Fragment::Fragment(std::shared_ptr<Family> family, std::span<const ShellRoot> shells, std::size_t material_count)
     : Fragment(std::move(family), shells.size(), material_count)
 {
-    for (const Shell& shell : shells) add_shell(shell);
+    for (const ShellRoot& shell : shells) add_shell(shell);
 }
 
 Fragment::Fragment(std::shared_ptr<Family> family, std::size_t shells, std::size_t material_count)
@@ -29,7 +29,7 @@ Fragment::~Fragment()
 }
 
 /// There is room for it.
-void Fragment::add_shell(const Shell& shell)
+void Fragment::add_shell(const ShellRoot& shell)
 {
     const Node& root = universe().tree.nodes[shell.root];
     shells_.push_back(shell);
@@ -62,7 +62,7 @@ std::unique_ptr<Cuttable> Fragment::clone() const
 std::unique_ptr<Fragment> Fragment::compacted() const
 {
     auto family = std::make_shared<Family>();
-    const std::vector<Shell> shells = compact_copy(universe(), shells_, family->universe);
+    const std::vector<ShellRoot> shells = compact_copy(universe(), shells_, family->universe);
     family->make_room(family->universe.slots.size());
     return std::make_unique<Fragment>(std::move(family), shells, material_count_);
 }
@@ -93,7 +93,7 @@ std::vector<Index> Fragment::roots() const
 {
     std::vector<Index> roots;
     roots.reserve(shells_.size());
-    for (const Shell& shell : shells_) roots.push_back(shell.root);
+    for (const ShellRoot& shell : shells_) roots.push_back(shell.root);
     return roots;
 }
 
@@ -101,9 +101,9 @@ std::vector<DrawRange> Fragment::draw_ranges() const
 {
     const Universe& u = universe();
     std::vector<TriangleTree::Run> runs;
-    for (const Shell& shell : shells_) u.tree.append_runs(shell.root, runs);
+    for (const ShellRoot& shell : shells_) u.tree.append_runs(shell.root, runs);
     const auto rank = [&](const TriangleTree::Run& run) {
-        const Group& g = u.groups[run.group];
+        const DrawGroup& g = u.groups[run.group];
         return std::tuple(g.kind, g.material, run.first);
     };
     const auto before = [&](const auto& a, const auto& b) { return rank(a) < rank(b); };
@@ -112,7 +112,7 @@ std::vector<DrawRange> Fragment::draw_ranges() const
     std::vector<DrawRange> ranges;
     ranges.reserve(runs.size());
     for (const TriangleTree::Run& run : runs) {
-        const Group& g = u.groups[run.group];
+        const DrawGroup& g = u.groups[run.group];
         if (!ranges.empty()) {
             DrawRange& last = ranges.back();
             if (last.kind == g.kind && last.material == g.material &&
@@ -161,7 +161,7 @@ MassProperties Fragment::mass_properties() const
     const bool few = triangle_count_ <= kFew;
     const glm::dvec3 reference = few ? mass_reference(box_) : u.reference;
     MassMoments moments;
-    for (const Shell& shell : shells_) {
+    for (const ShellRoot& shell : shells_) {
         if (few)
             for_each_slot(u, shell.root, [&](Index slot) {
                 const Triangle& t = u.slots[slot];
@@ -205,7 +205,7 @@ std::vector<Vertex> Fragment::used_vertices() const
     const std::shared_lock lock(u.mutex);
     std::vector<bool> seen(u.vertices.size());
     std::vector<Vertex> vertices;
-    for (const Shell& shell : shells_)
+    for (const ShellRoot& shell : shells_)
         for_each_slot(u, shell.root, [&](Index slot) {
             for (const Index v : u.slots[slot]) {
                 if (seen[v]) continue;
@@ -249,7 +249,7 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
     // From here on nothing can fail.
     cutter.carry_out(result);
     cutter.for_each_shell(
-        [&](Side side, Index fragment, const Shell& shell) { fragments[side][fragment]->add_shell(shell); });
+        [&](Side side, Index fragment, const ShellRoot& shell) { fragments[side][fragment]->add_shell(shell); });
     const auto hand_over = [](auto& from, auto& to) {
         for (auto& fragment : from)
             if (!fragment->shells_.empty()) to.push_back(std::move(fragment));

@@ -16,7 +16,7 @@ class Cutter;
 class Fragment final : public Cuttable
 {
 public:
-    Fragment(std::shared_ptr<Family> family, std::span<const Shell> shells, std::size_t material_count);
+    Fragment(std::shared_ptr<Family> family, std::span<const ShellRoot> shells, std::size_t material_count);
     /// An empty fragment, to be filled without failing: has room for `shells`.
     Fragment(std::shared_ptr<Family> family, std::size_t shells, std::size_t material_count);
     ~Fragment() override;
@@ -34,7 +34,7 @@ public:
     void compact() override;
 
     const Universe& universe() const { return family_->universe; }
-    const std::vector<Shell>& shells() const { return shells_; }
+    const std::vector<ShellRoot>& shells() const { return shells_; }
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
@@ -43,7 +43,7 @@ private:
 
     using FragmentsBySide = BySide<std::vector<std::unique_ptr<Fragment>>>;
 
-    void add_shell(const Shell& shell);
+    void add_shell(const ShellRoot& shell);
     std::unique_ptr<Fragment> compacted() const;
     /// The fragments that a cut will fill, with their loops and without shells.
     FragmentsBySide planned_fragments(const Cutter& cutter) const;
@@ -58,7 +58,7 @@ private:
 
     // What follows is the fragment's own: reading it needs no lock, and a fragment can end while a relative is cut.
     std::shared_ptr<Family> family_;
-    std::vector<Shell> shells_;
+    std::vector<ShellRoot> shells_;
     std::uint64_t triangle_count_ = 0;
     Box box_;
     /// The first of the universe's materials; those behind them were added by cuts of relatives.

@@ -15,7 +15,7 @@ private:
     std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
     {
         auto family = std::make_shared<Family>();
-        const std::vector<Shell> shells = prepare_universe(mesh, family->universe);
+        const std::vector<ShellRoot> shells = prepare_universe(mesh, family->universe);
         family->make_room(mesh->triangles.size());
         return std::make_unique<Fragment>(std::move(family), shells, mesh->materials.size());
     }

@@ -27,8 +27,8 @@ inline void PrintTo(const NamedBackend& backend, std::ostream* out)
 /// lookups that give the bytes of `hash` (VertexLookup.ScanAndTwoBucketsGiveTheBytesOfHash).
 const std::vector<NamedBackend>& backends();
 
-/// One vertex lookup of the baseline, and the half-edge back end if it is built: enough where only surfaces matter, which
-/// are equal bit for bit.
+/// One vertex lookup of the baseline, and the half-edge back end if it is built: enough where only surfaces matter,
+/// which are equal bit for bit.
 std::vector<NamedBackend> one_of_each_kind();
 
 }  // namespace kerf::test

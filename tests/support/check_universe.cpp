@@ -16,9 +16,9 @@ public:
     {
     }
 
-    std::string run(std::span<const Shell> shells)
+    std::string run(std::span<const ShellRoot> shells)
     {
-        for (const Shell& shell : shells) {
+        for (const ShellRoot& shell : shells) {
             if (shell.root == kNone || shell.root >= u_.tree.nodes.size()) return "a shell has no root";
             if (!check_subtree(shell.root)) return error_;
         }
@@ -175,7 +175,7 @@ private:
 
 }  // namespace
 
-std::string check_universe(const Universe& universe, std::span<const Shell> shells)
+std::string check_universe(const Universe& universe, std::span<const ShellRoot> shells)
 {
     return Checker(universe).run(shells);
 }

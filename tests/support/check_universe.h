@@ -11,6 +11,6 @@ namespace kerf::halfedge {
 /// first thing that is wrong. Looks at connectivity (opposite, next, previous, face, vertex, umbrellas), at positions
 /// of half-edge mesh and vertex buffer, at boxes, moments, maxima and groups of the tree, and at slots that occur
 /// twice. For tests; O(n), shares no code with what it checks beyond the data structures.
-std::string check_universe(const Universe& universe, std::span<const Shell> shells);
+std::string check_universe(const Universe& universe, std::span<const ShellRoot> shells);
 
 }  // namespace kerf::halfedge

@@ -58,7 +58,8 @@ struct SideParts
     CountCrossings count_crossings;
 };
 
-/// Groups the parts of both sides into pieces. Returns for each part the number of its piece on its side; pieces are numbered in the order of their first part.
+/// Groups the parts of both sides into pieces. Returns for each part the number of its piece on its side; pieces are
+/// numbered in the order of their first part.
 ///
 /// A solid that is not cut stays one piece. In a solid that is cut, a hole (clockwise loop) joins the smallest outer
 /// loop around it; a flat part joins the first piece that is not; a whole shell of negative volume joins the piece it

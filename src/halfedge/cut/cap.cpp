@@ -31,13 +31,12 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
     std::vector<std::size_t> closed;
     for (std::size_t i = 0; i < scratch.loops.size(); ++i)
         if (scratch.loops[i].closed) closed.push_back(i);
-    std::stable_sort(closed.begin(), closed.end(), [&](std::size_t a, std::size_t b) {
-        return scratch.loops[a].cap_group < scratch.loops[b].cap_group;
-    });
+    std::stable_sort(closed.begin(), closed.end(),
+                     [&](std::size_t a, std::size_t b) { return scratch.loops[a].cap_set < scratch.loops[b].cap_set; });
     for (std::size_t first = 0, last; first < closed.size(); first = last) {
-        const Index group = scratch.loops[closed[first]].cap_group;
-        for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_group == group;) ++last;
-        close_group({closed.data() + first, last - first}, group, scratch);
+        const Index set = scratch.loops[closed[first]].cap_set;
+        for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_set == set;) ++last;
+        close_set({closed.data() + first, last - first}, set, scratch);
     }
     excess_ /= size[dropped];
 }
@@ -108,9 +107,9 @@ void CapPlanner::connect(CapLink a, CapLink b, CutScratch& scratch)
     for (const OutlineEdgeId edge : scratch.cancelled.back()) scratch.share_ends(edge);
 }
 
-void CapPlanner::close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch)
+void CapPlanner::close_set(std::span<const std::size_t> loops, Index set, CutScratch& scratch)
 {
-    GroupCap cap{group, scratch.caps.size(), 0};
+    CapSet cap{set, scratch.caps.size(), 0};
     upright_.clear();
     box_ = {};
     clear_outline();
@@ -126,7 +125,7 @@ void CapPlanner::close_group(std::span<const std::size_t> loops, Index group, Cu
     }
     close_outline(scratch);
     cap.count = scratch.caps.size() - cap.first;
-    scratch.group_caps.push_back(cap);
+    scratch.cap_sets.push_back(cap);
     order_spatially(cap, scratch);
 }
 
@@ -177,7 +176,7 @@ void CapPlanner::take_over(CutScratch& scratch)
     for (const Index i : mesh_.shared_points) scratch.share_point(global_[i]);
 }
 
-void CapPlanner::order_spatially(const GroupCap& cap, CutScratch& scratch)
+void CapPlanner::order_spatially(const CapSet& cap, CutScratch& scratch)
 {
     // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
     const glm::dvec2 lo(box_.lo_x, box_.lo_y);

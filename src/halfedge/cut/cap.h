@@ -6,13 +6,13 @@
 
 namespace kerf::halfedge {
 
-/// CAP: closes the loops of a section, group by group.
+/// CAP: closes the loops of a section, set by set.
 class CapPlanner
 {
 public:
     CapPlanner();
 
-    /// Fills `caps`, `group_caps`, `cap_order` and, where outline edges cancel, `cancelled` from the closed loops in
+    /// Fills `caps`, `cap_sets`, `cap_order` and, where outline edges cancel, `cancelled` from the closed loops in
     /// `scratch`; where loops cross, points are appended to `loop_points`. O(k) for one convex loop, otherwise O(k log
     /// k). May throw std::bad_alloc.
     void plan(const Plane& plane, CutScratch& scratch);
@@ -25,7 +25,7 @@ public:
     std::uint64_t steps() const { return mesh_.steps; }
 
 private:
-    void close_group(std::span<const std::size_t> loops, Index group, CutScratch& scratch);
+    void close_set(std::span<const std::size_t> loops, Index set, CutScratch& scratch);
     /// Appends a loop to the outline. Points that only differ along the dropped axis fall on one another: a triangle of
     /// no projected area takes the first of the two away. False, and nothing is appended, when less than three are
     /// left.
@@ -41,7 +41,7 @@ private:
     double turned_area(const CutScratch& scratch) const;
     /// Joins two edges: of cap triangles, or outline edges.
     static void connect(CapLink a, CapLink b, CutScratch& scratch);
-    void order_spatially(const GroupCap& cap, CutScratch& scratch);
+    void order_spatially(const CapSet& cap, CutScratch& scratch);
     glm::dvec2 projected(const glm::vec3& p) const { return {p[axis_u_], p[axis_v_]}; }
 
     std::array<std::unique_ptr<CapTriangulator>, 4> ways_;  ///< in the order in which they are tried; the last can all
@@ -52,7 +52,7 @@ private:
     std::vector<Index> starts_;
     std::vector<Index> global_;  ///< point in `loop_points` of each local point
     std::vector<CapLink> edge_;  ///< what leaves each local point: the outline edge of a point, or an edge of a cap
-    Box2 box_;                   ///< of the group's points
+    Box2 box_;                   ///< of the set's points
     CapMesh mesh_;
     double excess_ = 0.0;
     std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;

@@ -45,7 +45,7 @@ void CutScratch::reserve(std::size_t k)
     reserve_touched(loop_points, k);
     reserve_touched(caps, k);
     reserve_touched(cap_order, k);
-    reserve_touched(cap_bundle, k);
+    reserve_touched(cap_piece_shell, k);
 }
 
 void CutScratch::begin(Universe& u)
@@ -83,11 +83,11 @@ void CutScratch::clear()
     loops.clear();
     cancelled.clear();
     caps.clear();
-    group_caps.clear();
+    cap_sets.clear();
     cap_order.clear();
     targets.clear();
-    bundles.clear();
-    cap_bundle.clear();
+    piece_shells.clear();
+    cap_piece_shell.clear();
 }
 
 }  // namespace kerf::halfedge

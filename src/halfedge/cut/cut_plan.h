@@ -12,6 +12,17 @@
 #include "halfedge/universe/universe.h"
 
 // What a cut is planned in. All vectors keep their memory from cut to cut.
+//
+// What belongs together, from the object to its fragments:
+//
+//   shell of the object   that the plane meets: a CutShell, with a program of TreeOps that takes its tree apart
+//     Target              one side of a cut shell, or a connected part of that side: where triangles go
+//       PieceShell        targets that caps or touching edges join: a shell of a fragment
+//         fragment        piece shells of one side (or of one piece, if the caller asks for pieces), and whole shells
+//
+// A Crossing is a triangle that the plane cuts, an outline edge one of its section edges or an edge in the plane, a
+// Loop a closed run of outline edges. Loops that bound the same two piece shells are one set, which caps close
+// together.
 
 namespace kerf::halfedge {
 
@@ -91,7 +102,7 @@ struct CutShell
 {
     Index shell = 0;  ///< index in the object
     std::uint32_t solid = 0;
-    bool connected = true;  ///< as Shell
+    bool connected = true;  ///< as ShellRoot
     std::size_t first_op = 0, op_count = 0;
     std::size_t first_crossing = 0, crossing_count = 0;
     std::size_t first_in_plane = 0, in_plane_count = 0;
@@ -118,7 +129,7 @@ struct Target
     Side side = Side::negative;
     Index shell = 0;           ///< of the cut shells
     bool is_empty = false;     ///< all that would be in it has vanished
-    Index bundle = 0;          ///< what it is joined with
+    Index piece_shell = 0;     ///< what it is joined with
     std::uint32_t count = 0;   ///< rewritten triangles
     std::uint32_t cursor = 0;  ///< next slot to write
     std::uint32_t leaves = 0;  ///< rewritten leaves that it has a part in
@@ -126,7 +137,7 @@ struct Target
 };
 
 /// Targets of one piece: a shell of a fragment.
-struct Bundle
+struct PieceShell
 {
     Side side = Side::negative;
     std::uint32_t solid = 0;
@@ -134,7 +145,7 @@ struct Bundle
     Index fragment = 0;  ///< index in the side's fragments
     bool connected = true;
     Index root = kNone;
-    Index cap_group = kNone;
+    Index cap_group = kNone;  ///< the draw group of its caps
     std::uint32_t cap_count = 0, cap_first = 0, cap_cursor = 0;
 };
 
@@ -147,8 +158,8 @@ struct Loop
 {
     std::size_t first = 0, count = 0;  ///< in `loop_edges` and `loop_points`: outline edge i starts at point i
     std::uint32_t solid = 0;
-    Index shell = 0;      ///< of the cut shells
-    Index cap_group = 0;  ///< loops of one group are closed together: they bound the same bundles on both sides
+    Index shell = 0;    ///< of the cut shells
+    Index cap_set = 0;  ///< loops of one set are closed together: they bound the same piece shells on both sides
     bool closed = true;
     glm::vec3 end{0.0f};  ///< chains: the end of the last outline edge
 };
@@ -161,10 +172,10 @@ struct BoundaryCut
     Index positive_end = kNone, negative_end = kNone;  ///< its vertices
 };
 
-/// The caps of one group of loops.
-struct GroupCap
+/// The caps of one set of loops.
+struct CapSet
 {
-    Index group = 0;
+    Index set = 0;
     std::size_t first = 0, count = 0;  ///< triangles
 };
 
@@ -249,13 +260,13 @@ struct CutScratch
     // CAP
     /// Corners are loop points, counter-clockwise seen from the positive side; outline edges are those of `loop_edges`.
     std::vector<CapTriangle> caps;
-    std::vector<GroupCap> group_caps;
+    std::vector<CapSet> cap_sets;
     std::vector<Index> cap_order;  ///< of the cap triangles, spatially coherent within a group
 
     // What goes where
     std::vector<Target> targets;
-    std::vector<Bundle> bundles;
-    std::vector<BySide<Index>> cap_bundle;  ///< of each cap triangle
+    std::vector<PieceShell> piece_shells;
+    std::vector<BySide<Index>> cap_piece_shell;  ///< of each cap triangle
 
     /// Says of point p of the outline that it is shared.
     void share_point(std::size_t p)
@@ -329,10 +340,11 @@ struct CutScratch
     {
         return edge < crossings.size() && crossings[edge].bounds_nothing[side];
     }
-    /// The bundles that an outline edge lies between.
-    BySide<Index> bundles_of(OutlineEdgeId edge) const
+    /// The piece shells that an outline edge lies between.
+    BySide<Index> piece_shells_of(OutlineEdgeId edge) const
     {
-        return {targets[target_of(edge, Side::negative)].bundle, targets[target_of(edge, Side::positive)].bundle};
+        return {targets[target_of(edge, Side::negative)].piece_shell,
+                targets[target_of(edge, Side::positive)].piece_shell};
     }
 
 private:

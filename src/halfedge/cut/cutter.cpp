@@ -24,7 +24,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     CutScratch& s = s_;
     plane_ = plane;
     CutStatistics& statistics = result.statistics;
-    for (const Shell& shell : shells_) statistics.triangles += u.tree.nodes[shell.root].count;
+    for (const ShellRoot& shell : shells_) statistics.triangles += u.tree.nodes[shell.root].count;
 
     if (misses(plane, statistics.nodes_visited)) {
         done(Phase::find, result);
@@ -64,7 +64,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     }
     for (const Loop& loop : s.loops) ++(loop.closed ? statistics.section_loops : statistics.open_chains);
     result.section_area = section_area(plane, s);
-    group_loops(s);
+    plan_cap_sets(s);
     done(Phase::components, result);
     if (options.build_caps) {
         s.cap_planner->plan(plane, s);
@@ -75,7 +75,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     }
     done(Phase::cap, result);
     hand_out_caps(s);
-    if (options.split_components) divide_bundles(s);
+    if (options.split_components) divide_piece_shells(s);
     plan_cap_groups(options);
     if (pieces_.fragment_count[Side::negative] == 0 || pieces_.fragment_count[Side::positive] == 0) {
         result.section_area = 0.0;
@@ -119,7 +119,7 @@ bool Cutter::misses(const Plane& plane, std::uint64_t& nodes_visited) const
 {
     const Universe& u = u_;
     const auto reaches = [&](int sign) {
-        return std::any_of(shells_.begin(), shells_.end(), [&](const Shell& shell) {
+        return std::any_of(shells_.begin(), shells_.end(), [&](const ShellRoot& shell) {
             return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, nodes_visited);
         });
     };
@@ -187,7 +187,7 @@ void Cutter::plan_cap_groups(const CutOptions& options)
     for (Index g = 0; g < u.groups.size(); ++g)
         if (u.groups[g].material == material && u.groups[g].kind == TriangleKind::cap)
             group_of_solid.emplace(u.groups[g].solid, g);
-    for (Bundle& b : s.bundles) {
+    for (PieceShell& b : s.piece_shells) {
         if (b.cap_count == 0) continue;
         const auto [entry, is_new] =
             group_of_solid.try_emplace(b.solid, static_cast<Index>(u.groups.size() + new_groups_.size()));
@@ -209,7 +209,7 @@ std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
 {
     std::vector<PlannedFragment> fragments(pieces_.fragment_count[side]);
     for (const Index fragment : pieces_.whole_fragment[side]) ++fragments[fragment].shells;
-    for (const Bundle& b : s_.bundles)
+    for (const PieceShell& b : s_.piece_shells)
         if (b.side == side) ++fragments[b.fragment].shells;
     // Every fragment gets the loops that bound it.
     for (const Loop& loop : s_.loops) {
@@ -218,8 +218,8 @@ std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
         const auto first = s_.loop_points.begin() + static_cast<std::ptrdiff_t>(loop.first);
         copy.points.assign(first, first + static_cast<std::ptrdiff_t>(loop.count));
         if (!loop.closed) copy.points.push_back(loop.end);
-        const Index bundle = s_.bundles_of(s_.loop_edges[loop.first])[side];
-        fragments[s_.bundles[bundle].fragment].loops.push_back(std::move(copy));
+        const Index piece_shell = s_.piece_shells_of(s_.loop_edges[loop.first])[side];
+        fragments[s_.piece_shells[piece_shell].fragment].loops.push_back(std::move(copy));
     }
     return fragments;
 }

@@ -24,7 +24,7 @@ public:
     /// @param universe        locked by the caller, until the cutter has ended
     /// @param scratch         in which cuts in this universe are planned
     /// @param material_count  of the object: the first of the universe's materials
-    Cutter(Universe& universe, CutScratch& scratch, const std::vector<Shell>& shells, std::size_t material_count)
+    Cutter(Universe& universe, CutScratch& scratch, const std::vector<ShellRoot>& shells, std::size_t material_count)
         : u_(universe), s_(scratch), shells_(shells), material_count_(material_count)
     {
     }
@@ -47,8 +47,8 @@ public:
         for (const Side side : kSides)
             for (std::size_t i = 0; i < whole_[side].size(); ++i)
                 visit(side, pieces_.whole_fragment[side][i], whole_[side][i]);
-        for (const Bundle& b : s_.bundles)
-            if (b.root != kNone) visit(b.side, b.fragment, Shell{b.root, b.solid, b.connected});
+        for (const PieceShell& b : s_.piece_shells)
+            if (b.root != kNone) visit(b.side, b.fragment, ShellRoot{b.root, b.solid, b.connected});
     }
 
 private:
@@ -65,12 +65,12 @@ private:
 
     Universe& u_;
     CutScratch& s_;
-    const std::vector<Shell>& shells_;
-    BySide<std::vector<Shell>> whole_;  ///< shells that the plane does not cut, by side
+    const std::vector<ShellRoot>& shells_;
+    BySide<std::vector<ShellRoot>> whole_;  ///< shells that the plane does not cut, by side
     PiecePlan pieces_;
     std::size_t material_count_;  ///< of the object; from plan_cap_groups() on that of the fragments
     bool adds_cap_material_ = false;
-    std::vector<Group> new_groups_;
+    std::vector<DrawGroup> new_groups_;
     bool leaves_open_ = false;  ///< some fragment may be open afterwards
     Plane plane_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();

@@ -236,15 +236,15 @@ void relink_outline(const Universe& universe, const Plane& plane, CutScratch& sc
     scratch.loops.clear();
     scratch.loop_edges.clear();
     scratch.loop_points.clear();
-    std::vector<std::uint64_t> bundles;
-    bundles.reserve(scratch.outline.size());
+    std::vector<std::uint64_t> piece_shells;
+    piece_shells.reserve(scratch.outline.size());
     for (const ClassedEdge& e : scratch.outline) {
-        BySide<Index> bundle = scratch.bundles_of(e.id);
+        BySide<Index> piece_shell = scratch.piece_shells_of(e.id);
         for (const Side side : {Side::negative, Side::positive})
-            if (scratch.bounds_nothing(e.id, side)) bundle[side] = kNone;
-        bundles.push_back(std::uint64_t{bundle[Side::negative]} << 32 | bundle[Side::positive]);
+            if (scratch.bounds_nothing(e.id, side)) piece_shell[side] = kNone;
+        piece_shells.push_back(std::uint64_t{piece_shell[Side::negative]} << 32 | piece_shell[Side::positive]);
     }
-    divide(universe, plane, bundles, scratch);
+    divide(universe, plane, piece_shells, scratch);
 }
 
 std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, const CutScratch& s)

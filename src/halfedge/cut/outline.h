@@ -14,8 +14,8 @@ namespace kerf::halfedge {
 /// the loops. Expected O(k), and O(j log j) for the j outline edges where several meet.
 void link_outline(const Universe& universe, const Plane& plane, CutScratch& scratch);
 
-/// Divides the outline that link_outline() found once more: only outline edges between the same two bundles follow one
-/// another.
+/// Divides the outline that link_outline() found once more: only outline edges between the same two piece shells follow
+/// one another.
 void relink_outline(const Universe& universe, const Plane& plane, CutScratch& scratch);
 
 /// The outline edges of an irregular outline as common code takes them, but for the parts that they bound. O(k).

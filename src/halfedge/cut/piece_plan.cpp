@@ -161,7 +161,7 @@ private:
 class PartsOfSide
 {
 public:
-    PartsOfSide(const Universe& universe, const Plane& plane, Side side, const std::vector<Shell>& whole,
+    PartsOfSide(const Universe& universe, const Plane& plane, Side side, const std::vector<ShellRoot>& whole,
                 CutScratch& scratch)
         : u_(universe), plane_(plane), side_(side), whole_(whole), s_(scratch)
     {
@@ -188,7 +188,7 @@ public:
             of_target_[t] = entry->second;
         }
         cut_count_ = static_cast<Index>(parts_.size());
-        for (const Shell& shell : whole_) {
+        for (const ShellRoot& shell : whole_) {
             SurfacePart part;
             part.solid = shell.solid;
             parts_.push_back(part);
@@ -244,7 +244,7 @@ public:
     void count_crossings(std::span<const AxisRay> rays, const std::vector<bool>& is_wanted,
                          const AddCrossing& add) const
     {
-        const ParallelRays bundle(rays);
+        const ParallelRays piece_shell(rays);
         const auto add_to = [&](Index part) {
             return [&add, part](std::uint32_t ray, int term) { add(part, ray, term); };
         };
@@ -252,34 +252,35 @@ public:
             u_, s_, side_,
             [&](Index target, Index node) {
                 if (is_wanted[of_target_[target]])
-                    halfedge::count_crossings(u_, node, bundle, add_to(of_target_[target]));
+                    halfedge::count_crossings(u_, node, piece_shell, add_to(of_target_[target]));
             },
             [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-                if (is_wanted[of_target_[target]]) bundle.for_each_crossing(a, b, c, add_to(of_target_[target]));
+                if (is_wanted[of_target_[target]]) piece_shell.for_each_crossing(a, b, c, add_to(of_target_[target]));
             });
         for (Index i = 0; i < whole_.size(); ++i)
             if (is_wanted[cut_count_ + i])
-                halfedge::count_crossings(u_, whole_[i].root, bundle, add_to(cut_count_ + i));
+                halfedge::count_crossings(u_, whole_[i].root, piece_shell, add_to(cut_count_ + i));
     }
 
-    /// Makes a bundle of the targets of each piece.
-    Index make_bundles(const std::vector<std::uint32_t>& piece, CutScratch& s, std::vector<Index>& whole_fragment) const
+    /// Makes a piece shell of the targets of each piece.
+    Index make_piece_shells(const std::vector<std::uint32_t>& piece, CutScratch& s,
+                            std::vector<Index>& whole_fragment) const
     {
         Index count = 0;
         for (const std::uint32_t p : piece) count = std::max(count, p + 1);
-        std::vector<Index> bundle(count, kNone);
+        std::vector<Index> piece_shell(count, kNone);
         for (Index t = 0; t < of_target_.size(); ++t) {
             if (of_target_[t] == kNone) continue;
             const std::uint32_t p = piece[of_target_[t]];
-            if (bundle[p] == kNone) {
-                Bundle b;
+            if (piece_shell[p] == kNone) {
+                PieceShell b;
                 b.side = side_;
                 b.solid = solid_of(t);
                 b.fragment = p;
-                bundle[p] = static_cast<Index>(s.bundles.size());
-                s.bundles.push_back(b);
+                piece_shell[p] = static_cast<Index>(s.piece_shells.size());
+                s.piece_shells.push_back(b);
             }
-            s.targets[t].bundle = bundle[p];
+            s.targets[t].piece_shell = piece_shell[p];
         }
         whole_fragment.assign(piece.begin() + cut_count_, piece.end());
         return count;
@@ -339,7 +340,7 @@ private:
     const Universe& u_;
     const Plane& plane_;
     const Side side_;
-    const std::vector<Shell>& whole_;
+    const std::vector<ShellRoot>& whole_;
     CutScratch& s_;
     std::vector<SurfacePart> parts_;
     std::vector<Index> of_target_;
@@ -389,37 +390,38 @@ PiecesOutline outline_of(const Universe& u, const CutScratch& s, BySide<PartsOfS
 
 }  // namespace
 
-PiecePlan plan_sides(const BySide<std::vector<Shell>>& whole, CutScratch& s)
+PiecePlan plan_sides(const BySide<std::vector<ShellRoot>>& whole, CutScratch& s)
 {
     PiecePlan plan;
     for (const Side side : kSides) {
         plan.whole_fragment[side].assign(whole[side].size(), 0);
         plan.fragment_count[side] = whole[side].empty() && s.targets.empty() ? 0 : 1;
     }
-    // Bundles come in pairs: negative, positive.
-    std::unordered_map<std::uint32_t, Index> bundle_of_solid;
+    // Piece shells come in pairs: negative, positive.
+    std::unordered_map<std::uint32_t, Index> piece_shell_of_solid;
     for (Target& t : s.targets) {
         const CutShell& shell = s.cut_shells[t.shell];
-        const auto [entry, is_new] = bundle_of_solid.try_emplace(shell.solid, static_cast<Index>(s.bundles.size()));
+        const auto [entry, is_new] =
+            piece_shell_of_solid.try_emplace(shell.solid, static_cast<Index>(s.piece_shells.size()));
         if (is_new)
             for (const Side side : kSides) {
-                Bundle b;
+                PieceShell b;
                 b.side = side;
                 b.solid = shell.solid;
                 b.shell = t.shell;
                 // One curve on a connected shell leaves one part on each side, whatever the shell's genus.
                 b.connected = shell.connected && shell.loops == 1 && s.loops_are_all_curves();
-                s.bundles.push_back(b);
+                s.piece_shells.push_back(b);
             }
-        t.bundle = entry->second + static_cast<Index>(t.side);
+        t.piece_shell = entry->second + static_cast<Index>(t.side);
         // Whether caps connect several shells of a solid is not looked into.
-        Bundle& b = s.bundles[t.bundle];
+        PieceShell& b = s.piece_shells[t.piece_shell];
         b.connected = b.connected && b.shell == t.shell;
     }
     return plan;
 }
 
-PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const BySide<std::vector<Shell>>& whole,
+PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const BySide<std::vector<ShellRoot>>& whole,
                       CutScratch& s)
 {
     BySide<PartsOfSide> sides{PartsOfSide(universe, plane, Side::negative, whole[Side::negative], s),
@@ -440,38 +442,39 @@ PiecePlan plan_pieces(const Universe& universe, const Plane& plane, const BySide
     const BySide<std::vector<std::uint32_t>> piece = group_pieces(plane, input, outline.points, outline.edges);
     PiecePlan plan;
     for (const Side side : kSides)
-        plan.fragment_count[side] = sides[side].make_bundles(piece[side], s, plan.whole_fragment[side]);
+        plan.fragment_count[side] = sides[side].make_piece_shells(piece[side], s, plan.whole_fragment[side]);
     if (s.irregular) relink_outline(universe, plane, s);
     return plan;
 }
 
-void group_loops(CutScratch& s)
+void plan_cap_sets(CutScratch& s)
 {
-    std::map<BySide<Index>, Index> groups;
+    std::map<BySide<Index>, Index> sets;
     for (Loop& loop : s.loops)
-        loop.cap_group = groups.try_emplace(s.bundles_of(s.loop_edges[loop.first]), Index(groups.size())).first->second;
+        loop.cap_set = sets.try_emplace(s.piece_shells_of(s.loop_edges[loop.first]), Index(sets.size())).first->second;
 }
 
 void hand_out_caps(CutScratch& s)
 {
-    std::vector<BySide<Index>> bundles_of_group;
+    std::vector<BySide<Index>> piece_shells_of_set;
     for (const Loop& loop : s.loops) {
-        if (loop.cap_group >= bundles_of_group.size()) bundles_of_group.resize(loop.cap_group + 1);
-        bundles_of_group[loop.cap_group] = s.bundles_of(s.loop_edges[loop.first]);
+        if (loop.cap_set >= piece_shells_of_set.size()) piece_shells_of_set.resize(loop.cap_set + 1);
+        piece_shells_of_set[loop.cap_set] = s.piece_shells_of(s.loop_edges[loop.first]);
     }
-    s.cap_bundle.resize(s.caps.size());
-    for (const GroupCap& cap : s.group_caps) {
-        const BySide<Index> bundles = bundles_of_group[cap.group];
-        for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) s.cap_bundle[t] = bundles;
-        for (const Index bundle : bundles) s.bundles[bundle].cap_count += static_cast<std::uint32_t>(cap.count);
+    s.cap_piece_shell.resize(s.caps.size());
+    for (const CapSet& cap : s.cap_sets) {
+        const BySide<Index> piece_shells = piece_shells_of_set[cap.set];
+        for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) s.cap_piece_shell[t] = piece_shells;
+        for (const Index piece_shell : piece_shells)
+            s.piece_shells[piece_shell].cap_count += static_cast<std::uint32_t>(cap.count);
     }
 }
 
-void divide_bundles(CutScratch& s)
+void divide_piece_shells(CutScratch& s)
 {
     const auto targets = static_cast<std::uint32_t>(s.targets.size()), caps = static_cast<std::uint32_t>(s.caps.size());
-    std::vector<std::uint32_t> targets_in(s.bundles.size(), 0);
-    for (const Target& t : s.targets) ++targets_in[t.bundle];
+    std::vector<std::uint32_t> targets_in(s.piece_shells.size(), 0);
+    for (const Target& t : s.targets) ++targets_in[t.piece_shell];
     if (std::none_of(targets_in.begin(), targets_in.end(), [](std::uint32_t count) { return count > 1; })) return;
 
     // Targets, then the caps of either side.
@@ -485,28 +488,28 @@ void divide_bundles(CutScratch& s)
                                                       : cap_number(side, link.triangle()));
         for (const auto& [a, b] : s.cancelled) joined.unite(s.target_of(a, side), s.target_of(b, side));
     }
-    // The first target of a bundle keeps it together with all that is connected with it.
-    std::vector<Index> first(s.bundles.size(), kNone), bundle_of_set(targets, kNone);
+    // The first target of a piece shell keeps it together with all that is connected with it.
+    std::vector<Index> first(s.piece_shells.size(), kNone), piece_shell_of_set(targets, kNone);
     for (Index t = 0; t < targets; ++t) {
-        const Index set = joined.find(t), old = s.targets[t].bundle;
+        const Index set = joined.find(t), old = s.targets[t].piece_shell;
         if (first[old] == kNone) {
             first[old] = t;
-            bundle_of_set[set] = old;
+            piece_shell_of_set[set] = old;
         }
-        if (bundle_of_set[set] == kNone) {
-            bundle_of_set[set] = static_cast<Index>(s.bundles.size());
-            Bundle b = s.bundles[old];
+        if (piece_shell_of_set[set] == kNone) {
+            piece_shell_of_set[set] = static_cast<Index>(s.piece_shells.size());
+            PieceShell b = s.piece_shells[old];
             b.cap_count = 0;
-            s.bundles.push_back(b);
+            s.piece_shells.push_back(b);
         }
-        s.targets[t].bundle = bundle_of_set[set];
+        s.targets[t].piece_shell = piece_shell_of_set[set];
     }
     for (const Side side : kSides)
         for (std::uint32_t t = 0; t < caps; ++t) {
-            Index& bundle = s.cap_bundle[t][side];
-            --s.bundles[bundle].cap_count;
-            bundle = bundle_of_set[joined.find(cap_number(side, t))];
-            ++s.bundles[bundle].cap_count;
+            Index& piece_shell = s.cap_piece_shell[t][side];
+            --s.piece_shells[piece_shell].cap_count;
+            piece_shell = piece_shell_of_set[joined.find(cap_number(side, t))];
+            ++s.piece_shells[piece_shell].cap_count;
         }
 }
 

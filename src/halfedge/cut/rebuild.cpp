@@ -39,7 +39,7 @@ std::size_t Rebuilder::plan(Universe& u, CutScratch& s)
             slot += t.count;
             nodes += 2 * (t.leaves + TriangleTree::nodes_for_run(t.count));
         }
-        for (Bundle& b : s.bundles) {
+        for (PieceShell& b : s.piece_shells) {
             if (b.side != side) continue;
             b.cap_first = b.cap_cursor = slot;
             slot += b.cap_count;
@@ -131,7 +131,8 @@ void Rebuilder::run(Universe& u, const Plane& plane, const Stitcher& stitcher, C
         }
         for (const Result& result : results_) s.targets[result.target].root = result.node;
     }
-    for (const Target& t : s.targets) s.bundles[t.bundle].root = u.tree.join(s.bundles[t.bundle].root, t.root);
+    for (const Target& t : s.targets)
+        s.piece_shells[t.piece_shell].root = u.tree.join(s.piece_shells[t.piece_shell].root, t.root);
     write_caps(u, stitcher, s);
 }
 
@@ -193,7 +194,7 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Stitcher& stit
             if (code == TriangleSplit::kCutPrevious) return c.p_vertex();
             return c.corner[code];
         };
-        for (const Stitcher::Piece& piece : Stitcher::pieces(c, number, stitcher.first_piece_face()))
+        for (const Stitcher::SubFace& piece : Stitcher::sub_faces(c, number, stitcher.first_piece_face()))
             if (piece.exists)
                 emit(c.target[piece.side],
                      {vertex(piece.corners[0]), vertex(piece.corners[1]), vertex(piece.corners[2])}, piece.face);
@@ -248,7 +249,7 @@ void Rebuilder::write_caps(Universe& u, const Stitcher& stitcher, CutScratch& s)
     for (const Index t : s.cap_order) {
         const CapTriangle& cap = s.caps[t];
         for (const Side side : {Side::negative, Side::positive}) {
-            Bundle& b = s.bundles[s.cap_bundle[t][side]];
+            PieceShell& b = s.piece_shells[s.cap_piece_shell[t][side]];
             const Index slot = b.cap_cursor++;
             u.slots[slot] = side == Side::negative
                                 ? Triangle{cap_vertices_ + cap.corner[0], cap_vertices_ + cap.corner[1],
@@ -259,7 +260,7 @@ void Rebuilder::write_caps(Universe& u, const Stitcher& stitcher, CutScratch& s)
             u.source_of_face[stitcher.cap_face(side, t)] = kNoSource;
         }
     }
-    for (Bundle& b : s.bundles)
+    for (PieceShell& b : s.piece_shells)
         b.root = u.tree.join(b.root, u.tree.make_run(u.geometry(), b.cap_first, b.cap_count, b.cap_group));
 }
 

@@ -16,7 +16,7 @@ public:
     /// Counts what goes where and makes room for it. Returns the bytes grown.
     std::size_t plan(Universe& universe, CutScratch& scratch);
 
-    /// Writes triangles, vertices of caps and nodes; afterwards `bundles` have their roots.
+    /// Writes triangles, vertices of caps and nodes; afterwards `piece_shells` have their roots.
     void run(Universe& universe, const Plane& plane, const Stitcher& stitcher, CutScratch& scratch);
 
     /// What run() added.

@@ -25,7 +25,7 @@ bool diagonal_from_n(const Crossing& c)
 
 }  // namespace
 
-std::array<Stitcher::Piece, 3> Stitcher::pieces(const Crossing& c, Index number, Index first_new_face)
+std::array<Stitcher::SubFace, 3> Stitcher::sub_faces(const Crossing& c, Index number, Index first_new_face)
 {
     const auto lone = static_cast<std::uint8_t>(c.lone()), next = static_cast<std::uint8_t>(c.next()),
                previous = static_cast<std::uint8_t>(c.previous());
@@ -33,7 +33,7 @@ std::array<Stitcher::Piece, 3> Stitcher::pieces(const Crossing& c, Index number,
     const Side near = c.split.lone_side, far = opposite(near);
     const Index f = first_new_face + 2 * number;
     const auto piece = [](Index face, Side side, std::uint8_t i, std::uint8_t j, std::uint8_t k) {
-        return Piece{face, i != j && j != k && k != i, side, {i, j, k}};
+        return SubFace{face, i != j && j != k && k != i, side, {i, j, k}};
     };
     if (diagonal_from_n(c))
         return {piece(c.face, near, lone, n, p), piece(f, far, n, next, previous), piece(f + 1, far, n, previous, p)};
@@ -212,7 +212,7 @@ private:
             cap_half(number, near) = cap_half(number, far) = kNone;
         }
 
-        const auto pieces = Stitcher::pieces(c, number, plan_.faces0_);
+        const auto pieces = Stitcher::sub_faces(c, number, plan_.faces0_);
         write(c, pieces[0], {along_n[0], near_section, along_p[1]});
         if (diagonal_from_n(c)) {
             write(c, pieces[1], {along_n[1], c.halfedge[next], diagonal});
@@ -240,7 +240,7 @@ private:
     }
 
     /// Writes a piece as a face; one that vanished as a face of its two half-edges that are left.
-    void write(const Crossing& c, const Stitcher::Piece& piece, const std::array<Index, 3>& h)
+    void write(const Crossing& c, const Stitcher::SubFace& piece, const std::array<Index, 3>& h)
     {
         const auto& code = piece.corners;
         if (piece.exists) {
@@ -416,7 +416,7 @@ private:
     {
         for (Index c = 0; c < s_.crossings.size(); ++c) {
             if (!s_.is_shared(s_.crossings[c])) continue;
-            for (const Stitcher::Piece& piece : Stitcher::pieces(s_.crossings[c], c, plan_.faces0_))
+            for (const Stitcher::SubFace& piece : Stitcher::sub_faces(s_.crossings[c], c, plan_.faces0_))
                 if (piece.exists) start_orbits(piece.face);
         }
         for (Index t = 0; t < s_.caps.size(); ++t) {

@@ -17,7 +17,7 @@ public:
     void run(Universe& universe, CutScratch& scratch);
 
     /// One of the up to three pieces of a crossing triangle, as a face.
-    struct Piece
+    struct SubFace
     {
         Index face = kNone;
         bool exists = false;  ///< false: corners coincide, and the face is contracted
@@ -25,7 +25,7 @@ public:
         std::array<std::uint8_t, 3>
             corners{};  ///< codes of split_triangle(), from the origin of the face's half-edge on
     };
-    static std::array<Piece, 3> pieces(const Crossing& crossing, Index crossing_number, Index first_new_face);
+    static std::array<SubFace, 3> sub_faces(const Crossing& crossing, Index crossing_number, Index first_new_face);
 
     Index first_piece_face() const { return faces0_; }
     /// The face of cap triangle t on one side.

@@ -54,7 +54,7 @@ struct Segment
 class Segments
 {
 public:
-    Segments(const Universe& u, std::span<const Shell> shells)
+    Segments(const Universe& u, std::span<const ShellRoot> shells)
     {
         std::vector<std::size_t> first_run;
         std::vector<TriangleTree::Run> runs_of_shell;
@@ -106,9 +106,9 @@ Index join_all(TriangleTree& tree, std::span<const Segment> segments)
 
 }  // namespace
 
-std::vector<Shell> compact_copy(const Universe& u, std::span<const Shell> shells, Universe& v)
+std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot> shells, Universe& v)
 {
-    std::vector<Shell> copies(shells.begin(), shells.end());
+    std::vector<ShellRoot> copies(shells.begin(), shells.end());
     v.groups = u.groups;
     v.materials = u.materials;
     v.cap_material = u.cap_material;

@@ -11,6 +11,6 @@ namespace kerf::halfedge {
 /// it has the same bytes, but with full leaves; room reserved for cuts. Nothing is sorted or searched. O(n) for n
 /// triangles of the shells, and memory of the size of the old universe for the moment unless the shells are a small
 /// part of it.
-std::vector<Shell> compact_copy(const Universe& universe, std::span<const Shell> shells, Universe& copy);
+std::vector<ShellRoot> compact_copy(const Universe& universe, std::span<const ShellRoot> shells, Universe& copy);
 
 }  // namespace kerf::halfedge

@@ -5,12 +5,12 @@
 
 namespace kerf::halfedge {
 
-IndexedMesh export_mesh(const Universe& u, std::span<const Shell> shells)
+IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
 {
     // Leaves by group, in the order in which groups are drawn; the tree's order within a group.
     std::vector<std::vector<Index>> slots_of_group(u.groups.size());
     std::size_t triangles = 0;
-    for (const Shell& shell : shells) {
+    for (const ShellRoot& shell : shells) {
         std::vector<TriangleTree::Run> runs;
         u.tree.append_runs(shell.root, runs);
         for (const TriangleTree::Run& run : runs) {
@@ -53,7 +53,7 @@ IndexedMesh export_mesh(const Universe& u, std::span<const Shell> shells)
         return entry->second;
     };
     for (const Index g : order) {
-        const Group& group = u.groups[g];
+        const DrawGroup& group = u.groups[g];
         mesh.groups.push_back({static_cast<Index>(mesh.triangles.size()), static_cast<Index>(slots_of_group[g].size()),
                                group.material, group.solid, group.kind});
         for (const Index slot : slots_of_group[g]) {

@@ -25,6 +25,6 @@ void for_each_slot(const Universe& universe, Index root, Visit visit)
 
 /// A compact copy of some shells: groups in drawing order, vertices and points in the order of their first use. O(n),
 /// and memory of the size of the universe.
-IndexedMesh export_mesh(const Universe& universe, std::span<const Shell> shells);
+IndexedMesh export_mesh(const Universe& universe, std::span<const ShellRoot> shells);
 
 }  // namespace kerf::halfedge

@@ -247,7 +247,7 @@ void reserve_for_cuts(Universe& u, std::size_t crossings)
     u.tree.reserve(u.tree.nodes.size() + crossings + crossings / 4 + 64);
 }
 
-std::vector<Shell> prepare_universe(const ProvenMesh& proven, Universe& u)
+std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
 {
     const IndexedMesh& mesh = proven;
     const std::size_t n = mesh.triangles.size();
@@ -259,11 +259,13 @@ std::vector<Shell> prepare_universe(const ProvenMesh& proven, Universe& u)
     // Groups in the order in which ranges are drawn.
     for (const TriangleGroup& g : mesh.groups) u.groups.push_back({g.material, g.solid, g.kind});
     std::sort(u.groups.begin(), u.groups.end(), draws_before);
-    const auto is_alike = [](const Group& a, const Group& b) { return !draws_before(a, b) && !draws_before(b, a); };
+    const auto is_alike = [](const DrawGroup& a, const DrawGroup& b) {
+        return !draws_before(a, b) && !draws_before(b, a);
+    };
     u.groups.erase(std::unique(u.groups.begin(), u.groups.end(), is_alike), u.groups.end());
     std::vector<Index> group_of(n);
     for (const TriangleGroup& g : mesh.groups) {
-        const Group wanted{g.material, g.solid, g.kind};
+        const DrawGroup wanted{g.material, g.solid, g.kind};
         const auto found = std::lower_bound(u.groups.begin(), u.groups.end(), wanted, draws_before);
         std::fill_n(group_of.begin() + g.first, g.count, static_cast<Index>(found - u.groups.begin()));
     }
@@ -334,7 +336,7 @@ std::vector<Shell> prepare_universe(const ProvenMesh& proven, Universe& u)
     }
 
     // One subtree for each run of slots of the same group and shell; the runs of a shell meet at its root.
-    std::vector<Shell> roots(shells.count);
+    std::vector<ShellRoot> roots(shells.count);
     std::size_t nodes = 0;
     const auto for_each_run = [&](auto visit) {
         for (std::size_t first = 0, last; first < n; first = last) {
@@ -347,7 +349,7 @@ std::vector<Shell> prepare_universe(const ProvenMesh& proven, Universe& u)
     for_each_run([&](Index, std::size_t count, Index, Index) { nodes += 2 * ((count - 1) / kLeafTriangles + 1); });
     u.tree.reserve(nodes + crossings + crossings / 4 + 64);
     for_each_run([&](Index first, Index count, Index g, Index s) {
-        Shell& shell = roots[s];
+        ShellRoot& shell = roots[s];
         shell.root = u.tree.join(shell.root, u.tree.make_run(u.geometry(), first, count, g));
         shell.solid = u.groups[g].solid;
     });

@@ -15,7 +15,7 @@
 namespace kerf::halfedge {
 
 /// What triangles have in common that are drawn and solved together.
-struct Group
+struct DrawGroup
 {
     std::uint32_t material = 0;
     std::uint32_t solid = 0;
@@ -23,7 +23,7 @@ struct Group
 };
 
 /// The order in which groups are drawn and exported.
-inline bool draws_before(const Group& a, const Group& b)
+inline bool draws_before(const DrawGroup& a, const DrawGroup& b)
 {
     if (a.kind != b.kind) return a.kind < b.kind;
     return a.material != b.material ? a.material < b.material : a.solid < b.solid;
@@ -57,7 +57,7 @@ struct Universe
     AppendBuffer<Index> stamp_of_face;   ///< scratch of cuts: `stamp_base` + number of the crossing triangle
     std::uint64_t stamp_base = 1;
     TriangleTree tree;
-    std::vector<Group> groups;
+    std::vector<DrawGroup> groups;
     std::vector<Material> materials;
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< the one that was added for caps, if one was
     glm::dvec3 reference{0.0};  ///< what mass moments are summed about: the centre of the prepared mesh
@@ -83,7 +83,7 @@ struct Universe
 };
 
 /// A connected part of an object: what a shell of the prepared mesh has become.
-struct Shell
+struct ShellRoot
 {
     Index root = kNone;
     std::uint32_t solid = 0;
@@ -94,7 +94,7 @@ struct Shell
 
 /// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for cuts
 /// (kReservedCrossings). Returns the shells of the mesh. O(n log n) with a radix sort's constant.
-std::vector<Shell> prepare_universe(const ProvenMesh& proven, Universe& universe);
+std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe);
 
 /// Room that prepare_universe() reserves and touches, in crossing triangles: about eight cuts through the middle of a
 /// surface, whose section crosses some 3 sqrt(n) triangles.

@@ -330,7 +330,7 @@ struct Drawing
             outline.push_back({path[i], path[i + 1], {negative, positive}, static_cast<std::uint32_t>(outline.size())});
     }
 
-    std::array<Pieces, 2> pieces() const
+    BySide<Pieces> pieces() const
     {
         const BySide<SideParts> sides{SideParts{parts[0], no_crossings}, SideParts{parts[1], no_crossings}};
         return group_pieces({{0, 0, 1}, 0.0}, sides, points, outline);
@@ -351,14 +351,14 @@ Drawing with_flat_parts()
 
 TEST(Pieces, AFlatPartStaysWithTheFirstPieceThatHasVolume)
 {
-    EXPECT_EQ(with_flat_parts().pieces(), (std::array<Pieces, 2>{Pieces{0}, Pieces{0, 1, 1}}));
+    EXPECT_EQ(with_flat_parts().pieces(), (BySide<Pieces>{Pieces{0}, Pieces{0, 1, 1}}));
 }
 
 TEST(Pieces, WhatIsFlatThroughoutIsApartAsUsual)
 {
     Drawing d = with_flat_parts();
     for (SurfacePart& part : d.parts[1]) part.is_flat = true;
-    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0}, Pieces{0, 1, 2}}));
+    EXPECT_EQ(d.pieces(), (BySide<Pieces>{Pieces{0}, Pieces{0, 1, 2}}));
 }
 
 TEST(Pieces, PartsThatTouchInAPointAreApart)
@@ -369,7 +369,7 @@ TEST(Pieces, PartsThatTouchInAPointAreApart)
     d.add_part(Side::negative);
     d.add_path({0, 1, 2, 0}, 0, d.add_part(Side::positive));
     d.add_path({0, 3, 4, 0}, 0, d.add_part(Side::positive));
-    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0}, Pieces{0, 1}}));
+    EXPECT_EQ(d.pieces(), (BySide<Pieces>{Pieces{0}, Pieces{0, 1}}));
 }
 
 TEST(Pieces, ALensOnEitherSideOfAHoleJoinsItsRimOnOneSideOnly)
@@ -384,7 +384,7 @@ TEST(Pieces, ALensOnEitherSideOfAHoleJoinsItsRimOnOneSideOnly)
     d.add_path({1, 3, 0}, inner, right);
     d.add_path({0, 4, 1}, inner, left);
     d.add_path({1, 5, 0}, outer, left);
-    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0, 0}, Pieces{0, 1}}));
+    EXPECT_EQ(d.pieces(), (BySide<Pieces>{Pieces{0, 0}, Pieces{0, 1}}));
 }
 
 TEST(Pieces, WhereLoopsCannotKeepToOnePieceOnEitherSideThePiecesAreOne)
@@ -399,7 +399,7 @@ TEST(Pieces, WhereLoopsCannotKeepToOnePieceOnEitherSideThePiecesAreOne)
     d.add_path({1, 5, 0}, too, one);
     d.add_path({0, 3, 1}, too, other);
     d.add_path({1, 4, 0}, below, other);
-    EXPECT_EQ(d.pieces(), (std::array<Pieces, 2>{Pieces{0, 0}, Pieces{0, 0}}));
+    EXPECT_EQ(d.pieces(), (BySide<Pieces>{Pieces{0, 0}, Pieces{0, 0}}));
 }
 
 TEST(Pieces, EdgesThatRunForthAndBackBoundNothing)
