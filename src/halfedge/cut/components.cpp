@@ -219,8 +219,8 @@ void Components::for_each_neighbour(Index face, Side side, Visit visit) const
             // The edge that the section's edge lies on. The other one leads from neighbour to neighbour.
             across(c.halfedge[c.split.next_code == c.previous() ? previous : lone]);
         } else {
-            if (keeps(c.n_cut(), c.split.next_code == c.lone())) across(c.halfedge[lone]);
-            if (keeps(c.p_cut(), c.split.previous_code == c.lone())) across(c.halfedge[previous]);
+            if (keeps(c.n_cut_point(), c.split.next_code == c.lone())) across(c.halfedge[lone]);
+            if (keeps(c.p_cut_point(), c.split.previous_code == c.lone())) across(c.halfedge[previous]);
             if (!near) across(c.halfedge[next]);
         }
     }

@@ -39,7 +39,7 @@ void CutScratch::reserve(std::size_t k)
     crossings.reserve(k);
     reserve_touched(stack, 128);
     reserve_touched(cut_points, k);
-    reserve_touched(shared_cut, k);
+    reserve_touched(cut_point_is_shared, k);
     reserve_touched(chain, k);
     reserve_touched(loop_edges, k);
     reserve_touched(loop_points, k);
@@ -76,7 +76,7 @@ void CutScratch::clear()
     irregular = collapsed = meets_boundary = false;
     outline.clear();
     outline_points.clear();
-    shared_cut.clear();
+    cut_point_is_shared.clear();
     any_shared = false;
     loop_edges.clear();
     loop_points.clear();

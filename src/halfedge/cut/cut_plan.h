@@ -45,15 +45,15 @@ struct Crossing
     // The section runs through the triangle from its entry edge (positive to negative corner) to its exit edge
     // (negative to positive), as seen in the positive side's surface. kNone: it runs through an end point of that edge,
     // which stays whole.
-    Index entry_cut = kNone, exit_cut = kNone;
+    Index entry_cut_point = kNone, exit_cut_point = kNone;
     Index entry_vertex = kNone, exit_vertex = kNone;  ///< vertices at the cut points, where pieces need them
 
     bool lone_positive() const { return split.lone_side == Side::positive; }
     // In split_triangle()'s terms: N lies on the edge lone -> next, P on previous -> lone.
-    Index& n_cut() { return lone_positive() ? entry_cut : exit_cut; }
-    Index& p_cut() { return lone_positive() ? exit_cut : entry_cut; }
-    Index n_cut() const { return lone_positive() ? entry_cut : exit_cut; }
-    Index p_cut() const { return lone_positive() ? exit_cut : entry_cut; }
+    Index& n_cut_point() { return lone_positive() ? entry_cut_point : exit_cut_point; }
+    Index& p_cut_point() { return lone_positive() ? exit_cut_point : entry_cut_point; }
+    Index n_cut_point() const { return lone_positive() ? entry_cut_point : exit_cut_point; }
+    Index p_cut_point() const { return lone_positive() ? exit_cut_point : entry_cut_point; }
     Index n_vertex() const { return lone_positive() ? entry_vertex : exit_vertex; }
     Index p_vertex() const { return lone_positive() ? exit_vertex : entry_vertex; }
     int lone() const { return split.lone; }
@@ -168,7 +168,7 @@ struct Loop
 struct BoundaryCut
 {
     Index halfedge = kNone;  ///< the boundary half-edge
-    Index cut = kNone;
+    Index cut_point = kNone;
     Index positive_end = kNone, negative_end = kNone;  ///< its vertices
 };
 
@@ -247,7 +247,7 @@ struct CutScratch
     std::vector<glm::vec3> outline_points;  ///< irregular sections: by class
     /// By cut point: more than one vertex may be there on a side, or it is one with others. What lies there finds its
     /// vertices by going around them; anywhere else a cut point is one vertex on each side.
-    std::vector<std::uint8_t> shared_cut;
+    std::vector<std::uint8_t> cut_point_is_shared;
     bool any_shared = false;  ///< some point of the outline is shared
     /// Loop by loop, and behind them, once caps are planned, the points where loops cross: those are points of caps
     /// alone, each with an outline edge near by.
@@ -273,22 +273,23 @@ struct CutScratch
     {
         any_shared = true;
         const OutlineEdgeId edge = loop_edges[p];
-        if (edge < crossings.size() && crossings[edge].entry_cut != kNone) shared_cut[crossings[edge].entry_cut] = 1;
+        if (edge < crossings.size() && crossings[edge].entry_cut_point != kNone)
+            cut_point_is_shared[crossings[edge].entry_cut_point] = 1;
     }
     /// The same of both ends of an outline edge.
     void share_ends(OutlineEdgeId edge)
     {
         any_shared = true;
         if (edge >= crossings.size()) return;
-        for (const Index cut : {crossings[edge].entry_cut, crossings[edge].exit_cut})
-            if (cut != kNone) shared_cut[cut] = 1;
+        for (const Index cut_point : {crossings[edge].entry_cut_point, crossings[edge].exit_cut_point})
+            if (cut_point != kNone) cut_point_is_shared[cut_point] = 1;
     }
-    bool is_shared(Index cut) const { return cut == kNone || shared_cut[cut] != 0; }
+    bool is_shared(Index cut_point) const { return cut_point == kNone || cut_point_is_shared[cut_point] != 0; }
     /// Whether some corner of a crossing triangle's pieces may be at a shared point.
     bool is_shared(const Crossing& c) const
     {
         return c.split.next_code != TriangleSplit::kCutNext || c.split.previous_code != TriangleSplit::kCutPrevious ||
-               is_shared(c.entry_cut) || is_shared(c.exit_cut);
+               is_shared(c.entry_cut_point) || is_shared(c.exit_cut_point);
     }
 
     // The steps that keep memory of their own

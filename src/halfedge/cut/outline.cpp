@@ -54,16 +54,17 @@ private:
 /// The element of a corner of a crossing triangle.
 Index element_of_code(const Universe& u, const Crossing& c, std::uint8_t code, PointClasses& classes)
 {
-    if (code == TriangleSplit::kCutNext) return c.n_cut();
-    if (code == TriangleSplit::kCutPrevious) return c.p_cut();
+    if (code == TriangleSplit::kCutNext) return c.n_cut_point();
+    if (code == TriangleSplit::kCutPrevious) return c.p_cut_point();
     return classes.of_vertex(u.mesh, c.point[code]);
 }
 
 void unite_coinciding(const Universe& u, const CutScratch& s, PointClasses& classes)
 {
     for (const Crossing& c : s.crossings) {
-        if (c.n_cut() != kNone) classes.unite(c.n_cut(), element_of_code(u, c, c.split.next_code, classes));
-        if (c.p_cut() != kNone) classes.unite(c.p_cut(), element_of_code(u, c, c.split.previous_code, classes));
+        if (c.n_cut_point() != kNone) classes.unite(c.n_cut_point(), element_of_code(u, c, c.split.next_code, classes));
+        if (c.p_cut_point() != kNone)
+            classes.unite(c.p_cut_point(), element_of_code(u, c, c.split.previous_code, classes));
     }
 }
 
@@ -92,7 +93,7 @@ void collect_outline_edges(const Universe& u, CutScratch& s)
     // A cut point that is alone is one vertex on each side.
     std::vector<Index> members(classes.size(), 0);
     for (Index i = 0; i < classes.size(); ++i) ++members[classes.find(i)];
-    for (Index i = 0; i < s.cut_points.size(); ++i) s.shared_cut[i] = members[classes.find(i)] > 1 ? 1 : 0;
+    for (Index i = 0; i < s.cut_points.size(); ++i) s.cut_point_is_shared[i] = members[classes.find(i)] > 1 ? 1 : 0;
     s.any_shared = true;
     s.outline_points.resize(classes.size());
     for (Index i = 0; i < classes.size(); ++i) s.outline_points[i] = classes.position(i);

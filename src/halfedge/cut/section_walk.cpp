@@ -43,7 +43,7 @@ void split_crossings(const Universe& u, CutScratch& s)
             {u.vertices[c.corner[0]].position, u.vertices[c.corner[1]].position, u.vertices[c.corner[2]].position},
             c.distance);
         c.walked = false;
-        c.entry_cut = c.exit_cut = c.entry_vertex = c.exit_vertex = kNone;
+        c.entry_cut_point = c.exit_cut_point = c.entry_vertex = c.exit_vertex = kNone;
         Index h = u.mesh.halfedge_of_face(c.face);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             c.halfedge[corner] = h;
@@ -128,24 +128,24 @@ private:
         const Crossed e = crossed(c, exit);
         if (e.whole) return kNone;
 
-        const Index cut = static_cast<Index>(s_.cut_points.size());
+        const Index cut_point = static_cast<Index>(s_.cut_points.size());
         s_.cut_points.push_back(e.point->position);
         Index vertex = e.needs_vertex ? new_vertex(e) : kNone;
-        (exit ? c.exit_cut : c.entry_cut) = cut;
+        (exit ? c.exit_cut_point : c.entry_cut_point) = cut_point;
         (exit ? c.exit_vertex : c.entry_vertex) = vertex;
 
         const Index outer = e.halfedge ^ 1u, face = u_.mesh.face(outer);
         if (face == kNone) {
             // A half-edge that leaves through the exit runs from negative to positive.
             const Index a = u_.mesh.to(outer), b = u_.mesh.to(e.halfedge);
-            s_.boundary_cuts.push_back({outer, cut, exit ? b : a, exit ? a : b});
+            s_.boundary_cuts.push_back({outer, cut_point, exit ? b : a, exit ? a : b});
             return kNone;
         }
         const Index to = crossing_of(face);
         Crossing& d = s_.crossings[to];
         const Crossed f = crossed(d, !exit);
         if (f.needs_vertex && !(vertex != kNone && f.from == e.to && f.to == e.from)) vertex = new_vertex(f);
-        (exit ? d.entry_cut : d.exit_cut) = cut;
+        (exit ? d.entry_cut_point : d.exit_cut_point) = cut_point;
         (exit ? d.entry_vertex : d.exit_vertex) = f.needs_vertex ? vertex : kNone;
         return to;
     }
@@ -183,9 +183,9 @@ private:
         loop.shell = s_.crossings[start].shell;
         for (const Index i : chain) {
             s_.loop_edges.push_back(i);
-            s_.loop_points.push_back(s_.cut_points[s_.crossings[i].entry_cut]);
+            s_.loop_points.push_back(s_.cut_points[s_.crossings[i].entry_cut_point]);
         }
-        if (!closed) loop.end = s_.cut_points[s_.crossings[chain.back()].exit_cut];
+        if (!closed) loop.end = s_.cut_points[s_.crossings[chain.back()].exit_cut_point];
         s_.loops.push_back(loop);
     }
 
@@ -198,7 +198,7 @@ private:
 void walk_section(Universe& universe, const Plane& plane, CutScratch& scratch)
 {
     Walker(universe, scratch).run();
-    scratch.shared_cut.assign(scratch.cut_points.size(), 0);
+    scratch.cut_point_is_shared.assign(scratch.cut_points.size(), 0);
     if (scratch.irregular) {
         scratch.loops.clear();
         scratch.loop_edges.clear();

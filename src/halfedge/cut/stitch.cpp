@@ -136,7 +136,10 @@ public:
 private:
     // ----- numbers -----
 
-    Index cut_vertex(Index cut, Side side) const { return plan_.vertices0_ + 2 * cut + static_cast<Index>(side); }
+    Index cut_vertex(Index cut_point, Side side) const
+    {
+        return plan_.vertices0_ + 2 * cut_point + static_cast<Index>(side);
+    }
 
     Index& cap_half(OutlineEdgeId edge, Side side) { return plan_.cap_half_[2 * edge + static_cast<Index>(side)]; }
 
@@ -148,9 +151,9 @@ private:
 
     /// The two parts of half-edge h, which runs from side `from` to the other side and is divided at `cut`: the
     /// positive part keeps the number.
-    std::array<Index, 2> parts(Index h, Index cut, Side from) const
+    std::array<Index, 2> parts(Index h, Index cut_point, Side from) const
     {
-        const Index negative = 2 * (plan_.edges0_ + cut) + (h & 1u);
+        const Index negative = 2 * (plan_.edges0_ + cut_point) + (h & 1u);
         return from == Side::positive ? std::array{h, negative} : std::array{negative, h};
     }
 
@@ -168,12 +171,12 @@ private:
         const Index a = to_positive ? cut.negative_end : cut.positive_end;
         const Index b = to_positive ? cut.positive_end : cut.negative_end;
         const Side from = to_positive ? Side::negative : Side::positive;
-        const auto [first, second] = parts(h, cut.cut, from);
+        const auto [first, second] = parts(h, cut.cut_point, from);
         const Index before = mesh_.prev(h), after = mesh_.next(h);
         move_outgoing(a, h, first);
         mesh_.link(before, first);
         mesh_.link(second, after);
-        mesh_.set_to(first, cut_vertex(cut.cut, from));
+        mesh_.set_to(first, cut_vertex(cut.cut_point, from));
         mesh_.set_to(second, b);
         mesh_.set_face(first, kNone);
         mesh_.set_face(second, kNone);
@@ -192,12 +195,12 @@ private:
         // Half-edges along lone -> next and previous -> lone; a part of no length has no half-edge.
         const Index h_n = c.halfedge[lone], h_p = c.halfedge[previous];
         std::array<Index, 2> along_n, along_p;
-        if (c.n_cut() != kNone)
-            along_n = parts(h_n, c.n_cut(), near);
+        if (c.n_cut_point() != kNone)
+            along_n = parts(h_n, c.n_cut_point(), near);
         else
             along_n = n == lone ? std::array{kNone, h_n} : std::array{h_n, kNone};
-        if (c.p_cut() != kNone)
-            along_p = parts(h_p, c.p_cut(), far);
+        if (c.p_cut_point() != kNone)
+            along_p = parts(h_p, c.p_cut_point(), far);
         else
             along_p = p == lone ? std::array{h_p, kNone} : std::array{kNone, h_p};
         if (along_n[0] != kNone) move_outgoing(c.point[lone], h_n, along_n[0]);
@@ -222,20 +225,20 @@ private:
             write(c, pieces[2], {c.halfedge[next], along_p[0], diagonal ^ 1u});
         }
 
-        if (c.n_cut() != kNone) {
-            mesh_.set_halfedge_of_vertex(cut_vertex(c.n_cut(), near), near_section);
-            mesh_.set_halfedge_of_vertex(cut_vertex(c.n_cut(), far), along_n[1]);
+        if (c.n_cut_point() != kNone) {
+            mesh_.set_halfedge_of_vertex(cut_vertex(c.n_cut_point(), near), near_section);
+            mesh_.set_halfedge_of_vertex(cut_vertex(c.n_cut_point(), far), along_n[1]);
         }
-        if (c.p_cut() != kNone) {
-            mesh_.set_halfedge_of_vertex(cut_vertex(c.p_cut(), near), along_p[1]);
-            mesh_.set_halfedge_of_vertex(cut_vertex(c.p_cut(), far), far_section);
+        if (c.p_cut_point() != kNone) {
+            mesh_.set_halfedge_of_vertex(cut_vertex(c.p_cut_point(), near), along_p[1]);
+            mesh_.set_halfedge_of_vertex(cut_vertex(c.p_cut_point(), far), far_section);
         }
     }
 
     Index vertex_of(const Crossing& c, std::uint8_t code, Side side) const
     {
-        if (code == TriangleSplit::kCutNext) return cut_vertex(c.n_cut(), side);
-        if (code == TriangleSplit::kCutPrevious) return cut_vertex(c.p_cut(), side);
+        if (code == TriangleSplit::kCutNext) return cut_vertex(c.n_cut_point(), side);
+        if (code == TriangleSplit::kCutPrevious) return cut_vertex(c.p_cut_point(), side);
         return c.point[code];
     }
 
@@ -339,14 +342,14 @@ private:
     bool is_shared_point(Index loop_point) const
     {
         const OutlineEdgeId edge = s_.loop_edges[loop_point];
-        return edge >= s_.crossings.size() || s_.is_shared(s_.crossings[edge].entry_cut);
+        return edge >= s_.crossings.size() || s_.is_shared(s_.crossings[edge].entry_cut_point);
     }
 
     /// The vertex of the half-edge mesh at a point of the outline; kNone where that is still to be found.
     Index outline_vertex(Index loop_point, Side side) const
     {
         if (is_shared_point(loop_point)) return kNone;
-        return cut_vertex(s_.crossings[s_.loop_edges[loop_point]].entry_cut, side);
+        return cut_vertex(s_.crossings[s_.loop_edges[loop_point]].entry_cut_point, side);
     }
 
     bool is_shared_edge(OutlineEdgeId edge) const
@@ -385,7 +388,7 @@ private:
                 // As seen in the surface, the section runs from entry to exit on the positive side.
                 if (!is_shared_edge(edge)) {
                     const Crossing& c = s_.crossings[edge];
-                    mesh_.set_to(h, cut_vertex(side == Side::positive ? c.entry_cut : c.exit_cut, side));
+                    mesh_.set_to(h, cut_vertex(side == Side::positive ? c.entry_cut_point : c.exit_cut_point, side));
                 }
                 plan_.boundary_.push_back(h);
             }
