@@ -73,7 +73,6 @@ public:
 
     const Identity& identity() const { return identity_; }
     ObjectId id() const { return identity_.id; }
-    void mark_swipe(std::uint32_t swipe) { identity_.last_swipe = swipe; }
     /// A swipe that met the proxy but not the solid is logged once.
     std::uint32_t missed_swipe() const { return missed_swipe_; }
     void mark_missed(std::uint32_t swipe) { missed_swipe_ = swipe; }

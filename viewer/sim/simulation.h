@@ -81,7 +81,6 @@ public:
     /// What Settings::hash_surfaces has cost since the start, time of this thread on a processor: no part of a game.
     double check_cpu_ms() const { return check_cpu_ms_; }
     /// Whether any two bodies have touched since the start.
-    bool had_contact() const { return had_contact_; }
 
     /// Hash of the whole state: bodies bit for bit, ids, input not yet taken in, the scene.
     std::uint64_t state_hash() const;

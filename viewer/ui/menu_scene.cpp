@@ -32,12 +32,11 @@ void MenuScene::tick(sim::Simulation& simulation)
     }
 }
 
-void MenuScene::on_cut(sim::Simulation& simulation, const sim::CutRecord& cut)
+void MenuScene::on_cut(sim::Simulation&, const sim::CutRecord& cut)
 {
     const auto found = std::find(objects_.begin(), objects_.end(), cut.object);
     if (chosen_ || cut.pieces.empty() || found == objects_.end()) return;
     chosen_ = static_cast<std::size_t>(found - objects_.begin());
-    chosen_at_ = simulation.now();
 }
 
 void MenuScene::hash(sim::StateHash& hash) const

@@ -22,13 +22,11 @@ public:
     /// Index into modes(); empty before anything was cut.
     std::optional<std::size_t> chosen() const { return chosen_; }
     /// When it was.
-    sim::Tick chosen_at() const { return chosen_at_; }
 
 private:
     bool placed_ = false;
     std::vector<sim::ObjectId> objects_;  ///< whole, in the order of modes(); 0: none
     std::optional<std::size_t> chosen_;
-    sim::Tick chosen_at_ = 0;
 };
 
 }  // namespace kerf::ui

@@ -9,7 +9,7 @@ constexpr std::size_t kInsertionSortLimit = 24;
 
 bool before(const EdgeRuns::Side& a, const EdgeRuns::Side& b)
 {
-    return a.larger_point != b.larger_point ? a.larger_point < b.larger_point : a.half_edge < b.half_edge;
+    return a.larger_point != b.larger_point ? a.larger_point < b.larger_point : a.halfedge < b.halfedge;
 }
 
 void sort_bucket(EdgeRuns::Side* first, EdgeRuns::Side* last)
@@ -42,32 +42,17 @@ EdgeRuns::EdgeRuns(std::uint32_t point_count, std::span<const Triangle> corners)
     for (std::uint32_t& slot : bucket_end_) sum += std::exchange(slot, sum);
 
     sides_.resize(corners.size() * 3);
-    std::uint32_t half_edge = 0;
+    std::uint32_t halfedge = 0;
     for (const auto& [a, b, c] : corners) {
-        sides_[bucket_end_[std::min(a, b)]++] = {std::max(a, b), half_edge++};
-        sides_[bucket_end_[std::min(b, c)]++] = {std::max(b, c), half_edge++};
-        sides_[bucket_end_[std::min(c, a)]++] = {std::max(c, a), half_edge++};
+        sides_[bucket_end_[std::min(a, b)]++] = {std::max(a, b), halfedge++};
+        sides_[bucket_end_[std::min(b, c)]++] = {std::max(b, c), halfedge++};
+        sides_[bucket_end_[std::min(c, a)]++] = {std::max(c, a), halfedge++};
     }
     std::uint32_t begin = 0;
     for (const std::uint32_t end : bucket_end_) {
         sort_bucket(sides_.data() + begin, sides_.data() + end);
         begin = end;
     }
-}
-
-Buffer<std::uint32_t> half_edge_twins(const IndexedMesh& mesh)
-{
-    Buffer<Triangle> corners(mesh.triangles.size());
-    for (std::size_t t = 0; t < corners.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
-
-    Buffer<std::uint32_t> twins(corners.size() * 3, kNoTwin);
-    EdgeRuns(mesh.point_count, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
-        if (edge.size() != 2) return;
-        twins[edge[0].half_edge] = edge[1].half_edge;
-        twins[edge[1].half_edge] = edge[0].half_edge;
-    });
-    return twins;
 }
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/mesh/buffer.h"
+#include "common/mesh/index.h"
 #include "common/mesh/indexed_mesh.h"
 
 namespace kerf {
@@ -13,13 +14,11 @@ namespace kerf {
 // A half-edge is a triangle's side with a direction, numbered 3 * triangle + corner: it runs from that corner to the
 // next one.
 
-inline constexpr std::uint32_t kNoTwin = std::numeric_limits<std::uint32_t>::max();
-
-inline std::uint32_t next_half_edge(std::uint32_t h)
+inline std::uint32_t next_halfedge(std::uint32_t h)
 {
     return h % 3 == 2 ? h - 2 : h + 1;
 }
-inline std::uint32_t previous_half_edge(std::uint32_t h)
+inline std::uint32_t previous_halfedge(std::uint32_t h)
 {
     return h % 3 == 0 ? h + 2 : h - 1;
 }
@@ -53,16 +52,12 @@ public:
     struct Side
     {
         std::uint32_t larger_point;
-        std::uint32_t half_edge;
+        std::uint32_t halfedge;
     };
 
 private:
     Buffer<Side> sides_;
     Buffer<std::uint32_t> bucket_end_;  ///< for each smaller point the end of its bucket in sides_
 };
-
-/// For each half-edge of a mesh the one that runs along the same points the other way, or kNoTwin at the boundary.
-/// Connectivity is by point id. The mesh keeps IndexedMesh's promise that no directed edge occurs twice. O(n).
-Buffer<std::uint32_t> half_edge_twins(const IndexedMesh& mesh);
 
 }  // namespace kerf

@@ -75,12 +75,12 @@ private:
     void visit(std::uint32_t t)
     {
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const std::uint32_t mate = surface_.mates[h];
-            if (mate == kNoTwin) continue;
-            if (surface_.start(h) != surface_.start(mate))
-                enter({mate / 3, turned_[t]});
-            else if (result_.patch[mate / 3] == kNoPatch)
-                disagreeing_.push_back({mate / 3, static_cast<std::uint8_t>(1 - turned_[t])});
+            const std::uint32_t across = surface_.opposite[h];
+            if (across == kNone) continue;
+            if (surface_.start(h) != surface_.start(across))
+                enter({across / 3, turned_[t]});
+            else if (result_.patch[across / 3] == kNoPatch)
+                disagreeing_.push_back({across / 3, static_cast<std::uint8_t>(1 - turned_[t])});
         }
     }
 
@@ -132,7 +132,7 @@ private:
     {
         double angle;
         bool forward;  ///< runs along the edge: its solid is on the side of smaller angles
-        std::uint32_t half_edge;
+        std::uint32_t halfedge;
         bool matched = false;
     };
 
@@ -144,7 +144,7 @@ private:
         const glm::dvec3 tail = positions_[surface_.start(first)], tip = positions_[surface_.end(first)];
         const glm::dvec3 axis = glm::normalize(tip - tail);
         const auto across = [&](std::uint32_t h) {
-            const glm::dvec3 d = glm::dvec3(positions_[surface_.start(previous_half_edge(h))]) - tail;
+            const glm::dvec3 d = glm::dvec3(positions_[surface_.start(previous_halfedge(h))]) - tail;
             return d - axis * glm::dot(axis, d);
         };
         // A triangle without area stands in no direction: measure angles from the one that reaches farthest.
@@ -160,7 +160,7 @@ private:
                 {std::atan2(glm::dot(quarter, d), glm::dot(zero, d)), surface_.start(h) == surface_.start(first), h});
         }
         const auto by_angle = [](const Page& a, const Page& b) {
-            return a.angle != b.angle ? a.angle < b.angle : a.half_edge < b.half_edge;
+            return a.angle != b.angle ? a.angle < b.angle : a.halfedge < b.halfedge;
         };
         std::sort(pages_.begin(), pages_.end(), by_angle);
 
@@ -194,7 +194,7 @@ private:
     /// Matches pages of the same patch first.
     void match_within_patches(std::vector<std::uint32_t> pages)
     {
-        const auto patch_of = [&](std::uint32_t page) { return patch_[pages_[page].half_edge / 3]; };
+        const auto patch_of = [&](std::uint32_t page) { return patch_[pages_[page].halfedge / 3]; };
         std::stable_sort(pages.begin(), pages.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return patch_of(a) < patch_of(b); });
         for (std::size_t first = 0; first < pages.size();) {
@@ -220,7 +220,7 @@ private:
                     Page& opening = pages_[open_.back()];
                     open_.pop_back();
                     page.matched = opening.matched = true;
-                    surface_.link(page.half_edge, opening.half_edge);
+                    surface_.link(page.halfedge, opening.halfedge);
                 }
             }
     }
@@ -236,15 +236,15 @@ private:
 
 void LinkedSurface::turn_over(std::span<const std::uint8_t> flip)
 {
-    const auto renumbered = [&](std::uint32_t h) { return h != kNoTwin && flip[h / 3] ? turned_over(h) : h; };
+    const auto renumbered = [&](std::uint32_t h) { return h != kNone && flip[h / 3] ? turned_over(h) : h; };
     for (std::size_t t = 0; t < corners.size(); ++t) {
-        std::uint32_t* const mate = &mates[3 * t];
+        std::uint32_t* const across = &opposite[3 * t];
         if (flip[t]) {
             std::swap(corners[t][1], corners[t][2]);
-            std::swap(mate[0], mate[2]);
+            std::swap(across[0], across[2]);
             flipped[t] ^= 1;
         }
-        for (int i = 0; i < 3; ++i) mate[i] = renumbered(mate[i]);
+        for (int i = 0; i < 3; ++i) across[i] = renumbered(across[i]);
     }
 }
 
@@ -279,14 +279,14 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
 {
     LinkedSurface surface;
     surface.corners = std::move(corners);
-    surface.mates.assign(surface.corners.size() * 3, kNoTwin);
+    surface.opposite.assign(surface.corners.size() * 3, kNone);
     surface.flipped.assign(surface.corners.size(), 0);
 
     std::vector<NonmanifoldEdge> doubled;
     bool consistent = true;
     EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
         if (edge.size() == 2) {
-            const std::uint32_t a = edge[0].half_edge, b = edge[1].half_edge;
+            const std::uint32_t a = edge[0].halfedge, b = edge[1].halfedge;
             const bool agree = surface.start(a) != surface.start(b);
             if (!agree && surface.coincide(a, b)) {
                 doubled.push_back({a, b});
@@ -296,7 +296,7 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
             consistent = consistent && agree;
         } else if (edge.size() > 2) {
             NonmanifoldEdge& sides = resolved.emplace_back();
-            for (const EdgeRuns::Side& side : edge) sides.push_back(side.half_edge);
+            for (const EdgeRuns::Side& side : edge) sides.push_back(side.halfedge);
         }
     });
     surface.nonmanifold_edges = resolved.size();
@@ -315,9 +315,10 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
     // One of two triangles in one place may have become the other's back.
     for (const NonmanifoldEdge& edge : doubled)
         if (surface.start(edge[0]) != surface.start(edge[1])) surface.link(edge[0], edge[1]);
-    for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
-        if (const std::uint32_t mate = surface.mates[h]; mate != kNoTwin && surface.start(h) == surface.start(mate)) {
-            surface.mates[h] = surface.mates[mate] = kNoTwin;
+    for (std::uint32_t h = 0; h < surface.opposite.size(); ++h)
+        if (const std::uint32_t across = surface.opposite[h];
+            across != kNone && surface.start(h) == surface.start(across)) {
+            surface.opposite[h] = surface.opposite[across] = kNone;
             ++surface.unorientable_edges;
         }
     patch = std::move(patches.patch);
@@ -342,7 +343,7 @@ std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_cou
     std::vector<NonmanifoldEdge> resolved;
     Buffer<std::uint32_t> patch;
     const LinkedSurface surface = link_patches(std::move(corners), point_count, resolved, patch);
-    auto open = std::count(surface.mates.begin(), surface.mates.end(), kNoTwin);
+    auto open = std::count(surface.opposite.begin(), surface.opposite.end(), kNone);
     for (const NonmanifoldEdge& edge : resolved) {
         const auto forward = count_forward(surface, edge);
         open -= 2 * std::min(forward, std::ssize(edge) - forward);

@@ -16,28 +16,28 @@ using NonmanifoldEdge = std::vector<std::uint32_t>;
 /// and these run along it in opposite directions.
 struct LinkedSurface
 {
-    Buffer<Triangle> corners;      ///< point ids; turned over where `flipped` says so
-    Buffer<std::uint32_t> mates;   ///< for each half-edge the one across, or kNoTwin at the boundary
-    Buffer<std::uint8_t> flipped;  ///< for each triangle whether it was turned over, by exchanging corners 1 and 2
+    Buffer<Triangle> corners;        ///< point ids; turned over where `flipped` says so
+    Buffer<std::uint32_t> opposite;  ///< for each half-edge the one across, or kNone at the boundary
+    Buffer<std::uint8_t> flipped;    ///< for each triangle whether it was turned over, by exchanging corners 1 and 2
     std::uint64_t nonmanifold_edges = 0;   ///< more than two triangles met there
     std::uint64_t unorientable_edges = 0;  ///< cut open because no orientation satisfies both sides
 
     std::uint32_t start(std::uint32_t h) const { return corners[h / 3][h % 3]; }
-    std::uint32_t end(std::uint32_t h) const { return start(next_half_edge(h)); }
+    std::uint32_t end(std::uint32_t h) const { return start(next_halfedge(h)); }
 
     /// Whether two half-edges are of triangles with the same points in the same orientation.
     bool coincide(std::uint32_t a, std::uint32_t b) const
     {
-        return start(a) == start(b) && end(a) == end(b) && start(previous_half_edge(a)) == start(previous_half_edge(b));
+        return start(a) == start(b) && end(a) == end(b) && start(previous_halfedge(a)) == start(previous_halfedge(b));
     }
 
     void link(std::uint32_t a, std::uint32_t b)
     {
-        if (a != kNoTwin) mates[a] = b;
-        if (b != kNoTwin) mates[b] = a;
+        if (a != kNone) opposite[a] = b;
+        if (b != kNone) opposite[b] = a;
     }
 
-    /// Turns over the triangles for which flip[t] is not 0; mates and `flipped` follow. O(n).
+    /// Turns over the triangles for which flip[t] is not 0; opposite half-edges and `flipped` follow. O(n).
     void turn_over(std::span<const std::uint8_t> flip);
 };
 

@@ -41,19 +41,19 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
     DisjointSets shells(triangle_count), loops(point_count);
     Buffer<std::uint8_t> on_boundary(point_count, 0);
     edges.for_each([&](std::span<const EdgeRuns::Side> edge) {
-        const std::uint32_t h = edge[0].half_edge;
-        for (const EdgeRuns::Side& side : edge.subspan(1)) shells.unite(h / 3, side.half_edge / 3);
+        const std::uint32_t h = edge[0].halfedge;
+        for (const EdgeRuns::Side& side : edge.subspan(1)) shells.unite(h / 3, side.halfedge / 3);
         if (edge.size() == 1) {
             ++facts.boundary_edges;
-            on_boundary[start(h)] = on_boundary[start(next_half_edge(h))] = 1;
-            loops.unite(start(h), start(next_half_edge(h)));
+            on_boundary[start(h)] = on_boundary[start(next_halfedge(h))] = 1;
+            loops.unite(start(h), start(next_halfedge(h)));
         } else if (edge.size() == 2) {
-            facts.misoriented_edges += start(h) == start(edge[1].half_edge);
+            facts.misoriented_edges += start(h) == start(edge[1].halfedge);
         } else {
             ++facts.nonmanifold_edges;
         }
         std::int64_t balance = 0;
-        for (const EdgeRuns::Side& side : edge) balance += start(side.half_edge) == start(h) ? 1 : -1;
+        for (const EdgeRuns::Side& side : edge) balance += start(side.halfedge) == start(h) ? 1 : -1;
         facts.unbalanced_edges += balance != 0;
     });
     facts.shells = count_sets(shells, triangle_count);

@@ -11,7 +11,7 @@ class Neighbourhood
 {
 public:
     explicit Neighbourhood(const IndexedMesh& mesh)
-        : mesh_(mesh), corners_(mesh.triangles.size()), twins_(3 * mesh.triangles.size(), kNoTwin)
+        : mesh_(mesh), corners_(mesh.triangles.size()), opposite_(3 * mesh.triangles.size(), kNone)
     {
         for (std::size_t t = 0; t < corners_.size(); ++t)
             for (std::size_t i = 0; i < 3; ++i) corners_[t][i] = mesh.points[mesh.triangles[t][i]];
@@ -57,7 +57,7 @@ private:
         std::string fault;
         EdgeRuns(mesh_.point_count, corners_).for_each([&](std::span<const EdgeRuns::Side> edge) {
             if (edge.size() == 1 || !fault.empty()) return;
-            const std::uint32_t g = edge[0].half_edge, h = edge[1].half_edge;
+            const std::uint32_t g = edge[0].halfedge, h = edge[1].halfedge;
             const auto name_both = [&](std::uint32_t s, std::uint32_t t) {
                 return "triangles " + std::to_string(s / 3) + " and " + std::to_string(t / 3);
             };
@@ -65,17 +65,17 @@ private:
                 // Of three, two have the same direction.
                 std::uint32_t first = g, second = h;
                 if (start(first) != start(second)) {
-                    second = edge[2].half_edge;
+                    second = edge[2].halfedge;
                     if (start(first) != start(second)) first = h;
                 }
                 fault = name_both(first, second) + " run along the edge from point " + std::to_string(start(first)) +
-                        " to point " + std::to_string(start(next_half_edge(first))) +
+                        " to point " + std::to_string(start(next_halfedge(first))) +
                         " in the same direction; turn one over, take it out, or give the triangles to repair()";
             } else if (!solid.empty() && solid[g / 3] != solid[h / 3]) {
                 fault = name_both(g, h) + " share an edge but not their solid; put both into one";
             } else {
-                twins_[g] = h;
-                twins_[h] = g;
+                opposite_[g] = h;
+                opposite_[h] = g;
             }
         });
         return fault;
@@ -88,17 +88,17 @@ private:
         std::uint32_t h = first;
         do {
             ++count;
-            h = twins_[previous_half_edge(h)];
-        } while (h != first && h != kNoTwin);
+            h = opposite_[previous_halfedge(h)];
+        } while (h != first && h != kNone);
         if (h == first) return count;
-        for (h = twins_[first]; h != kNoTwin; h = twins_[next_half_edge(h)]) ++count;
+        for (h = opposite_[first]; h != kNone; h = opposite_[next_halfedge(h)]) ++count;
         return count;
     }
 
     std::string find_loose_fan() const
     {
         Buffer<std::uint32_t> corners_at(mesh_.point_count, 0), leaving(mesh_.point_count);
-        for (std::uint32_t h = 0; h < twins_.size(); ++h) {
+        for (std::uint32_t h = 0; h < opposite_.size(); ++h) {
             ++corners_at[start(h)];
             leaving[start(h)] = h;
         }
@@ -111,7 +111,7 @@ private:
 
     const IndexedMesh& mesh_;
     Buffer<Triangle> corners_;  ///< point ids
-    Buffer<std::uint32_t> twins_;
+    Buffer<std::uint32_t> opposite_;
 };
 
 }  // namespace

@@ -107,10 +107,10 @@ private:
         for (const Sheet& sheet : sheets_) corners.push_back(copies_[sheet.first].points);
         neighbours_.assign(3 * corners.size(), kNone);
         EdgeRuns(point_count, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
-            if (edge.size() == 1 && sheets_[edge[0].half_edge / 3].strength != 0) return;
-            if (edge.size() == 2) link(edge[0].half_edge, edge[1].half_edge);
+            if (edge.size() == 1 && sheets_[edge[0].halfedge / 3].strength != 0) return;
+            if (edge.size() == 2) link(edge[0].halfedge, edge[1].halfedge);
             for (const EdgeRuns::Side& side : edge)
-                sides_.push_back({side.half_edge / 3, edge_count_, direction(side.half_edge)});
+                sides_.push_back({side.halfedge / 3, edge_count_, direction(side.halfedge)});
             ++edge_count_;
         });
     }
@@ -123,7 +123,7 @@ private:
     }
 
     /// Along the last side the points of a sheet descend.
-    static int direction(std::uint32_t half_edge) { return half_edge % 3 == 2 ? -1 : 1; }
+    static int direction(std::uint32_t halfedge) { return halfedge % 3 == 2 ? -1 : 1; }
 
     /// Triangles without a partner at the edges that count, if a sheet has strength_of(its number).
     template <class StrengthOf>
@@ -176,11 +176,11 @@ private:
             }
             const std::uint32_t s = fitting[next++];
             for (std::uint32_t h = 3 * s; h < 3 * s + 3; ++h) {
-                const std::uint32_t mate = neighbours_[h];
-                if (mate == kNone || sheets_[mate / 3].patch != kNone) continue;
-                const int relative = -direction(h) * direction(mate);
-                const Step step{mate / 3, relative * sheets_[s].sign};
-                if (sheets_[mate / 3].strength == relative * sheets_[s].strength)
+                const std::uint32_t across = neighbours_[h];
+                if (across == kNone || sheets_[across / 3].patch != kNone) continue;
+                const int relative = -direction(h) * direction(across);
+                const Step step{across / 3, relative * sheets_[s].sign};
+                if (sheets_[across / 3].strength == relative * sheets_[s].strength)
                     enter(step);
                 else
                     others.push_back(step);

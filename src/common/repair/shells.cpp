@@ -24,12 +24,12 @@ Shells label(const LinkedSurface& surface)
             stack.pop_back();
             ++shell.triangle_count;
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-                const std::uint32_t mate = surface.mates[h];
-                if (mate == kNoTwin) {
+                const std::uint32_t across = surface.opposite[h];
+                if (across == kNone) {
                     shell.closed = false;
-                } else if (result.shell[mate / 3] == kNone) {
-                    result.shell[mate / 3] = number;
-                    stack.push_back(mate / 3);
+                } else if (result.shell[across / 3] == kNone) {
+                    result.shell[across / 3] = number;
+                    stack.push_back(across / 3);
                 }
             }
         }
@@ -65,8 +65,8 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans,
 {
     std::vector<double> shell_area(shells.shells.size(), 0.0), hole_area(shells.shells.size(), 0.0);
     Buffer<std::uint32_t> boundary_from(fans.count, kNone);  // the boundary half-edge that leaves each fan
-    for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
-        if (surface.mates[h] == kNoTwin) boundary_from[fans.fan[h]] = h;
+    for (std::uint32_t h = 0; h < surface.opposite.size(); ++h)
+        if (surface.opposite[h] == kNone) boundary_from[fans.fan[h]] = h;
     for (std::uint32_t t = 0; t < surface.corners.size(); ++t) {
         const auto& [a, b, c] = surface.corners[t];
         if (const std::uint32_t s = shells.shell[t]; !shells.shells[s].closed)
@@ -81,7 +81,7 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans,
             const std::uint32_t h = std::exchange(boundary_from[fan], kNone);
             loop.push_back(h);
             centre += glm::dvec3(positions[surface.start(h)]);
-            fan = fans.fan[next_half_edge(h)];
+            fan = fans.fan[next_halfedge(h)];
         }
         if (loop.empty()) continue;
         centre /= static_cast<double>(loop.size());

@@ -25,7 +25,7 @@ SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::
     const double crease_cosine = std::cos(kCreaseAngle / 180.0 * kPi);
 
     Buffer<glm::dvec3> face_normals(surface.corners.size());
-    Buffer<float> angles(surface.mates.size());  // of the triangle at each corner
+    Buffer<float> angles(surface.opposite.size());  // of the triangle at each corner
     for (std::size_t t = 0; t < surface.corners.size(); ++t) {
         const auto& [a, b, c] = surface.corners[t];
         const glm::dvec3 p = positions[a], q = positions[b], r = positions[c];
@@ -39,18 +39,18 @@ SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::
     }
     // A triangle without area has no normal and makes no crease.
     const auto is_crease = [&](std::uint32_t h) {
-        const glm::dvec3 &a = face_normals[h / 3], &b = face_normals[surface.mates[h] / 3];
+        const glm::dvec3 &a = face_normals[h / 3], &b = face_normals[surface.opposite[h] / 3];
         return a != glm::dvec3(0.0) && b != glm::dvec3(0.0) && glm::dot(a, b) < crease_cosine;
     };
     SmoothNormals result;
-    result.sector.assign(surface.mates.size(), kNoSector);
+    result.sector.assign(surface.opposite.size(), kNoSector);
     result.normals.reserve(positions.size());
-    for (std::uint32_t h = 0; h < surface.mates.size(); ++h) {
+    for (std::uint32_t h = 0; h < surface.opposite.size(); ++h) {
         if (result.sector[h] != kNoSector) continue;
         // Clockwise to where the sector begins: at a crease, at the boundary, or nowhere.
         std::uint32_t first = h;
-        while (surface.mates[first] != kNoTwin && !is_crease(first)) {
-            first = next_half_edge(surface.mates[first]);
+        while (surface.opposite[first] != kNone && !is_crease(first)) {
+            first = next_halfedge(surface.opposite[first]);
             if (first == h) break;
         }
         const auto number = static_cast<std::uint32_t>(result.normals.size());
@@ -59,9 +59,9 @@ SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::
         while (true) {
             result.sector[corner] = number;
             sum += face_normals[corner / 3] * double(angles[corner]);
-            const std::uint32_t side = previous_half_edge(corner);
-            if (surface.mates[side] == kNoTwin || is_crease(side)) break;
-            corner = surface.mates[side];
+            const std::uint32_t side = previous_halfedge(corner);
+            if (surface.opposite[side] == kNone || is_crease(side)) break;
+            corner = surface.opposite[side];
             if (corner == first) break;
         }
         const double size = length(sum);

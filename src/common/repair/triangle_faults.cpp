@@ -96,7 +96,7 @@ private:
             if (!has_repeat) return;
             balance_.push_back(balance);
             const auto apex = [&](const EdgeRuns::Side& side) {
-                return near[side.half_edge / 3][previous_half_edge(side.half_edge) % 3];
+                return near[side.halfedge / 3][previous_halfedge(side.halfedge) % 3];
             };
             may_be_turned_over_ |= balance != 0 && edge.size() % 2 == 0 &&
                                    std::any_of(edge.begin() + 1, edge.end(),

@@ -10,12 +10,12 @@ std::uint64_t count_umbrella_points(std::uint32_t point_count, std::span<const T
     DisjointSets umbrellas(static_cast<std::uint32_t>(corners.size() * 3));
     const auto point_at = [&](std::uint32_t corner) { return corners[corner / 3][corner % 3]; };
     edges.for_each([&](std::span<const EdgeRuns::Side> edge) {
-        const std::uint32_t first = edge[0].half_edge;
+        const std::uint32_t first = edge[0].halfedge;
         for (const EdgeRuns::Side& side : edge.subspan(1)) {
-            std::uint32_t start = side.half_edge, end = next_half_edge(start);
+            std::uint32_t start = side.halfedge, end = next_halfedge(start);
             if (point_at(start) != point_at(first)) std::swap(start, end);
             umbrellas.unite(first, start);
-            umbrellas.unite(next_half_edge(first), end);
+            umbrellas.unite(next_halfedge(first), end);
         }
     });
 

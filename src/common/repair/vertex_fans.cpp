@@ -26,18 +26,18 @@ public:
     {
         const std::uint32_t first = corners_.front();
         if (forward_) {
-            const std::uint32_t corner = surface.mates[previous_half_edge(corners_.back())];
+            const std::uint32_t corner = surface.opposite[previous_halfedge(corners_.back())];
             if (corner == first) return false;
-            if (corner != kNoTwin) {
+            if (corner != kNone) {
                 corners_.push_back(corner);
                 return true;
             }
             forward_ = false;
             clockwise_ = first;
         }
-        const std::uint32_t mate = surface.mates[clockwise_];
-        if (mate == kNoTwin) return false;
-        clockwise_ = next_half_edge(mate);
+        const std::uint32_t across = surface.opposite[clockwise_];
+        if (across == kNone) return false;
+        clockwise_ = next_halfedge(across);
         corners_.push_back(clockwise_);
         return true;
     }
@@ -92,7 +92,7 @@ private:
     {
         const auto key = [&](std::uint32_t place) {
             const std::uint32_t h = (*edge_)[place];
-            return std::array{fans_.fan[h], fans_.fan[next_half_edge(h)]};
+            return std::array{fans_.fan[h], fans_.fan[next_halfedge(h)]};
         };
         std::sort(moved_.begin(), moved_.end(), [&](std::uint32_t a, std::uint32_t b) {
             ++fans_.steps;
@@ -110,20 +110,20 @@ private:
 
     void note_places(const NonmanifoldEdge& edge)
     {
-        if (place_.empty()) place_.assign(surface_.mates.size(), kNone);
+        if (place_.empty()) place_.assign(surface_.opposite.size(), kNone);
         for (std::uint32_t i = 0; i < edge.size(); ++i) place_[edge[i]] = i;
     }
 
     void exchange(std::uint32_t i, std::uint32_t j)
     {
         const std::uint32_t a = (*edge_)[i], b = (*edge_)[j];
-        const std::uint32_t mate_a = surface_.mates[a], mate_b = surface_.mates[b];
-        surface_.mates[a] = surface_.mates[b] = kNoTwin;
-        surface_.link(a, mate_b);
-        surface_.link(b, mate_a);
+        const std::uint32_t across_a = surface_.opposite[a], across_b = surface_.opposite[b];
+        surface_.opposite[a] = surface_.opposite[b] = kNone;
+        surface_.link(a, across_b);
+        surface_.link(b, across_a);
         moved_.clear();
         divide(a, b);
-        divide(next_half_edge(a), next_half_edge(b));
+        divide(next_halfedge(a), next_halfedge(b));
         form_groups();
     }
 
@@ -147,13 +147,13 @@ private:
         for (const std::uint32_t corner : (a_is_smaller ? walk_a_ : walk_b_).corners()) {
             fans_.fan[corner] = label;
             leave_group(corner);
-            leave_group(previous_half_edge(corner));
+            leave_group(previous_halfedge(corner));
         }
     }
 
-    void leave_group(std::uint32_t half_edge)
+    void leave_group(std::uint32_t halfedge)
     {
-        const std::uint32_t place = place_[half_edge];
+        const std::uint32_t place = place_[halfedge];
         if (place == kNone) return;
         const std::uint32_t before = std::exchange(previous_[place], kNone), after = std::exchange(next_[place], kNone);
         if (before != kNone) next_[before] = after;
@@ -177,18 +177,18 @@ private:
 Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
 {
     Fans fans;
-    fans.fan.assign(surface.mates.size(), kNone);
-    for (std::uint32_t h = 0; h < surface.mates.size(); ++h) {
+    fans.fan.assign(surface.opposite.size(), kNone);
+    for (std::uint32_t h = 0; h < surface.opposite.size(); ++h) {
         if (fans.fan[h] != kNone) continue;
         const std::uint32_t number = fans.count++;
         std::uint32_t corner = h;
         do {
             fans.fan[corner] = number;
-            corner = surface.mates[previous_half_edge(corner)];
-        } while (corner != kNoTwin && corner != h);
+            corner = surface.opposite[previous_halfedge(corner)];
+        } while (corner != kNone && corner != h);
         if (corner == h) continue;
-        for (std::uint32_t mate = surface.mates[h]; mate != kNoTwin; mate = surface.mates[corner]) {
-            corner = next_half_edge(mate);
+        for (std::uint32_t across = surface.opposite[h]; across != kNone; across = surface.opposite[corner]) {
+            corner = next_halfedge(across);
             fans.fan[corner] = number;
         }
     }

@@ -24,22 +24,4 @@ struct Fans
 /// are divided again and again.
 Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved);
 
-/// Calls visit(corner) for each corner of the fan of corner `h`, counter-clockwise; an open fan from its first
-/// triangle.
-template <class Visit>
-void for_each_in_fan(const LinkedSurface& surface, std::uint32_t h, Visit&& visit)
-{
-    // Clockwise to the beginning of an open fan, or once around a closed one.
-    std::uint32_t first = h;
-    while (surface.mates[first] != kNoTwin) {
-        first = next_half_edge(surface.mates[first]);
-        if (first == h) break;
-    }
-    std::uint32_t corner = first;
-    do {
-        visit(corner);
-        corner = surface.mates[previous_half_edge(corner)];
-    } while (corner != kNoTwin && corner != first);
-}
-
 }  // namespace kerf

@@ -17,7 +17,7 @@ LinkedSurface leaves(const std::vector<std::uint32_t>& next, NonmanifoldEdge& ed
 {
     LinkedSurface surface;
     const auto k = static_cast<std::uint32_t>(next.size());
-    surface.mates.assign(6 * next.size(), kNoTwin);
+    surface.opposite.assign(6 * next.size(), kNone);
     for (std::uint32_t i = 0; i < k; ++i) {
         surface.corners.push_back({0, 1, 2 + i});
         surface.corners.push_back({1, 0, 2 + i});
@@ -40,30 +40,48 @@ std::vector<std::uint32_t> cycle(std::uint32_t k, std::mt19937& random)
     return next;
 }
 
+/// Calls visit(corner) for each corner of the fan of corner `h`, counter-clockwise; an open fan from its first
+/// triangle.
+template <class Visit>
+void for_each_in_fan(const LinkedSurface& surface, std::uint32_t h, Visit&& visit)
+{
+    // Clockwise to the beginning of an open fan, or once around a closed one.
+    std::uint32_t first = h;
+    while (surface.opposite[first] != kNone) {
+        first = next_halfedge(surface.opposite[first]);
+        if (first == h) break;
+    }
+    std::uint32_t corner = first;
+    do {
+        visit(corner);
+        corner = surface.opposite[previous_halfedge(corner)];
+    } while (corner != kNone && corner != first);
+}
+
 /// Fans by the rule in words, edge by edge: every pair of half-edges in order, and whole fans numbered anew.
 Fans fans_by_the_rule(LinkedSurface& surface, const std::vector<NonmanifoldEdge>& resolved)
 {
     constexpr std::uint32_t kNoFan = std::numeric_limits<std::uint32_t>::max();
     Fans fans;
-    fans.fan.assign(surface.mates.size(), kNoFan);
+    fans.fan.assign(surface.opposite.size(), kNoFan);
     const auto number = [&](std::uint32_t corner) {
         for_each_in_fan(surface, corner, [&](std::uint32_t c) { fans.fan[c] = fans.count; });
         ++fans.count;
     };
-    for (std::uint32_t h = 0; h < surface.mates.size(); ++h)
+    for (std::uint32_t h = 0; h < surface.opposite.size(); ++h)
         if (fans.fan[h] == kNoFan) number(h);
     for (const NonmanifoldEdge& edge : resolved)
         for (std::size_t i = 0; i < edge.size(); ++i)
             for (std::size_t j = i + 1; j < edge.size(); ++j) {
                 const std::uint32_t a = edge[i], b = edge[j];
                 if (fans.fan[a] != fans.fan[b]) continue;
-                if (fans.fan[next_half_edge(a)] != fans.fan[next_half_edge(b)]) continue;
-                const std::uint32_t mate_a = surface.mates[a], mate_b = surface.mates[b];
-                surface.mates[a] = surface.mates[b] = kNoTwin;
-                surface.link(a, mate_b);
-                surface.link(b, mate_a);
+                if (fans.fan[next_halfedge(a)] != fans.fan[next_halfedge(b)]) continue;
+                const std::uint32_t across_a = surface.opposite[a], across_b = surface.opposite[b];
+                surface.opposite[a] = surface.opposite[b] = kNone;
+                surface.link(a, across_b);
+                surface.link(b, across_a);
                 number(a);
-                number(next_half_edge(a));
+                number(next_halfedge(a));
             }
     return fans;
 }
@@ -74,7 +92,7 @@ void expect_the_rule(const LinkedSurface& surface, const std::vector<Nonmanifold
     const Fans expected = fans_by_the_rule(by_rule, resolved), fans = find_fans(found, resolved);
     EXPECT_EQ(fans.count, expected.count);
     EXPECT_EQ(fans.fan, expected.fan);
-    EXPECT_EQ(found.mates, by_rule.mates);
+    EXPECT_EQ(found.opposite, by_rule.opposite);
 }
 
 TEST(FindFans, DividesAFanThatPassesAnEdgeAgainAndAgain)
@@ -85,8 +103,8 @@ TEST(FindFans, DividesAFanThatPassesAnEdgeAgainAndAgain)
         LinkedSurface surface = leaves(cycle(k, random), edge);
         if (k % 2 == 0) std::shuffle(edge.begin(), edge.end(), random);
         if (k % 3 == 0) {  // an open fan
-            surface.mates[surface.mates[0]] = kNoTwin;
-            surface.mates[0] = kNoTwin;
+            surface.opposite[surface.opposite[0]] = kNone;
+            surface.opposite[0] = kNone;
         }
         SCOPED_TRACE(k);
         expect_the_rule(surface, {edge});
@@ -112,13 +130,13 @@ TEST(FindFans, DividesTheSameFansOfAnySurfaceAndNumbersThemInTheSameOrder)
             while (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]);
             surface.corners.push_back(triangle);
         }
-        surface.mates.assign(std::size_t{3} * triangle_count, kNoTwin);
+        surface.opposite.assign(std::size_t{3} * triangle_count, kNone);
         std::vector<NonmanifoldEdge> resolved;
         EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> sides) {
             NonmanifoldEdge &edge = resolved.emplace_back(), there, back;
             for (const EdgeRuns::Side& side : sides) {
-                edge.push_back(side.half_edge);
-                (surface.start(side.half_edge) < side.larger_point ? there : back).push_back(side.half_edge);
+                edge.push_back(side.halfedge);
+                (surface.start(side.halfedge) < side.larger_point ? there : back).push_back(side.halfedge);
             }
             std::shuffle(there.begin(), there.end(), random);
             for (std::size_t i = 0; i < std::min(there.size(), back.size()); ++i) surface.link(there[i], back[i]);
