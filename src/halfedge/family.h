@@ -1,6 +1,7 @@
 #pragma once
 
 #include "halfedge/cut/cut_plan.h"
+#include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
 
 namespace kerf::halfedge {

@@ -8,6 +8,7 @@
 #include "common/shapes/shapes.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
+#include "halfedge/universe/cut_reserve.h"
 #include "support/allocations.h"
 #include "support/fixtures.h"
 #include "support/sanitized.h"

@@ -26,6 +26,15 @@ public:
         return fault;
     }
 
+    /// Of a mesh without fault.
+    Adjacency take_adjacency()
+    {
+        Adjacency adjacency;
+        adjacency.opposite = std::move(opposite_);
+        adjacency.shell_count = label_shells(adjacency.opposite, adjacency.shell);
+        return adjacency;
+    }
+
 private:
     std::uint32_t start(std::uint32_t h) const { return corners_[h / 3][h % 3]; }
 
@@ -120,8 +129,10 @@ Proof prove(IndexedMesh mesh)
 {
     Proof proof;
     proof.error = check(mesh);
-    if (proof.error.empty()) proof.error = Neighbourhood(mesh).find_fault();
-    if (proof.error.empty()) proof.mesh = ProvenMesh(std::move(mesh));
+    if (!proof.error.empty()) return proof;
+    Neighbourhood neighbourhood(mesh);
+    proof.error = neighbourhood.find_fault();
+    if (proof.error.empty()) proof.mesh = ProvenMesh(std::move(mesh), neighbourhood.take_adjacency());
     return proof;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/mesh/indexed_mesh.h"
+#include "common/repair/adjacency.h"
 
 namespace kerf {
 
@@ -22,10 +23,14 @@ class ProvenMesh
 public:
     ProvenMesh() = default;
     ProvenMesh(const ProvenMesh&) = default;
-    ProvenMesh(ProvenMesh&& other) noexcept : mesh_(std::exchange(other.mesh_, {})) {}
+    ProvenMesh(ProvenMesh&& other) noexcept
+        : mesh_(std::exchange(other.mesh_, {})), adjacency_(std::exchange(other.adjacency_, {}))
+    {
+    }
     ProvenMesh& operator=(ProvenMesh other) noexcept
     {
         mesh_ = std::move(other.mesh_);
+        adjacency_ = std::move(other.adjacency_);
         return *this;
     }
 
@@ -33,8 +38,15 @@ public:
     const IndexedMesh* operator->() const { return &mesh_; }
     operator const IndexedMesh&() const& { return mesh_; }
 
+    /// Found on the way; what was taken out has none.
+    const Adjacency& adjacency() const { return adjacency_; }
+
     /// Takes the mesh out.
-    IndexedMesh operator*() && { return std::exchange(mesh_, {}); }
+    IndexedMesh operator*() &&
+    {
+        adjacency_ = {};
+        return std::exchange(mesh_, {});
+    }
     /// Would refer to what is gone at the end of the line: write `*repair(soup).mesh`, which is a mesh of its own.
     operator const IndexedMesh&() const&& = delete;
 
@@ -50,9 +62,10 @@ public:
 private:
     friend Repaired repair(TriangleSoup soup);
     friend Proof prove(IndexedMesh mesh);
-    explicit ProvenMesh(IndexedMesh&& mesh) : mesh_(std::move(mesh)) {}
+    ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency) : mesh_(std::move(mesh)), adjacency_(std::move(adjacency)) {}
 
     IndexedMesh mesh_;
+    Adjacency adjacency_;
 };
 
 /// A mesh ready for a back end, or the reason why it can't be cut.

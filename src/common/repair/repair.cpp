@@ -235,7 +235,7 @@ Repaired repair(TriangleSoup soup)
     const Buffer<std::uint32_t> first_equal =
         first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
     build_vertices({soup, first_equal, kept.soup_triangles, surface, fans, positions}, order, mesh);
-    result.mesh = ProvenMesh(std::move(mesh));
+    result.mesh = ProvenMesh(std::move(mesh), adjacency_in_order(surface.opposite, shells.shell, order));
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/mesh/index.h"
+#include "common/repair/adjacency.h"
 
 namespace kerf {
 
@@ -11,28 +12,11 @@ namespace {
 Shells label(const LinkedSurface& surface)
 {
     Shells result;
-    result.shell.assign(surface.corners.size(), kNone);
-    std::vector<std::uint32_t> stack;
-    for (std::uint32_t first = 0; first < surface.corners.size(); ++first) {
-        if (result.shell[first] != kNone) continue;
-        const auto number = static_cast<std::uint32_t>(result.shells.size());
-        Shell& shell = result.shells.emplace_back();
-        result.shell[first] = number;
-        stack.push_back(first);
-        while (!stack.empty()) {
-            const std::uint32_t t = stack.back();
-            stack.pop_back();
-            ++shell.triangle_count;
-            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-                const std::uint32_t across = surface.opposite[h];
-                if (across == kNone) {
-                    shell.closed = false;
-                } else if (result.shell[across / 3] == kNone) {
-                    result.shell[across / 3] = number;
-                    stack.push_back(across / 3);
-                }
-            }
-        }
+    result.shells.resize(label_shells(surface.opposite, result.shell));
+    for (std::uint32_t t = 0; t < result.shell.size(); ++t) {
+        Shell& shell = result.shells[result.shell[t]];
+        ++shell.triangle_count;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) shell.closed = shell.closed && surface.opposite[h] != kNone;
     }
     return result;
 }

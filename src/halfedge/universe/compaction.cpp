@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/export.h"
 
 namespace kerf::halfedge {
@@ -104,30 +105,25 @@ Index join_all(TriangleTree& tree, std::span<const Segment> segments)
     return tree.join(left, join_all(tree, segments.subspan(half)));
 }
 
-}  // namespace
-
-std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot> shells, Universe& v)
+/// New numbers of what the triangles of the copy use, in the order in which export_mesh() visits it.
+struct Copied
 {
-    std::vector<ShellRoot> copies(shells.begin(), shells.end());
-    v.groups = u.groups;
-    v.materials = u.materials;
-    v.cap_material = u.cap_material;
-    v.reference = u.reference;
-    v.noise = u.noise;
-    v.has_boundary = u.has_boundary;
-
-    Segments segments(u, shells);
-    const std::vector<Segment*> order = in_drawing_order(u, segments.list());
-    std::size_t n = 0, nodes = 0;
-    for (const Segment& segment : segments.list()) {
-        n += segment.count;
-        nodes += TriangleTree::nodes_for_run(segment.count) + 1;
-    }
-    Renumbering vertices(u.vertices.size(), n), points(u.mesh.vertices(), n), edges(u.mesh.edges(), 2 * n);
+    Renumbering vertices, points, edges;
     std::vector<Index> old_face;
-    old_face.reserve(n);
-    const std::size_t crossings = reserved_crossings(n);
-    v.slots.reserve(n + 18 * crossings);
+
+    Copied(const Universe& u, std::size_t triangles)
+        : vertices(u.vertices.size(), triangles),
+          points(u.mesh.vertices(), triangles),
+          edges(u.mesh.edges(), 2 * triangles)
+    {
+        old_face.reserve(triangles);
+    }
+    Index halfedge(Index old) { return 2 * edges(old / 2) + (old & 1u); }
+};
+
+/// Writes the triangles to `slots`, which has room for them.
+void copy_triangles(const Universe& u, std::span<Segment* const> order, AppendBuffer<Triangle>& slots, Copied& copied)
+{
     for (const Segment* segment : order)
         for (const TriangleTree::Run& run : segment->runs)
             for (Index slot = run.first; slot < run.first + run.count; ++slot) {
@@ -135,69 +131,108 @@ std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot
                 Triangle triangle;
                 Index h = u.mesh.halfedge_of_face(face);
                 for (std::size_t c = 0; c < 3; ++c, h = u.mesh.next(h)) {
-                    triangle[c] = vertices(u.slots[slot][c]);
-                    static_cast<void>(points(u.mesh.from(h)));
-                    static_cast<void>(edges(h / 2));
+                    triangle[c] = copied.vertices(u.slots[slot][c]);
+                    static_cast<void>(copied.points(u.mesh.from(h)));
+                    static_cast<void>(copied.edges(h / 2));
                 }
-                v.slots.push(triangle);
-                old_face.push_back(face);
+                slots.push(triangle);
+                copied.old_face.push_back(face);
             }
+}
 
-    v.mesh.reserve(points.size() + 2 * crossings, edges.size() + 6 * crossings, n + 4 * crossings);
-    v.mesh.resize(points.size(), edges.size(), n);
-    const auto new_halfedge = [&](Index h) { return 2 * edges(h / 2) + (h & 1u); };
-    for (Index f = 0; f < n; ++f) {
+void copy_connectivity(const Universe& u, Copied& copied, SurfaceMesh& mesh)
+{
+    for (Index f = 0; f < copied.old_face.size(); ++f) {
         std::array<Index, 3> h;
-        h[0] = u.mesh.halfedge_of_face(old_face[f]);
+        h[0] = u.mesh.halfedge_of_face(copied.old_face[f]);
         h[1] = u.mesh.next(h[0]);
         h[2] = u.mesh.next(h[1]);
-        v.mesh.set_triangle(f, new_halfedge(h[0]), new_halfedge(h[1]), new_halfedge(h[2]));
+        mesh.set_triangle(f, copied.halfedge(h[0]), copied.halfedge(h[1]), copied.halfedge(h[2]));
         for (const Index old : h) {
-            v.mesh.set_to(new_halfedge(old), points(u.mesh.to(old)));
-            if (!u.mesh.is_boundary(old ^ 1u)) continue;
-            v.mesh.set_to(new_halfedge(old ^ 1u), points(u.mesh.to(old ^ 1u)));
-            v.mesh.link(new_halfedge(old ^ 1u), new_halfedge(u.mesh.next(old ^ 1u)));
+            mesh.set_to(copied.halfedge(old), copied.points(u.mesh.to(old)));
+            const Index across = u.mesh.opposite(old);
+            if (!u.mesh.is_boundary(across)) continue;
+            mesh.set_to(copied.halfedge(across), copied.points(u.mesh.to(across)));
+            mesh.link(copied.halfedge(across), copied.halfedge(u.mesh.next(across)));
         }
     }
-    for (Index p = 0; p < points.size(); ++p) {
-        v.mesh.set_halfedge_of_vertex(p, new_halfedge(u.mesh.halfedge_of_vertex(points.old()[p])));
-        v.mesh.set_point(p, u.mesh.point(points.old()[p]));
+    for (Index p = 0; p < copied.points.size(); ++p) {
+        const Index old = copied.points.old()[p];
+        mesh.set_halfedge_of_vertex(p, copied.halfedge(u.mesh.halfedge_of_vertex(old)));
+        mesh.set_point(p, u.mesh.point(old));
     }
+}
 
-    v.vertices.reserve(vertices.size() + 3 * crossings);
-    for (const Index old : vertices.old()) v.vertices.push(u.vertices[old]);
-    for (const Stream& stream : u.streams) {
-        Stream& to = v.streams.emplace_back();
-        to.name = stream.name;
-        to.width = stream.width;
-        to.values.reserve((vertices.size() + 3 * crossings) * stream.width);
-        for (const Index old : vertices.old())
-            for (std::size_t i = 0; i < stream.width; ++i)
-                to.values.push(stream.values[std::size_t(old) * stream.width + i]);
+void copy_vertices(const Universe& u, std::span<const Index> old_vertices, Universe& v)
+{
+    for (const Index old : old_vertices) v.vertices.push(u.vertices[old]);
+    for (std::size_t s = 0; s < u.streams.size(); ++s) {
+        const Stream& from = u.streams[s];
+        for (const Index old : old_vertices)
+            for (std::size_t i = 0; i < from.width; ++i)
+                v.streams[s].values.push(from.values[std::size_t(old) * from.width + i]);
     }
-    v.face_of_slot.reserve(n + 18 * crossings);
-    v.source_of_face.reserve(n + 4 * crossings);
-    v.stamp_of_face.reserve(n + 4 * crossings);
-    v.stamp_of_face.set_size(n);
+}
+
+void copy_faces(const Universe& u, std::span<const Index> old_face, Universe& v)
+{
+    v.stamp_of_face.set_size(old_face.size());
     std::fill(v.stamp_of_face.begin(), v.stamp_of_face.end(), Index(0));
-    for (Index f = 0; f < n; ++f) {
+    for (Index f = 0; f < old_face.size(); ++f) {
         v.face_of_slot.push(f);
         v.source_of_face.push(u.source_of_face[old_face[f]]);
     }
+}
 
-    v.tree.reserve(nodes + crossings + crossings / 4 + 64);
+/// Trees over segments in drawing order, joined for each shell in the order of its old tree.
+void plant_trees(std::span<Segment* const> order, std::span<const Segment> segments, std::span<ShellRoot> shells,
+                 Universe& v)
+{
     std::uint32_t first = 0;
     for (Segment* segment : order) {
         segment->root = v.tree.make_run(v.geometry(), first, segment->count, segment->group);
         first += segment->count;
     }
-    const std::span<const Segment> list = segments.list();
-    for (std::size_t begin = 0, end; begin < list.size(); begin = end) {
+    for (std::size_t begin = 0, end; begin < segments.size(); begin = end) {
         end = begin;
-        while (end < list.size() && list[end].shell == list[begin].shell) ++end;
-        copies[list[begin].shell].root = join_all(v.tree, list.subspan(begin, end - begin));
+        while (end < segments.size() && segments[end].shell == segments[begin].shell) ++end;
+        shells[segments[begin].shell].root = join_all(v.tree, segments.subspan(begin, end - begin));
     }
-    reserve_for_cuts(v, crossings);
+}
+
+}  // namespace
+
+std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot> shells, Universe& v)
+{
+    v.groups = u.groups;
+    v.materials = u.materials;
+    v.cap_material = u.cap_material;
+    v.reference = u.reference;
+    v.noise = u.noise;
+    v.has_boundary = u.has_boundary;
+    for (const Stream& stream : u.streams) v.streams.push_back({stream.name, stream.width, {}});
+
+    Segments segments(u, shells);
+    const std::vector<Segment*> order = in_drawing_order(u, segments.list());
+    UniverseSize size;
+    for (const Segment& segment : segments.list()) {
+        size.triangles += segment.count;
+        size.nodes += TriangleTree::nodes_for_run(segment.count) + 1;
+    }
+    v.slots.reserve(size.triangles);
+    Copied copied(u, size.triangles);
+    copy_triangles(u, order, v.slots, copied);
+
+    size.points = copied.points.size();
+    size.edges = copied.edges.size();
+    size.vertices = copied.vertices.size();
+    reserve(v, size, reserved_crossings(size.triangles));
+    v.mesh.resize(size.points, size.edges, size.triangles);
+    copy_connectivity(u, copied, v.mesh);
+    copy_vertices(u, copied.vertices.old(), v);
+    copy_faces(u, copied.old_face, v);
+    std::vector<ShellRoot> copies(shells.begin(), shells.end());
+    plant_trees(order, segments.list(), copies, v);
     return copies;
 }
 

@@ -1,45 +1,32 @@
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <span>
 
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
+#include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
 
 namespace kerf::halfedge {
 
 namespace {
 
-/// Shell of each triangle, numbered in the order of their first triangles. Triangles around a point form one fan, so
-/// connected by points means connected by edges.
-struct Shells
+/// Fills the groups, in the order in which they are drawn, and returns the group of each triangle.
+std::vector<Index> sort_groups(const IndexedMesh& mesh, std::vector<DrawGroup>& groups)
 {
-    std::vector<Index> of_triangle;
-    Index count = 0;
-};
-
-Shells find_shells(const IndexedMesh& mesh)
-{
-    std::vector<Index> parent(mesh.point_count);
-    std::iota(parent.begin(), parent.end(), Index(0));
-    const auto find = [&](Index p) {
-        while (parent[p] != p) p = parent[p] = parent[parent[p]];
-        return p;
+    for (const TriangleGroup& g : mesh.groups) groups.push_back({g.material, g.solid, g.kind});
+    std::sort(groups.begin(), groups.end(), draws_before);
+    const auto is_alike = [](const DrawGroup& a, const DrawGroup& b) {
+        return !draws_before(a, b) && !draws_before(b, a);
     };
-    for (const Triangle& t : mesh.triangles) {
-        const Index a = find(mesh.points[t[0]]);
-        parent[find(mesh.points[t[1]])] = a;
-        parent[find(mesh.points[t[2]])] = a;
+    groups.erase(std::unique(groups.begin(), groups.end(), is_alike), groups.end());
+    std::vector<Index> group_of(mesh.triangles.size());
+    for (const TriangleGroup& g : mesh.groups) {
+        const DrawGroup wanted{g.material, g.solid, g.kind};
+        const auto found = std::lower_bound(groups.begin(), groups.end(), wanted, draws_before);
+        std::fill_n(group_of.begin() + g.first, g.count, static_cast<Index>(found - groups.begin()));
     }
-    Shells shells;
-    shells.of_triangle.resize(mesh.triangles.size());
-    std::vector<Index> number(mesh.point_count, kNone);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        Index& shell = number[find(mesh.points[mesh.triangles[i][0]])];
-        if (shell == kNone) shell = shells.count++;
-        shells.of_triangle[i] = shell;
-    }
-    return shells;
+    return group_of;
 }
 
 /// Spreads the low 12 bits to every third bit.
@@ -69,7 +56,7 @@ void counting_sort(std::vector<Item>& order, std::vector<Item>& scratch, std::si
 
 /// Triangles by (group, shell, Morton code of the centre).
 std::vector<Index> spatial_order(const IndexedMesh& mesh, const std::vector<Index>& group_of, std::size_t groups,
-                                 const Shells& shells)
+                                 const Adjacency& adjacency)
 {
     const Box box = mesh.bounds();
     const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
@@ -95,9 +82,9 @@ std::vector<Index> spatial_order(const IndexedMesh& mesh, const std::vector<Inde
     for (std::uint32_t shift = 0; shift < 3 * kMortonBits; shift += kMortonBits)
         counting_sort(items, scratch, kMortonCells,
                       [shift](const Item& item) { return (item.code >> shift) & (kMortonCells - 1); });
-    if (shells.count > 1)
-        counting_sort(items, scratch, shells.count,
-                      [&](const Item& item) { return shells.of_triangle[item.triangle]; });
+    if (adjacency.shell_count > 1)
+        counting_sort(items, scratch, adjacency.shell_count,
+                      [&](const Item& item) { return adjacency.shell[item.triangle]; });
     if (groups > 1) counting_sort(items, scratch, groups, [&](const Item& item) { return group_of[item.triangle]; });
 
     std::vector<Index> order(items.size());
@@ -105,71 +92,15 @@ std::vector<Index> spatial_order(const IndexedMesh& mesh, const std::vector<Inde
     return order;
 }
 
-/// For each half-edge (3 * triangle + corner, leaving that corner's point) its opposite, or kNone. Half-edges are
-/// bucketed by their smaller point: no hashing.
-std::vector<Index> find_twins(const std::vector<Triangle>& points, std::size_t point_count)
-{
-    const std::size_t n = points.size() * 3;
-    const auto ends = [&](Index h) {
-        const Triangle& t = points[h / 3];
-        return std::array{t[h % 3], t[(h % 3 + 1) % 3]};
-    };
-    std::vector<std::uint32_t> start(point_count + 1, 0);
-    for (const Triangle& t : points) {
-        ++start[std::min(t[0], t[1]) + 1];
-        ++start[std::min(t[1], t[2]) + 1];
-        ++start[std::min(t[2], t[0]) + 1];
-    }
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    struct Entry
-    {
-        Index larger, halfedge;
-    };
-    std::vector<Entry> entries(n);
-    for (Index i = 0; i < points.size(); ++i)
-        for (Index c = 0; c < 3; ++c) {
-            const Index a = points[i][c], b = points[i][c == 2 ? 0 : c + 1];
-            entries[start[std::min(a, b)]++] = {std::max(a, b), i * 3 + c};
-        }
-
-    std::vector<Index> twin(n, kNone);
-    std::uint32_t begin = 0;
-    for (std::size_t p = 0; p < point_count; ++p) {
-        const std::uint32_t end = start[p];  // the filling has moved each start to its end
-        constexpr std::uint32_t kFew = 64;
-        const bool sorted = end - begin > kFew;
-        if (sorted)
-            std::sort(entries.begin() + begin, entries.begin() + end, [](const Entry& s, const Entry& t) {
-                return s.larger != t.larger ? s.larger < t.larger : s.halfedge < t.halfedge;
-            });
-        for (std::uint32_t i = begin; i < end; ++i) {
-            if (twin[entries[i].halfedge] != kNone) continue;
-            const bool forward = ends(entries[i].halfedge)[0] == p;
-            for (std::uint32_t j = i + 1; j < end; ++j) {
-                if (entries[j].larger != entries[i].larger) {
-                    if (sorted) break;
-                    continue;
-                }
-                if (twin[entries[j].halfedge] != kNone || (ends(entries[j].halfedge)[0] == p) == forward) continue;
-                twin[entries[i].halfedge] = entries[j].halfedge;
-                twin[entries[j].halfedge] = entries[i].halfedge;
-                break;
-            }
-        }
-        begin = end;
-    }
-    return twin;
-}
-
 /// Connectivity without searching: faces, edges in the order of their first half-edge, boundary linked at its vertices.
-void build_connectivity(Universe& u, const std::vector<Triangle>& points, const std::vector<Index>& twin)
+void build_connectivity(Universe& u, const std::vector<Triangle>& points, std::span<const Index> opposite)
 {
     SurfaceMesh& mesh = u.mesh;
-    std::vector<Index> id(twin.size());
+    std::vector<Index> id(opposite.size());
     Index edges = 0;
-    for (Index h = 0; h < twin.size(); ++h) {
-        if (twin[h] != kNone && twin[h] < h) {
-            id[h] = id[twin[h]] ^ 1u;
+    for (Index h = 0; h < opposite.size(); ++h) {
+        if (opposite[h] != kNone && opposite[h] < h) {
+            id[h] = id[opposite[h]] ^ 1u;
         } else {
             id[h] = 2 * edges++;
         }
@@ -183,8 +114,8 @@ void build_connectivity(Universe& u, const std::vector<Triangle>& points, const 
         }
     }
     std::vector<Index> boundary;
-    for (Index h = 0; h < twin.size(); ++h) {
-        if (twin[h] != kNone) continue;
+    for (Index h = 0; h < opposite.size(); ++h) {
+        if (opposite[h] != kNone) continue;
         const Index outer = id[h] ^ 1u;
         mesh.set_to(outer, points[h / 3][h % 3]);
         mesh.set_halfedge_of_vertex(mesh.to(id[h]), outer);
@@ -193,169 +124,130 @@ void build_connectivity(Universe& u, const std::vector<Triangle>& points, const 
     for (const Index h : boundary) mesh.link(h, mesh.halfedge_of_vertex(mesh.to(h)));
 }
 
+/// Vertices and points, numbered in the order of their first use.
+struct Numbering
+{
+    std::vector<Index> old_vertex;        ///< of each vertex
+    std::vector<Triangle> corner_points;  ///< of each triangle
+    Index point_count = 0;
+};
+
+/// Writes the triangles to `slots`, which is empty.
+Numbering number_by_first_use(const IndexedMesh& mesh, std::span<const Index> order, AppendBuffer<Triangle>& slots)
+{
+    Numbering numbering;
+    std::vector<Index> new_vertex(mesh.vertices.size(), kNone), new_point(mesh.point_count, kNone);
+    numbering.old_vertex.reserve(mesh.vertices.size());
+    numbering.corner_points.resize(order.size());
+    slots.reserve(order.size());
+    slots.set_size(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Triangle& t = mesh.triangles[order[i]];
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (new_vertex[t[c]] == kNone) {
+                new_vertex[t[c]] = static_cast<Index>(numbering.old_vertex.size());
+                numbering.old_vertex.push_back(t[c]);
+            }
+            slots[i][c] = new_vertex[t[c]];
+            Index& point = new_point[mesh.points[t[c]]];
+            if (point == kNone) point = numbering.point_count++;
+            numbering.corner_points[i][c] = point;
+        }
+    }
+    return numbering;
+}
+
+/// Vertices with their streams; there is room for them.
+void copy_vertices(const IndexedMesh& mesh, std::span<const Index> old_vertex, Universe& u)
+{
+    u.vertices.set_size(old_vertex.size());
+    for (std::size_t v = 0; v < old_vertex.size(); ++v) u.vertices[v] = mesh.vertices[old_vertex[v]];
+    for (std::size_t s = 0; s < mesh.streams.size(); ++s) {
+        const VertexStream& stream = mesh.streams[s];
+        AppendBuffer<float>& values = u.streams[s].values;
+        values.set_size(old_vertex.size() * stream.width);
+        for (std::size_t v = 0; v < old_vertex.size(); ++v) {
+            const std::size_t from = std::size_t{old_vertex[v]} * stream.width;
+            std::copy_n(&stream.values[from], stream.width, &values[v * stream.width]);
+        }
+    }
+}
+
+/// What is known of faces, and the positions of points; there is room for them.
+void copy_faces(const IndexedMesh& mesh, std::span<const Index> order, std::span<const Triangle> corner_points,
+                Universe& u)
+{
+    u.face_of_slot.set_size(order.size());
+    u.source_of_face.set_size(order.size());
+    u.stamp_of_face.set_size(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        u.face_of_slot[i] = static_cast<Index>(i);
+        u.source_of_face[i] = mesh.sources[order[i]];
+        for (std::size_t c = 0; c < 3; ++c) u.mesh.set_point(corner_points[i][c], u.vertices[u.slots[i][c]].position);
+    }
+}
+
+/// Triangles of one group and shell that follow one another.
+struct Run
+{
+    Index first, count, group, shell;
+};
+
+std::vector<Run> find_runs(std::span<const Index> order, std::span<const Index> group_of,
+                           std::span<const Index> shell_of)
+{
+    std::vector<Run> runs;
+    for (Index i = 0; i < order.size(); ++i) {
+        const Index group = group_of[order[i]], shell = shell_of[order[i]];
+        if (runs.empty() || runs.back().group != group || runs.back().shell != shell)
+            runs.push_back({i, 0, group, shell});
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+/// One subtree for each run; the runs of a shell meet at its root.
+std::vector<ShellRoot> plant_trees(std::span<const Run> runs, Index shell_count, Universe& u)
+{
+    std::vector<ShellRoot> roots(shell_count);
+    for (const Run& run : runs) {
+        ShellRoot& shell = roots[run.shell];
+        shell.root = u.tree.join(shell.root, u.tree.make_run(u.geometry(), run.first, run.count, run.group));
+        shell.solid = u.groups[run.group].solid;
+    }
+    return roots;
+}
+
 }  // namespace
-
-Universe::Universe(const Universe& other)
-    : mesh(other.mesh),
-      vertices(other.vertices),
-      streams(other.streams),
-      slots(other.slots),
-      face_of_slot(other.face_of_slot),
-      source_of_face(other.source_of_face),
-      stamp_of_face(other.stamp_of_face),
-      stamp_base(other.stamp_base),
-      tree(other.tree),
-      groups(other.groups),
-      materials(other.materials),
-      cap_material(other.cap_material),
-      reference(other.reference),
-      noise(other.noise),
-      has_boundary(other.has_boundary),
-      live_slots(0)
-{
-}
-
-std::size_t Universe::bytes_reserved() const
-{
-    std::size_t bytes = mesh.bytes_reserved() + vertices.bytes_reserved() + slots.bytes_reserved() +
-                        face_of_slot.bytes_reserved() + source_of_face.bytes_reserved() +
-                        stamp_of_face.bytes_reserved() + tree.bytes_reserved();
-    for (const Stream& stream : streams) bytes += stream.values.bytes_reserved();
-    return bytes;
-}
-
-std::size_t reserved_crossings(std::size_t triangles)
-{
-    return 256 + static_cast<std::size_t>(24.0 * std::sqrt(static_cast<double>(triangles)));
-}
-
-std::size_t crossings_of_one_cut(std::size_t triangles)
-{
-    return 64 + static_cast<std::size_t>(4.0 * std::sqrt(static_cast<double>(triangles)));
-}
-
-void reserve_for_cuts(Universe& u, std::size_t crossings)
-{
-    // Per crossing triangle: what a regular cut adds to connectivity exactly; what it rewrites about.
-    u.mesh.reserve(u.mesh.vertices() + 2 * crossings, u.mesh.edges() + 6 * crossings, u.mesh.faces() + 4 * crossings);
-    u.vertices.reserve(u.vertices.size() + 3 * crossings);
-    for (Stream& stream : u.streams) stream.values.reserve(stream.values.size() + 3 * crossings * stream.width);
-    u.slots.reserve(u.slots.size() + 18 * crossings);
-    u.face_of_slot.reserve(u.face_of_slot.size() + 18 * crossings);
-    u.source_of_face.reserve(u.source_of_face.size() + 4 * crossings);
-    u.stamp_of_face.reserve(u.stamp_of_face.size() + 4 * crossings);
-    u.tree.reserve(u.tree.nodes.size() + crossings + crossings / 4 + 64);
-}
 
 std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
 {
     const IndexedMesh& mesh = proven;
+    const Adjacency& adjacency = proven.adjacency();
     const std::size_t n = mesh.triangles.size();
     const Box bounds = mesh.bounds();
     u.reference = mass_reference(bounds);
     u.noise = plane_noise(bounds.largest_coordinate());
     u.materials = mesh.materials;
+    for (const VertexStream& stream : mesh.streams) u.streams.push_back({stream.name, stream.width, {}});
 
-    // Groups in the order in which ranges are drawn.
-    for (const TriangleGroup& g : mesh.groups) u.groups.push_back({g.material, g.solid, g.kind});
-    std::sort(u.groups.begin(), u.groups.end(), draws_before);
-    const auto is_alike = [](const DrawGroup& a, const DrawGroup& b) {
-        return !draws_before(a, b) && !draws_before(b, a);
-    };
-    u.groups.erase(std::unique(u.groups.begin(), u.groups.end(), is_alike), u.groups.end());
-    std::vector<Index> group_of(n);
-    for (const TriangleGroup& g : mesh.groups) {
-        const DrawGroup wanted{g.material, g.solid, g.kind};
-        const auto found = std::lower_bound(u.groups.begin(), u.groups.end(), wanted, draws_before);
-        std::fill_n(group_of.begin() + g.first, g.count, static_cast<Index>(found - u.groups.begin()));
-    }
+    const std::vector<Index> group_of = sort_groups(mesh, u.groups);
+    const std::vector<Index> order = spatial_order(mesh, group_of, u.groups.size(), adjacency);
+    const std::vector<Run> runs = find_runs(order, group_of, adjacency.shell);
+    const Numbering numbering = number_by_first_use(mesh, order, u.slots);
+    const auto boundary =
+        static_cast<std::size_t>(std::count(adjacency.opposite.begin(), adjacency.opposite.end(), kNone));
+    u.has_boundary = boundary > 0;
 
-    const Shells shells = find_shells(mesh);
-    const std::vector<Index> order = spatial_order(mesh, group_of, u.groups.size(), shells);
-
-    // Vertices and points in the order of their first use.
-    std::vector<Index> new_vertex(mesh.vertices.size(), kNone), old_vertex, new_point(mesh.point_count, kNone);
-    old_vertex.reserve(mesh.vertices.size());
-    std::vector<Triangle> corner_points(n);
-    Index point_count = 0;
-    u.slots.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const Triangle& t = mesh.triangles[order[i]];
-        for (int c = 0; c < 3; ++c) {
-            if (new_vertex[t[c]] == kNone) {
-                new_vertex[t[c]] = static_cast<Index>(old_vertex.size());
-                old_vertex.push_back(t[c]);
-            }
-            u.slots[i][c] = new_vertex[t[c]];
-            Index& point = new_point[mesh.points[t[c]]];
-            if (point == kNone) point = point_count++;
-            corner_points[i][c] = point;
-        }
-    }
-    u.slots.set_size(n);
-
-    const std::vector<Index> twin = find_twins(corner_points, point_count);
-    std::size_t edges = 0;
-    for (Index h = 0; h < twin.size(); ++h) {
-        edges += twin[h] == kNone || twin[h] > h;
-        u.has_boundary |= twin[h] == kNone;
-    }
-
-    // Sizes are known: reserve once, room for cuts included, then fill.
-    const std::size_t crossings = reserved_crossings(n);
-    u.mesh.reserve(point_count + 2 * crossings, edges + 6 * crossings, n + 4 * crossings);
-    u.mesh.resize(point_count, edges, n);
-    u.vertices.set_size(0);
-    u.vertices.reserve(old_vertex.size() + 3 * crossings);
-    u.vertices.set_size(old_vertex.size());
-    u.face_of_slot.reserve(n + 18 * crossings);
-    u.face_of_slot.set_size(n);
-    u.source_of_face.reserve(n + 4 * crossings);
-    u.source_of_face.set_size(n);
-    u.stamp_of_face.reserve(n + 4 * crossings);
-    u.stamp_of_face.set_size(n);
-
-    build_connectivity(u, corner_points, twin);
-    for (std::size_t i = 0; i < n; ++i) {
-        u.face_of_slot[i] = static_cast<Index>(i);
-        u.source_of_face[i] = mesh.sources[order[i]];
-        for (int c = 0; c < 3; ++c)
-            u.mesh.set_point(corner_points[i][c], mesh.vertices[old_vertex[u.slots[i][c]]].position);
-    }
-    for (std::size_t v = 0; v < old_vertex.size(); ++v) u.vertices[v] = mesh.vertices[old_vertex[v]];
-    for (const VertexStream& stream : mesh.streams) {
-        Stream& copy = u.streams.emplace_back();
-        copy.name = stream.name;
-        copy.width = stream.width;
-        copy.values.reserve((old_vertex.size() + 3 * crossings) * stream.width);
-        copy.values.set_size(old_vertex.size() * stream.width);
-        for (std::size_t v = 0; v < old_vertex.size(); ++v) {
-            const std::size_t from = std::size_t{old_vertex[v]} * stream.width;
-            std::copy_n(&stream.values[from], stream.width, &copy.values[v * stream.width]);
-        }
-    }
-
-    // One subtree for each run of slots of the same group and shell; the runs of a shell meet at its root.
-    std::vector<ShellRoot> roots(shells.count);
-    std::size_t nodes = 0;
-    const auto for_each_run = [&](auto visit) {
-        for (std::size_t first = 0, last; first < n; first = last) {
-            const Index g = group_of[order[first]], s = shells.of_triangle[order[first]];
-            last = first;
-            while (last < n && group_of[order[last]] == g && shells.of_triangle[order[last]] == s) ++last;
-            visit(static_cast<Index>(first), static_cast<Index>(last - first), g, s);
-        }
-    };
-    for_each_run([&](Index, std::size_t count, Index, Index) { nodes += 2 * ((count - 1) / kLeafTriangles + 1); });
-    u.tree.reserve(nodes + crossings + crossings / 4 + 64);
-    for_each_run([&](Index first, Index count, Index g, Index s) {
-        ShellRoot& shell = roots[s];
-        shell.root = u.tree.join(shell.root, u.tree.make_run(u.geometry(), first, count, g));
-        shell.solid = u.groups[g].solid;
-    });
-
-    reserve_for_cuts(u, crossings);
-    return roots;
+    UniverseSize size{numbering.point_count, (3 * n + boundary) / 2, n, numbering.old_vertex.size(), 0};
+    // All leaves but the last of a run are full.
+    for (const Run& run : runs) size.nodes += 2 * (std::size_t{run.count - 1} / kLeafTriangles + 1);
+    reserve(u, size, reserved_crossings(n));
+    u.mesh.resize(size.points, size.edges, size.triangles);
+    build_connectivity(u, numbering.corner_points, opposite_in_order(adjacency.opposite, order));
+    copy_vertices(mesh, numbering.old_vertex, u);
+    copy_faces(mesh, order, numbering.corner_points, u);
+    return plant_trees(runs, adjacency.shell_count, u);
 }
 
 }  // namespace kerf::halfedge

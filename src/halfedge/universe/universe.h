@@ -93,17 +93,7 @@ struct ShellRoot
 };
 
 /// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for cuts
-/// (kReservedCrossings). Returns the shells of the mesh. O(n log n) with a radix sort's constant.
+/// (reserved_crossings()). Returns the shells of the mesh. O(n log n) with a radix sort's constant.
 std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe);
-
-/// Room that prepare_universe() reserves and touches, in crossing triangles: about eight cuts through the middle of a
-/// surface, whose section crosses some 3 sqrt(n) triangles.
-std::size_t reserved_crossings(std::size_t triangles);
-
-/// The crossing triangles of one cut through the middle, with some to spare: room for planning one such cut.
-std::size_t crossings_of_one_cut(std::size_t triangles);
-
-/// Makes room in all arrays for cuts that cross `crossings` triangles in all, as an estimate. Throws std::bad_alloc.
-void reserve_for_cuts(Universe& universe, std::size_t crossings);
 
 }  // namespace kerf::halfedge

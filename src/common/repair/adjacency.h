@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "common/mesh/buffer.h"
+#include "common/mesh/index.h"
+
+namespace kerf {
+
+/// Who is whose neighbour in a mesh. Half-edge 3 * triangle + corner runs from that corner's point to the next one's.
+struct Adjacency
+{
+    Buffer<Index> opposite;  ///< for each half-edge the one along the same points the other way; kNone at the boundary
+    Buffer<Index> shell;     ///< for each triangle; shells are numbered in the order of their first triangles
+    Index shell_count = 0;
+};
+
+/// Numbers the shells, which are what is connected by edges. Fills `shell` and returns how many there are. O(n).
+Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell);
+
+/// Opposite half-edges of the same triangles in another order: triangle i is the old one order[i]. O(n).
+Buffer<Index> opposite_in_order(std::span<const Index> opposite, std::span<const Index> order);
+
+/// Likewise with the shells, which are numbered anew. O(n).
+Adjacency adjacency_in_order(std::span<const Index> opposite, std::span<const Index> shell,
+                             std::span<const Index> order);
+
+}  // namespace kerf

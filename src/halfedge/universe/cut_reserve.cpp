@@ -1,0 +1,43 @@
+#include "halfedge/universe/cut_reserve.h"
+
+#include <cmath>
+
+namespace kerf::halfedge {
+
+namespace {
+
+// What a cut adds for each crossing triangle. A crossing triangle has one crossed edge of its own.
+constexpr std::size_t kPoints = 2;    // the cut point of its edge, once a side
+constexpr std::size_t kEdges = 6;     // the other half of its edge, a diagonal, two section edges, and two of its caps
+constexpr std::size_t kFaces = 4;     // two beside the one that it is already, and one cap triangle a side
+constexpr std::size_t kVertices = 3;  // one for its edge, seldom two, and one of a cap a side
+constexpr std::size_t kSlots = 18;    // leaves are written anew: about four triangles in one that the plane meets
+constexpr std::size_t kNodesShift = 2;       // new leaves and what joins them: a node, and a quarter for caps
+constexpr std::size_t kNodesInAnyCase = 64;  // the way up to the root
+
+}  // namespace
+
+std::size_t reserved_crossings(std::size_t triangles)
+{
+    return 256 + static_cast<std::size_t>(24.0 * std::sqrt(static_cast<double>(triangles)));
+}
+
+std::size_t crossings_of_one_cut(std::size_t triangles)
+{
+    return 64 + static_cast<std::size_t>(4.0 * std::sqrt(static_cast<double>(triangles)));
+}
+
+void reserve(Universe& u, const UniverseSize& size, std::size_t crossings)
+{
+    u.mesh.reserve(size.points + kPoints * crossings, size.edges + kEdges * crossings,
+                   size.triangles + kFaces * crossings);
+    u.vertices.reserve(size.vertices + kVertices * crossings);
+    for (Stream& stream : u.streams) stream.values.reserve((size.vertices + kVertices * crossings) * stream.width);
+    u.slots.reserve(size.triangles + kSlots * crossings);
+    u.face_of_slot.reserve(size.triangles + kSlots * crossings);
+    u.source_of_face.reserve(size.triangles + kFaces * crossings);
+    u.stamp_of_face.reserve(size.triangles + kFaces * crossings);
+    u.tree.reserve(size.nodes + crossings + (crossings >> kNodesShift) + kNodesInAnyCase);
+}
+
+}  // namespace kerf::halfedge

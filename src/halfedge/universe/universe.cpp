@@ -1,0 +1,34 @@
+#include "halfedge/universe/universe.h"
+
+namespace kerf::halfedge {
+
+Universe::Universe(const Universe& other)
+    : mesh(other.mesh),
+      vertices(other.vertices),
+      streams(other.streams),
+      slots(other.slots),
+      face_of_slot(other.face_of_slot),
+      source_of_face(other.source_of_face),
+      stamp_of_face(other.stamp_of_face),
+      stamp_base(other.stamp_base),
+      tree(other.tree),
+      groups(other.groups),
+      materials(other.materials),
+      cap_material(other.cap_material),
+      reference(other.reference),
+      noise(other.noise),
+      has_boundary(other.has_boundary),
+      live_slots(0)
+{
+}
+
+std::size_t Universe::bytes_reserved() const
+{
+    std::size_t bytes = mesh.bytes_reserved() + vertices.bytes_reserved() + slots.bytes_reserved() +
+                        face_of_slot.bytes_reserved() + source_of_face.bytes_reserved() +
+                        stamp_of_face.bytes_reserved() + tree.bytes_reserved();
+    for (const Stream& stream : streams) bytes += stream.values.bytes_reserved();
+    return bytes;
+}
+
+}  // namespace kerf::halfedge
