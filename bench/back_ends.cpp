@@ -1,25 +1,18 @@
 #include "bench/back_ends.h"
 
-#include "baseline/baseline.h"
-#ifdef KERF_HAS_HALFEDGE
-#include "halfedge/halfedge.h"
-#endif
+#include "back_ends/back_ends.h"
 
 namespace kerf::bench {
 
 const std::vector<TimedBackend>& back_ends()
 {
-    using baseline::VertexLookup;
     constexpr std::uint64_t kQuadraticLimit = 30'000, kNoLimit = UINT64_MAX;
-    static const std::vector<TimedBackend> all{
-        {baseline::make_backend(VertexLookup::scan), kQuadraticLimit},
-        {baseline::make_backend(VertexLookup::two_bucket_hash), kQuadraticLimit},
-        {baseline::make_backend(VertexLookup::hash), kNoLimit},
-        {baseline::make_backend(VertexLookup::remap), kNoLimit},
-#ifdef KERF_HAS_HALFEDGE
-        {halfedge::make_backend(), kNoLimit},
-#endif
-    };
+    static const std::vector<TimedBackend> all = [] {
+        std::vector<TimedBackend> timed;
+        for (const RegisteredBackend& entry : kerf::back_ends())
+            timed.insert(timed.begin(), {entry.make(), entry.is_quadratic ? kQuadraticLimit : kNoLimit});
+        return timed;
+    }();
     return all;
 }
 

@@ -17,7 +17,7 @@ struct TimedBackend
     std::uint64_t most_triangles;
 };
 
-/// Every back end with every vertex lookup, slowest first.
+/// All back ends of this build, the default last.
 const std::vector<TimedBackend>& back_ends();
 
 }  // namespace kerf::bench

@@ -28,7 +28,7 @@ struct CutCommandOptions
     std::optional<glm::dvec3> point;   ///< default: centre of the bounds
     std::optional<glm::dvec3> normal;  ///< this or the plane
     std::optional<Plane> plane;
-    std::string backend = registered_backends().front().name;
+    std::string backend = backend_families().front().name;
     std::string lookup;
     bool no_cap = false;
     bool components = false;
@@ -118,7 +118,7 @@ CutReport perform(const CutCommandOptions& options)
     report.backend = backend->name();
     report.plane = *plane;
     report.capped = !options.no_cap;
-    for (const RegisteredBackend& entry : registered_backends())
+    for (const BackendFamily& entry : backend_families())
         if (entry.name == options.backend) report.closes_with_fan = entry.closes_with_fan;
     report.repairs = loaded.repairs;
     report.notes = std::move(loaded.notes);
@@ -244,7 +244,7 @@ std::string report_text(const CutReport& report)
 std::string list_of_backends()
 {
     std::string list;
-    for (const RegisteredBackend& backend : registered_backends()) {
+    for (const BackendFamily& backend : backend_families()) {
         list += "  " + backend.name + "  " + backend.description + "\n";
         if (!backend.lookups.empty()) list += "    lookups: ";
         for (std::size_t i = 0; i < backend.lookups.size(); ++i)
@@ -256,16 +256,16 @@ std::string list_of_backends()
 std::vector<std::string> backend_names()
 {
     std::vector<std::string> names;
-    for (const RegisteredBackend& backend : registered_backends()) names.push_back(backend.name);
+    for (const BackendFamily& backend : backend_families()) names.push_back(backend.name);
     return names;
 }
 
 /// Who asks for a lookup, even for one that does not exist, wants a back end that has some.
 std::string backend_with_lookups()
 {
-    for (const RegisteredBackend& backend : registered_backends())
+    for (const BackendFamily& backend : backend_families())
         if (!backend.lookups.empty()) return backend.name;
-    return registered_backends().front().name;
+    return backend_families().front().name;
 }
 
 void run(const CutCommandOptions& options)

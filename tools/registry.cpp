@@ -1,52 +1,27 @@
 #include "tools/registry.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
-#include "baseline/baseline.h"
-#ifdef KERF_HAS_HALFEDGE
-#include "halfedge/halfedge.h"
-#endif
+#include "back_ends/back_ends.h"
 
 namespace kerf::tools {
 
 namespace {
 
-RegisteredBackend baseline_entry()
+std::string description_of(const std::string& family)
 {
-    using baseline::VertexLookup;
-    static constexpr std::array kLookups{VertexLookup::hash, VertexLookup::remap, VertexLookup::two_bucket_hash,
-                                         VertexLookup::scan};
-    RegisteredBackend entry;
-    entry.name = "baseline";
-    entry.description = "the report's loop over every triangle, and a fan over the section's mean point";
-    entry.closes_with_fan = true;
-    for (const VertexLookup lookup : kLookups) entry.lookups.emplace_back(name_of(lookup));
-    entry.make = [](const std::string& name) {
-        for (const VertexLookup lookup : kLookups)
-            if (name == name_of(lookup)) return baseline::make_backend(lookup);
-        return baseline::make_backend();
-    };
-    return entry;
+    if (family == "baseline") return "the report's loop over every triangle, and a fan over the section's mean point";
+    if (family == "halfedge")
+        return "a tree finds the section, a walk over neighbours cuts it, triangulations close it";
+    return {};
 }
-
-#ifdef KERF_HAS_HALFEDGE
-RegisteredBackend halfedge_entry()
-{
-    RegisteredBackend entry;
-    entry.name = "halfedge";
-    entry.description = "a tree finds the section, a walk over neighbours cuts it, triangulations close it";
-    entry.make = [](const std::string&) { return halfedge::make_backend(); };
-    return entry;
-}
-#endif
 
 /// For a back end that lacks a lookup: which there are, and which back end has them if it has none.
-std::string lookups_text(const RegisteredBackend& asked)
+std::string lookups_text(const BackendFamily& asked)
 {
-    const std::vector<RegisteredBackend>& all = registered_backends();
-    const auto has_lookups = [](const RegisteredBackend& entry) { return !entry.lookups.empty(); };
+    const std::vector<BackendFamily>& all = backend_families();
+    const auto has_lookups = [](const BackendFamily& entry) { return !entry.lookups.empty(); };
     const auto other = std::find_if(all.begin(), all.end(), has_lookups);
     std::string text = has_lookups(asked) ? "it is one of " : "only the back end " + other->name + " has lookups, ";
     for (const std::string& one : (has_lookups(asked) ? asked : *other).lookups) {
@@ -58,26 +33,31 @@ std::string lookups_text(const RegisteredBackend& asked)
 
 }  // namespace
 
-const std::vector<RegisteredBackend>& registered_backends()
+const std::vector<BackendFamily>& backend_families()
 {
-    static const std::vector<RegisteredBackend> all{
-#ifdef KERF_HAS_HALFEDGE
-        halfedge_entry(),
-#endif
-        baseline_entry(),
-    };
+    static const std::vector<BackendFamily> all = [] {
+        std::vector<BackendFamily> families;
+        for (const RegisteredBackend& entry : back_ends()) {
+            const std::size_t slash = entry.name.find('/');
+            const std::string name = entry.name.substr(0, slash);
+            if (families.empty() || families.back().name != name)
+                families.push_back({name, description_of(name), {}, entry.closes_with_fan});
+            if (slash != std::string::npos) families.back().lookups.push_back(entry.name.substr(slash + 1));
+        }
+        return families;
+    }();
     return all;
 }
 
 std::unique_ptr<Backend> make_backend(const std::string& name, const std::string& lookup)
 {
-    for (const RegisteredBackend& entry : registered_backends()) {
-        if (entry.name != name) continue;
-        const bool known = std::find(entry.lookups.begin(), entry.lookups.end(), lookup) != entry.lookups.end();
-        if (!lookup.empty() && !known)
+    for (const BackendFamily& family : backend_families()) {
+        if (family.name != name) continue;
+        if (lookup.empty()) return make_back_end(family.lookups.empty() ? name : name + "/" + family.lookups.front());
+        if (std::find(family.lookups.begin(), family.lookups.end(), lookup) == family.lookups.end())
             throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup +
-                                        "': " + lookups_text(entry));
-        return entry.make(lookup);
+                                        "': " + lookups_text(family));
+        return make_back_end(name + "/" + lookup);
     }
     return nullptr;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,18 +8,17 @@
 
 namespace kerf::tools {
 
-/// A back end that a user can ask for by name.
-struct RegisteredBackend
+/// Back ends that a user asks for by one name and a lookup: back_ends() with "family/lookup" taken apart.
+struct BackendFamily
 {
     std::string name;
     std::string description;           ///< one line for help texts
     std::vector<std::string> lookups;  ///< ways to look up vertices, the default first; empty: there is no choice
     bool closes_with_fan = false;      ///< its caps fit star-shaped sections only
-    std::function<std::unique_ptr<Backend>(const std::string& lookup)> make;  ///< takes "" or one of `lookups`
 };
 
-/// All back ends that this program was built with, the default first.
-const std::vector<RegisteredBackend>& registered_backends();
+/// All families that this program was built with, the default first.
+const std::vector<BackendFamily>& backend_families();
 
 /// The back end of this name; null when there is none. An empty `lookup` means the default.
 /// @throws std::invalid_argument  the back end has no such lookup; one sentence

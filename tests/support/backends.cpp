@@ -1,26 +1,26 @@
 #include "support/backends.h"
 
-#include "baseline/baseline.h"
-#ifdef KERF_HAS_HALFEDGE
-#include "halfedge/halfedge.h"
-#endif
+#include <algorithm>
+
+#include "back_ends/back_ends.h"
 
 namespace kerf::test {
 
 const std::vector<NamedBackend>& backends()
 {
-    using baseline::VertexLookup;
-    static const std::vector<NamedBackend> all{
-#ifndef KERF_BRIEF_TESTS
-        {"baseline_scan", [] { return baseline::make_backend(VertexLookup::scan); }},
-        {"baseline_two_bucket_hash", [] { return baseline::make_backend(VertexLookup::two_bucket_hash); }},
+    static const std::vector<NamedBackend> all = [] {
+        std::vector<NamedBackend> named;
+        for (const RegisteredBackend& entry : back_ends()) {
+#ifdef KERF_BRIEF_TESTS
+            if (entry.is_quadratic) continue;
 #endif
-        {"baseline_hash", [] { return baseline::make_backend(VertexLookup::hash); }},
-        {"baseline_remap", [] { return baseline::make_backend(VertexLookup::remap); }},
-#ifdef KERF_HAS_HALFEDGE
-        {"halfedge", [] { return halfedge::make_backend(); }},
-#endif
-    };
+            std::string name = entry.name;
+            std::replace(name.begin(), name.end(), '/', '_');
+            named.push_back({std::move(name), entry.make});
+        }
+        std::reverse(named.begin(), named.end());
+        return named;
+    }();
     return all;
 }
 

@@ -23,8 +23,9 @@ inline void PrintTo(const NamedBackend& backend, std::ostream* out)
     *out << backend.name;
 }
 
-/// Every back end and every vertex lookup: the contract tests run over all of them. In a brief build without the two
-/// lookups that give the bytes of `hash` (VertexLookup.ScanAndTwoBucketsGiveTheBytesOfHash).
+/// Every back end and every vertex lookup, the half-edge back end last: the contract tests run over all of them. In a
+/// brief build without the two lookups that give the bytes of `hash`
+/// (VertexLookup.ScanAndTwoBucketsGiveTheBytesOfHash).
 const std::vector<NamedBackend>& backends();
 
 /// One vertex lookup of the baseline, and the half-edge back end if it is built: enough where only surfaces matter,

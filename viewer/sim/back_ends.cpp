@@ -1,29 +1,14 @@
 #include "viewer/sim/back_ends.h"
 
-#include <algorithm>
-
-#include "baseline/baseline.h"
-#ifdef KERF_HAS_HALFEDGE
-#include "halfedge/halfedge.h"
-#endif
+#include "back_ends/back_ends.h"
 
 namespace kerf::sim {
-namespace {
-
-using baseline::VertexLookup;
-constexpr VertexLookup kLookups[] = {VertexLookup::hash, VertexLookup::remap, VertexLookup::scan,
-                                     VertexLookup::two_bucket_hash};
-
-}  // namespace
 
 const std::vector<std::string>& backend_names()
 {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
-#ifdef KERF_HAS_HALFEDGE
-        all.push_back(halfedge::make_backend()->name());
-#endif
-        for (const VertexLookup lookup : kLookups) all.push_back(baseline::make_backend(lookup)->name());
+        for (const RegisteredBackend& entry : back_ends()) all.push_back(entry.name);
         return all;
     }();
     return names;
@@ -31,22 +16,13 @@ const std::vector<std::string>& backend_names()
 
 std::string find_backend(std::string_view name)
 {
-    if (name == "baseline") name = "baseline/hash";
-    const auto& names = backend_names();
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? std::string() : *found;
+    const RegisteredBackend* const entry = find_back_end(name);
+    return entry == nullptr ? std::string() : entry->name;
 }
 
 std::unique_ptr<Backend> make_backend(std::string_view name)
 {
-    const std::string wanted = find_backend(name);
-#ifdef KERF_HAS_HALFEDGE
-    if (std::unique_ptr<Backend> backend = halfedge::make_backend(); backend->name() == wanted) return backend;
-#endif
-    for (const VertexLookup lookup : kLookups)
-        if (std::unique_ptr<Backend> backend = baseline::make_backend(lookup); backend->name() == wanted)
-            return backend;
-    return nullptr;
+    return make_back_end(name);
 }
 
 }  // namespace kerf::sim

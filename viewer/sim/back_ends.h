@@ -9,8 +9,7 @@
 
 namespace kerf::sim {
 
-/// Names of all back ends of this build, as Backend::name() and the command line spell them: "halfedge" (when built),
-/// "baseline/hash", "baseline/remap", "baseline/scan", "baseline/two_bucket_hash". The first is the default.
+/// Names of all back ends of this build (back_ends()), as the command line spells them. The first is the default.
 const std::vector<std::string>& backend_names();
 
 /// Accepts "baseline" for the default lookup. Empty for a name that this build does not have.
