@@ -81,7 +81,7 @@ Chain cut_in_a_chain(std::unique_ptr<Cuttable> object, std::span<const glm::dvec
         CpuStopwatch watch;
         CutResult result = cut(std::move(largest->object), plane);
         const double seconds = watch.lap();
-        if (result.status != Status::cut) {
+        if (result.status != Status::done) {
             chain.error = "a cut of the chain gave status " + std::string(name_of(result.status));
             return chain;
         }

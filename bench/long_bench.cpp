@@ -65,7 +65,7 @@ void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t s
             CpuStopwatch watch;
             CutResult result = cut(std::move(largest.object), plane);
             const double seconds = watch.lap();
-            if (result.status != Status::cut) return state.SkipWithError("a plane of the chain cut nothing");
+            if (result.status != Status::done) return state.SkipWithError("a plane of the chain cut nothing");
             total += seconds;
             since_mark += seconds;
             worst = std::max(worst, seconds);
@@ -161,7 +161,7 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
                     }
                 run = watch.lap();
                 constexpr double kShare = 1e-6;  // what rounding cut points to float may change
-                if (result.status != Status::cut || !(std::abs(volume - whole) <= kShare * std::abs(whole)))
+                if (result.status != Status::done || !(std::abs(volume - whole) <= kShare * std::abs(whole)))
                     return state.SkipWithError("a cut gave no two sides of the right volume");
             }
             std::sort(runs.begin(), runs.end());

@@ -62,7 +62,7 @@ void swipe(benchmark::State& state, const std::string& backend, std::uint64_t tr
         sim::Simulation run(library, settings);
         run.advance(kNearApex);
         stroke(run, *run.bodies().front(), double(seed), 2.0);
-        if (run.cuts().empty() || run.cuts().front().status != Status::cut)
+        if (run.cuts().empty() || run.cuts().front().status != Status::done)
             return state.SkipWithError("the swipe cut nothing");
         const sim::CutRecord& cut = run.cuts().front();
         state.SetIterationTime(cut.cpu_ms * 1e-3);

@@ -175,9 +175,10 @@ std::string row_text(const ComparisonRow& row)
         if (row.section_intersects_itself) text += "  the section intersects itself";
         if (!row.section_is_judged) text += "  the section crosses itself too often to be judged";
     } else {
-        text += std::string(name_of(row.halfedge.status));
+        text += std::string(outcome_name(row.halfedge.status));
     }
-    if (row.baseline.status != row.halfedge.status) text += "  baseline: " + std::string(name_of(row.baseline.status));
+    if (row.baseline.status != row.halfedge.status)
+        text += "  baseline: " + std::string(outcome_name(row.baseline.status));
     if (!row.earlier_caps_fit) text += "  (after a wrong cap)";
     text += "\n";
     if (!row.failures.empty()) {
@@ -215,7 +216,7 @@ std::string tally_text(const std::string& name, const Tally& tally)
 
 Json back_end_json(const BackEndRow& facts)
 {
-    return {{"status", std::string(name_of(facts.status))},
+    return {{"status", std::string(outcome_name(facts.status))},
             {"crossing", facts.crossing},
             {"triangles", {{"positive", facts.triangles[0]}, {"negative", facts.triangles[1]}}},
             {"cap_area", {{"positive", facts.cap_area[0]}, {"negative", facts.cap_area[1]}}},
@@ -260,7 +261,7 @@ Json row_json(const ComparisonRow& row)
             {"piece", row.piece},
             {"kind", row.plane.kind},
             {"plane", {{"normal", vector_json(row.plane.plane.normal)}, {"offset", row.plane.plane.offset}}},
-            {"status", std::string(name_of(row.halfedge.status))},
+            {"status", std::string(outcome_name(row.halfedge.status))},
             {"crossing", row.halfedge.crossing},
             {"loops", row.loops},
             {"open_chains", row.open_chains},

@@ -97,7 +97,7 @@ struct Halves
 
 bool is_cut(const CutResult& result)
 {
-    return result.status == Status::cut || result.status == Status::open_section;
+    return result.status == Status::done || result.status == Status::open_section;
 }
 
 class Comparison
@@ -198,8 +198,8 @@ private:
         const auto fail = [&](std::string clause) { row.failures.push_back(std::move(clause)); };
         // With a cap that covers what it should not, a piece has another shape: further planes may meet it elsewhere.
         if (row.baseline.status != row.halfedge.status && row.earlier_caps_fit && !only_a_sliver_is_cut(row, a, b))
-            fail("status " + std::string(name_of(row.baseline.status)) + " and " +
-                 std::string(name_of(row.halfedge.status)));
+            fail("status " + std::string(outcome_name(row.baseline.status)) + " and " +
+                 std::string(outcome_name(row.halfedge.status)));
         if (!is_cut(a.result) || !is_cut(b.result)) return;
         // Caps of earlier cuts cross, too, and are other triangles in each back end.
         if (row.piece.empty() && row.baseline.crossing != row.halfedge.crossing)
@@ -434,7 +434,7 @@ std::unique_ptr<Cuttable> prepared(const Backend& backend, const ProvenMesh& mes
     Stopwatch watch;
     PrepareResult result = backend.prepare(std::move(copy));
     ms = watch.lap();
-    if (result.status != Status::cut) throw std::runtime_error(backend.name() + ": " + result.reason);
+    if (result.status != Status::done) throw std::runtime_error(backend.name() + ": " + result.reason);
     return std::move(result.object);
 }
 

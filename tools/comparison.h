@@ -88,7 +88,7 @@ struct ComparisonRow
     /// By both.
     bool was_cut() const
     {
-        const auto is_cut = [](Status status) { return status == Status::cut || status == Status::open_section; };
+        const auto is_cut = [](Status status) { return status == Status::done || status == Status::open_section; };
         return is_cut(baseline.status) && is_cut(halfedge.status);
     }
     bool surfaces_equal() const { return surface[0].none() && surface[1].none(); }

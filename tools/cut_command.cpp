@@ -127,7 +127,7 @@ CutReport perform(const CutCommandOptions& options)
     PrepareResult prepared = backend->prepare(std::move(loaded.mesh));
     report.prepare_ms = preparing.ms();
     report.has_coarse_coordinates = prepared.coarse_coordinates;
-    if (prepared.status != Status::cut) throw std::runtime_error(options.file + ": " + prepared.reason);
+    if (prepared.status != Status::done) throw std::runtime_error(options.file + ": " + prepared.reason);
 
     CutOptions cut_options;
     cut_options.build_caps = !options.no_cap;
@@ -142,8 +142,9 @@ CutReport perform(const CutCommandOptions& options)
     if (result.status == Status::missed) return report;
     if (result.status == Status::out_of_memory)
         throw std::runtime_error(options.file + ": there is not enough memory to cut it; divide it or free some");
-    if (result.status != Status::cut && result.status != Status::open_section)
-        throw std::runtime_error(options.file + ": it could not be cut (" + std::string(name_of(result.status)) + ")");
+    if (result.status != Status::done && result.status != Status::open_section)
+        throw std::runtime_error(options.file + ": it could not be cut (" + std::string(outcome_name(result.status)) +
+                                 ")");
 
     io::MeshFileSet files(std::move(loaded.files));
     report.positive = add_side(files, options, "positive", result.positive);
@@ -175,7 +176,7 @@ Json report_json(const CutReport& report)
     if (report.caps_exceed_section) warnings.push_back("caps_exceed_section");
     Json json{{"file", report.file},
               {"backend", report.backend},
-              {"status", std::string(name_of(report.status))},
+              {"status", std::string(outcome_name(report.status))},
               {"plane", {{"normal", vector_json(report.plane.normal)}, {"offset", report.plane.offset}}},
               {"repairs", report.repairs.describe()},
               {"warnings", std::move(warnings)},
@@ -219,7 +220,7 @@ std::string report_text(const CutReport& report)
     if (report.status == Status::missed)
         return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
 
-    text += std::string(name_of(report.status)) + ": " + grouped(statistics.crossing_triangles) + " of " +
+    text += std::string(outcome_name(report.status)) + ": " + grouped(statistics.crossing_triangles) + " of " +
             counted(statistics.triangles, "triangle") + " crossing, " +
             counted(statistics.section_loops, "section loop") + ", section area " + rounded(report.section_area) + "\n";
     if (report.status == Status::open_section)

@@ -28,7 +28,7 @@ PeerInput input_of(const std::string& name, const ProvenMesh& mesh, std::vector<
     input.volume = prepared.object->mass_properties().volume;
     for (const Plane& plane : input.planes) {
         const CutResult result = cut(prepared.object->clone(), plane);
-        if (result.status != Status::cut)
+        if (result.status != Status::done)
             throw std::runtime_error(name + ": a plane gives " + std::string(name_of(result.status)));
         input.volumes.push_back(result.negative.front()->mass_properties().volume);
     }

@@ -84,6 +84,7 @@ private:
         Slices slices = slice(fragment_, plane, options, method_.lookup);
         CutResult result;
         result.status = slices.status;
+        result.side_of_object = slices.side_of_object;
         result.section_area = slices.section_area;
         result.caps_exceed_section = slices.caps_exceed_section;
         result.statistics = slices.statistics;

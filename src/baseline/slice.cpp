@@ -85,7 +85,7 @@ public:
         slices_.statistics.triangles = slices_.statistics.triangles_touched = mesh_.triangles.size();
         classify_vertices();
         phases[Phase::find] += watch.lap();
-        if (classes_.one_side_is_empty()) return std::move(slices_);
+        if (classes_.one_side_is_empty()) return missed(classes_.far_above == 0 ? Side::negative : Side::positive);
         distribute_triangles();
         phases[Phase::copy] += watch.lap();
         split_crossing_triangles(mesh_, plane_, crossings_);
@@ -93,7 +93,7 @@ public:
         phases[Phase::split] += watch.lap();
         // All of a side can vanish: a spike so thin that its cut points are one.
         for (const SideBuilder& b : builders_)
-            if (b.mesh.triangles.empty()) return std::move(slices_);
+            if (b.mesh.triangles.empty()) return missed(opposite(b.side()));
         for (SideBuilder& b : builders_) b.join_points(crossings_.cut_points);
         section_ = find_section(mesh_, crossings_, edges_in_plane_[Side::negative], edges_in_plane_[Side::positive]);
         close_sections(watch);
@@ -103,6 +103,12 @@ public:
     }
 
 private:
+    Slices missed(Side side)
+    {
+        slices_.side_of_object = side;
+        return std::move(slices_);
+    }
+
     static constexpr bool kRemaps = std::is_same_v<Lookup, RemapLookup>;
 
     BySide<Lookup> make_lookups()
@@ -335,7 +341,7 @@ private:
 
     void finish()
     {
-        slices_.status = slices_.statistics.open_chains == 0 ? Status::cut : Status::open_section;
+        slices_.status = slices_.statistics.open_chains == 0 ? Status::done : Status::open_section;
         slices_.statistics.crossing_triangles = crossings_.triangles.size();
         for (const CrossingTriangle& c : crossings_.triangles)
             if (mesh_.groups[c.group].kind == TriangleKind::surface) ++slices_.statistics.crossing_surface;
@@ -407,6 +413,7 @@ Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& option
     if (most <= whole.noise || least >= -whole.noise) {
         Slices missed;
         missed.statistics.triangles = whole.mesh.triangles.size();
+        missed.side_of_object = most <= whole.noise ? Side::negative : Side::positive;
         return missed;
     }
     switch (lookup) {

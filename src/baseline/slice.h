@@ -12,7 +12,8 @@ namespace kerf::baseline {
 /// The two sides of a cut, each as one fragment or as its pieces.
 struct Slices
 {
-    Status status = Status::missed;  ///< cut, open_section or missed
+    Status status = Status::missed;        ///< done, open_section or missed
+    Side side_of_object = Side::negative;  ///< see CutResult
     std::vector<Fragment> positive, negative;
     double section_area = 0.0;
     bool caps_exceed_section = false;

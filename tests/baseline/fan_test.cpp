@@ -90,7 +90,7 @@ IndexedMesh chevron_prism()
 TEST(Fan, ACentreOnTheRimMovesAside)
 {
     const Slices slices = sliced(chevron_prism(), kAcross);
-    ASSERT_EQ(slices.status, Status::cut);
+    ASSERT_EQ(slices.status, Status::done);
     for (const Fragment& side : {slices.positive.at(0), slices.negative.at(0)}) {
         const glm::vec3 centre = side.mesh.vertices[side.fan_centres.at(0)].position;
         EXPECT_NE(centre, glm::vec3(0, -1, 0));

@@ -24,7 +24,7 @@ void for_each_cut(const IndexedMesh& mesh, Visit&& visit)
         for (const VertexLookup lookup : {VertexLookup::hash, VertexLookup::remap}) {
             SCOPED_TRACE(plane.name + ", " + std::string(name_of(lookup)));
             const Slices slices = slice(whole, plane.plane, {}, lookup);
-            if (slices.status == Status::cut) visit(slices, plane.plane);
+            if (slices.status == Status::done) visit(slices, plane.plane);
         }
 }
 
@@ -106,7 +106,7 @@ TEST(Slice, GroupsOfOneKindStayTogetherHoweverOftenTheyAreCut)
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 centre = fragment.bounds.centre();
         Slices slices = slice(fragment, *Plane::through(centre, random.direction()), {}, VertexLookup::remap);
-        if (slices.status != Status::cut) continue;
+        if (slices.status != Status::done) continue;
         fragment = std::move(slices.positive.at(0));
         // Untouched and divided triangles of two materials, untouched, divided and new caps.
         EXPECT_LE(fragment.mesh.groups.size(), 7u);

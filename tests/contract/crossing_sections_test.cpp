@@ -91,7 +91,7 @@ TEST_P(CrossingSections, StarsAreCoveredAsOftenAsTheyWind)
         const IndexedMesh mesh = prism_over(star(points, points / 2));
         const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
         const CutResult result = cut_of(mesh, plane);
-        ASSERT_EQ(result.status, Status::cut);
+        ASSERT_EQ(result.status, Status::done);
         expect_closed(result.positive);
         expect_closed(result.negative);
         const Areas areas = areas_of(result, plane);
@@ -108,7 +108,7 @@ TEST_P(CrossingSections, BackwardLobesAreSaid)
     // A bow tie of nearly equal lobes: the section's area is their difference, and both are covered.
     const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
     const CutResult result = cut_of(prism_over({{0, 0}, {2, 2.1}, {2, 0}, {0, 2}}), plane);
-    ASSERT_EQ(result.status, Status::cut);
+    ASSERT_EQ(result.status, Status::done);
     const Areas areas = areas_of(result, plane);
     EXPECT_GT(areas.wound, 10 * result.section_area);
     EXPECT_TRUE(result.caps_exceed_section);
@@ -136,7 +136,7 @@ TEST_P(CrossingSections, ATouchTooSmallForADifferenceIsSeen)
                 if ((turned & 2) != 0) std::swap(p.x, p.y);
             }
             const CutResult result = cut_of(prism_over(polygon), plane);
-            ASSERT_EQ(result.status, Status::cut);
+            ASSERT_EQ(result.status, Status::done);
             expect_closed(result.positive);
             expect_closed(result.negative);
             if (!triangulates()) continue;
@@ -188,7 +188,7 @@ TEST_P(CrossingSections, OfFarExponentsAreCoveredAsOftenAsTheyWindFourCutsInARow
                 object = std::move(result.object);
                 continue;
             }
-            ASSERT_EQ(result.status, Status::cut);
+            ASSERT_EQ(result.status, Status::done);
             ++cuts;
             expect_closed(result.positive);
             expect_closed(result.negative);
@@ -218,7 +218,7 @@ TEST_P(CrossingSections, CapsExceedTheSectionExactlyWhereTheResultSaysSo)
         const IndexedMesh mesh = prism_over(run % 3 == 0 ? star(5 + 2 * random.below(6), 2) : scribble(random));
         const Plane plane = some_plane(random);
         const CutResult result = cut_of(mesh, plane);
-        if (result.status != Status::cut) continue;
+        if (result.status != Status::done) continue;
         const Areas areas = areas_of(result, plane);
         const double excess = areas.cap - result.section_area;
         const double tolerance = std::max(kCapAgreement * std::abs(result.section_area), areas.rounding);
@@ -250,7 +250,7 @@ TEST_P(CrossingSections, PiecesAndFurtherCutsAreClosed)
             std::vector<std::unique_ptr<Cuttable>> next;
             for (auto& object : objects) {
                 CutResult result = cut(std::move(object), plane, options);
-                ASSERT_TRUE(result.status == Status::cut || result.status == Status::missed);
+                ASSERT_TRUE(result.status == Status::done || result.status == Status::missed);
                 expect_closed(result.positive);
                 expect_closed(result.negative);
                 if (result.object) next.push_back(std::move(result.object));
@@ -271,7 +271,7 @@ TEST_P(CrossingSections, ManyMoreCrossingsThanPointsAreSaidOrCovered)
     for (const std::uint32_t points : {151u, 701u}) {
         const Plane plane = *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013});
         const CutResult result = cut_of(prism_over(star(points, points / 2)), plane);
-        ASSERT_EQ(result.status, Status::cut);
+        ASSERT_EQ(result.status, Status::done);
         expect_closed(result.negative);
         const double cap = referee::cap_area_in_plane(result.negative.front()->to_indexed_mesh(), plane.normal);
         EXPECT_EQ(result.caps_exceed_section, cap > 1.01 * result.section_area) << points << " " << cap;
@@ -284,7 +284,7 @@ TEST_P(CrossingSections, StarsAreCoveredThoughClippingRefusesAPartOfThem)
     // One of the 75 parts has few ears at a time. Layers of triangles over the whole were 872 000.
     const Plane plane = *Plane::through({0.857226849, -1, -0.51493901}, {-0.276798519, -0.75957086, 1});
     const CutResult result = cut_of(prism_over(star(151, 75)), plane);
-    ASSERT_EQ(result.status, Status::cut);
+    ASSERT_EQ(result.status, Status::done);
     expect_closed(result.positive);
     expect_closed(result.negative);
     EXPECT_LT(result.positive.front()->triangle_count(), 65'536u);
@@ -308,7 +308,7 @@ TEST_P(CrossingSections, CoilsAreCoveredByTrianglesInProportionToTheirPoints)
         }
         for (const glm::dvec2& p : {glm::dvec2(1.5, -0.1), {2, 0.3}, {2, -0.3}, {1.5, 0.1}}) coil.push_back(p);
         const CutResult result = cut_of(prism_over(coil), *Plane::through({0, 0.01, 0}, {0.01, 1, 0.013}));
-        ASSERT_EQ(result.status, Status::cut);
+        ASSERT_EQ(result.status, Status::done);
         expect_closed(result.positive);
         EXPECT_TRUE(result.caps_exceed_section);
         EXPECT_LT(result.positive.front()->triangle_count(), 12 * coil.size() + 32'768);
@@ -326,7 +326,7 @@ TEST_P(CrossingSections, OfPointsAtEveryScaleAreCoveredByTrianglesInProportionTo
             polygon.emplace_back(std::ldexp(1 + share, -int(i % 140)), std::ldexp(share, -int(7 * i % 130)));
         }
         const CutResult result = cut_of(prism_over(polygon), *Plane::through({0, 0, 0}, {0, 1, 0}));
-        ASSERT_EQ(result.status, Status::cut);
+        ASSERT_EQ(result.status, Status::done);
         expect_closed(result.positive);
         expect_closed(result.negative);
         EXPECT_LT(result.positive.front()->triangle_count(), 12 * polygon.size() + 32'768);
@@ -344,7 +344,7 @@ TEST_P(CrossingSections, FlatShellsInThePlaneFillAHoleOfTheCap)
     soup.triangles.push_back({first, first + 1, first + 2});
     soup.triangles.push_back({first, first + 2, first + 1});
     const CutResult result = cut_of(test::repaired(std::move(soup)), Plane{{0, 1, 0}, 0.5});
-    ASSERT_EQ(result.status, Status::cut);
+    ASSERT_EQ(result.status, Status::done);
     expect_closed(result.positive);
     expect_closed(result.negative);
     EXPECT_EQ(result.section_area, 0.875);
@@ -359,7 +359,7 @@ TEST_P(CrossingSections, SimpleSectionsAreCoveredOnceOrTheResultSaysSo)
     for (const test::NamedMesh& shape : test::closed_shapes())
         for (const test::NamedPlane& named : test::planes_for(shape.mesh, 4, 5)) {
             const CutResult result = cut_of(shape.mesh, named.plane);
-            if (result.status != Status::cut) continue;
+            if (result.status != Status::done) continue;
             const Areas areas = areas_of(result, named.plane);
             const double tolerance = 1e-6 * result.section_area + areas.rounding;
             if (!result.caps_exceed_section) {

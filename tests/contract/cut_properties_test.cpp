@@ -35,7 +35,7 @@ protected:
     std::unique_ptr<Cuttable> prepare(const IndexedMesh& mesh) const
     {
         PrepareResult result = backend_->prepare(mesh);
-        RC_ASSERT(result.status == Status::cut);
+        RC_ASSERT(result.status == Status::done);
         return std::move(result.object);
     }
 
@@ -79,7 +79,7 @@ TEST_P(CutProperties, SidesAreClosedAndAddUp)
         const CutResult result = cut_of(c);
         RC_CLASSIFY(result.status == Status::missed, "missed");
         if (result.status == Status::missed) return;
-        RC_ASSERT(result.status == Status::cut);
+        RC_ASSERT(result.status == Status::done);
         assert_sound(result.positive, c.plane, true, c.noise());
         assert_sound(result.negative, c.plane, false, c.noise());
         const double area = referee::area(c.mesh);
@@ -280,7 +280,7 @@ TEST_P(CutProperties, FragmentsOfAChainOfCutsAddUpToTheWhole)
             Fragments next;
             for (auto& object : objects) {
                 CutResult result = cut(std::move(object), plane, options);
-                RC_ASSERT(result.status == Status::cut || result.status == Status::missed);
+                RC_ASSERT(result.status == Status::done || result.status == Status::missed);
                 assert_sound(result.positive, plane, true, c.noise());
                 assert_sound(result.negative, plane, false, c.noise());
                 if (result.object) next.push_back(std::move(result.object));

@@ -60,8 +60,8 @@ Seconds measure(const Backend& backend, const std::string& name, std::uint32_t s
         PrepareResult prepared = timed(seconds.prepare, [&] { return backend.prepare(std::move(copy)); });
         auto clone = prepared.object->clone();
         CutResult sides = timed(seconds.cut, [&] { return cut(std::move(clone), section.plane); });
-        EXPECT_EQ(sides.status, Status::cut);
-        if (sides.status != Status::cut) break;
+        EXPECT_EQ(sides.status, Status::done);
+        if (sides.status != Status::done) break;
         timed(seconds.pieces, [&] { return cut(std::move(prepared.object), section.plane, in_pieces); });
         auto& half = sides.positive.front();
         const Plane second = second_plane(*half, section.plane);
@@ -232,7 +232,7 @@ TEST_P(HardSection, IsClosedAndTheSameForBothBackEnds)
             options.split_components = in_pieces;
             results.push_back(cut(named.make()->prepare(mesh).object, section.plane, options));
             const CutResult& result = results.back();
-            ASSERT_EQ(result.status, Status::cut);
+            ASSERT_EQ(result.status, Status::done);
             double volume = 0.0;
             for (const auto* side : {&result.negative, &result.positive})
                 for (const auto& fragment : *side) {

@@ -91,7 +91,7 @@ TEST_P(Relatives, AreStrangersOnceOneIsDetached)
         const void* const buffers = other.draw_view().buffers;
         const bool shared = one.shares_buffers_with(other);
         one.mark_uploaded();
-        EXPECT_EQ(one.detach(), Status::cut);
+        EXPECT_EQ(one.detach(), Status::done);
         EXPECT_FALSE(one.shares_buffers_with(other));
         EXPECT_NE(one.draw_view().buffers, buffers);
         EXPECT_EQ(other.draw_view().buffers, buffers);
@@ -109,7 +109,7 @@ TEST_P(Relatives, WhatSharesNothingIsDetachedAlready)
     alone.mark_uploaded();
     const void* const buffers = alone.draw_view().buffers;
     const Vertex* const vertices = alone.draw_view().vertices.data();
-    EXPECT_EQ(alone.detach(), Status::cut);
+    EXPECT_EQ(alone.detach(), Status::done);
     EXPECT_EQ(alone.draw_view().buffers, buffers);
     EXPECT_EQ(alone.draw_view().vertices.data(), vertices);
     EXPECT_TRUE(alone.draw_view().new_vertex_bytes.empty());
@@ -120,7 +120,7 @@ TEST_P(Relatives, ADrawViewOutlivesCutsOfWhatWasDetached)
     CutResult halves = halves_of(*backend_, "torus");
     const DrawView view = halves.negative.at(0)->draw_view();
     const Bytes before = bytes_of(view);
-    ASSERT_EQ(halves.positive.at(0)->detach(), Status::cut);
+    ASSERT_EQ(halves.positive.at(0)->detach(), Status::done);
     EXPECT_EQ(bytes_of(view), before);
     std::unique_ptr<Cuttable> object = std::move(halves.positive.at(0));
     for (int i = 0; i < 20; ++i) {
@@ -252,7 +252,7 @@ TEST_P(Relatives, AreCutWithTheSameBytesDetachedOrNot)
     for_each_shape([&](const IndexedMesh& mesh) {
         const Chronicle expected = cut_family(*backend_, mesh, Order::depth_first);
         expect_same(cut_family(*backend_, mesh, Order::shuffled,
-                               [](Member& member) { ASSERT_EQ(member.object->detach(), Status::cut); }),
+                               [](Member& member) { ASSERT_EQ(member.object->detach(), Status::done); }),
                     expected);
     });
 }

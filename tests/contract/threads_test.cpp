@@ -428,7 +428,7 @@ TEST_P(Threads, DrawBesideCutsOfStrangers)
 {
     for_each_round([&](const std::string& shape, Family& family, test::Random& random) {
         // What was detached is a stranger.
-        EXPECT_EQ(family.relative->detach(), Status::cut);
+        EXPECT_EQ(family.relative->detach(), Status::done);
         return std::vector<Part>{draws(family), changes_by(cuts(), shape, family, Who::relative, random),
                                  changes_by(cuts(), shape, family, Who::stranger, random)};
     });

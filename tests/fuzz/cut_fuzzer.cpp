@@ -46,7 +46,7 @@ struct Scale
 std::unique_ptr<Cuttable> prepared(const Backend& backend, const IndexedMesh& mesh)
 {
     PrepareResult result = backend.prepare(mesh);
-    require(result.status == Status::cut, backend.name() + ": an repaired mesh can be prepared");
+    require(result.status == Status::done, backend.name() + ": an repaired mesh can be prepared");
     return std::move(result.object);
 }
 
@@ -177,7 +177,7 @@ CutResult cut_fresh(const Backend& backend, const IndexedMesh& mesh, const Plane
                 who + ": what is missed comes back unharmed");
         return result;
     }
-    require(result.status == Status::cut || (result.status == Status::open_section && !closed),
+    require(result.status == Status::done || (result.status == Status::open_section && !closed),
             who + ": a closed mesh has a closed section, not " + std::string(name_of(result.status)));
     require_sound(result.positive, plane, true, closed && options.build_caps, scale, who);
     require_sound(result.negative, plane, false, closed && options.build_caps, scale, who);
@@ -221,7 +221,7 @@ void cut_on(Fragments objects, ByteReader& bytes, const CutOptions& options, boo
             objects[chosen] = std::move(result.object);
             continue;
         }
-        require(result.status == Status::cut || (result.status == Status::open_section && !closed),
+        require(result.status == Status::done || (result.status == Status::open_section && !closed),
                 who + ": a closed fragment has a closed section");
         require_sound(result.positive, plane, true, closed && options.build_caps, Scale(mesh), who);
         require_sound(result.negative, plane, false, closed && options.build_caps, Scale(mesh), who);

@@ -55,16 +55,16 @@ TEST(Connectivity, IsConsistentAfterCutsOfEveryShapeByEveryKindOfPlane)
 TEST(Connectivity, AFragmentSurvivesTheCutsOfItsRelatives)
 {
     CutResult first = cut(prepared(test::closed_shape("torus")), *Plane::through({0, 0, 0.01}, {0.3, 0.1, 1}));
-    ASSERT_EQ(first.status, Status::cut);
+    ASSERT_EQ(first.status, Status::done);
     const auto before = referee::bytes_of(first.positive[0]->to_indexed_mesh());
     {
         const CutResult second = cut(std::move(first.negative[0]), *Plane::through({0, 0, 0}, {1, 0, 0}));
-        ASSERT_EQ(second.status, Status::cut);
+        ASSERT_EQ(second.status, Status::done);
         EXPECT_EQ(referee::bytes_of(first.positive[0]->to_indexed_mesh()), before);
     }
     EXPECT_EQ(faults(*first.positive[0]), "");
     const CutResult third = cut(std::move(first.positive[0]), *Plane::through({0, 0, 0}, {1, 0, 0}));
-    EXPECT_EQ(third.status, Status::cut);
+    EXPECT_EQ(third.status, Status::done);
     expect_consistent(third);
 }
 
@@ -90,7 +90,7 @@ void expect_a_good_chain(const IndexedMesh& mesh, int cuts)
             fragments.push_back(std::move(result.object));
             continue;
         }
-        ASSERT_EQ(result.status, Status::cut);
+        ASSERT_EQ(result.status, Status::done);
         expect_consistent(result);
         for (Fragments* side : {&result.negative, &result.positive})
             for (auto& fragment : *side) {
@@ -121,7 +121,7 @@ TEST(Connectivity, SurvivesAChainOnAMeshOfManyTunnels)
 TEST(Connectivity, ACloneIsConsistentAndIndependent)
 {
     CutResult result = cut(prepared(test::closed_shape("sphere_in_sphere")), *Plane::through({0, 0, 0.1}, {0, 0, 1}));
-    ASSERT_EQ(result.status, Status::cut);
+    ASSERT_EQ(result.status, Status::done);
     const auto copy = result.positive[0]->clone();
     EXPECT_EQ(referee::bytes_of(copy->to_indexed_mesh()), referee::bytes_of(result.positive[0]->to_indexed_mesh()));
     const auto before = referee::bytes_of(copy->to_indexed_mesh());

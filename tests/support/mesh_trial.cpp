@@ -147,7 +147,7 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
     for (const auto& backend : backends) {
         PrepareResult prepared = backend->prepare(mesh);
         const std::string who = backend->name();
-        require((prepared.status == Status::cut) == is_good,
+        require((prepared.status == Status::done) == is_good,
                 who + ": prepare() says what the referee says, not '" + prepared.reason + "'");
         if (is_good) {
             require(prepared.object != nullptr && prepared.reason.empty(), who + ": what can be cut is there");
@@ -187,7 +187,7 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
                 objects[b] = std::move(result.object);
                 continue;
             }
-            require(result.status == Status::cut || (result.status == Status::open_section && !kept.is_closed),
+            require(result.status == Status::done || (result.status == Status::open_section && !kept.is_closed),
                     who + ": a closed mesh has a closed section, not " + std::string(name_of(result.status)));
             look_at_side(result.positive, plane, true, kept, random, trial, who);
             look_at_side(result.negative, plane, false, kept, random, trial, who);
@@ -216,7 +216,7 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
         objects.clear();
         for (const auto& backend : backends) {
             PrepareResult prepared = backend->prepare(whole);
-            require((prepared.status == Status::cut) == keeps_all_promises(whole),
+            require((prepared.status == Status::done) == keeps_all_promises(whole),
                     backend->name() + ": a piece is taken where the referee takes it, not '" + prepared.reason + "'");
             if (!prepared.object) return trial;
             objects.push_back(std::move(prepared.object));

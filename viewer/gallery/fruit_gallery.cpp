@@ -90,7 +90,7 @@ std::vector<Piece> posed(std::unique_ptr<Cuttable> whole, const Pose& pose)
     const glm::dvec3 normal = glm::normalize(pose.normal);
     // A little beside the middle, where symmetry would hide that nothing swims.
     CutResult result = cut(std::move(whole), *Plane::through(glm::dvec3(0.0, 0.02, 0.03), normal));
-    if (result.status != Status::cut) throw std::runtime_error("the cut missed");
+    if (result.status != Status::done) throw std::runtime_error("the cut missed");
     const auto show = [&](std::unique_ptr<Cuttable>& object, float side) {
         const glm::vec3 front = glm::vec3(normal) * side;
         const glm::mat4 model = turned(front, glm::vec3(pose.up), {-0.25f * side, 0.30f, 1.0f});

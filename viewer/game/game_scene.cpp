@@ -105,7 +105,7 @@ void GameScene::throw_fruit(sim::Simulation& simulation, const PlannedThrow& wha
 
 void GameScene::on_cut(sim::Simulation&, const sim::CutRecord& cut)
 {
-    if (cut.status != Status::cut && cut.status != Status::open_section) return;
+    if (cut.status != Status::done && cut.status != Status::open_section) return;
     const auto found = flying_.find(cut.object);
     if (found == flying_.end()) return;
     Cut what;

@@ -140,7 +140,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     const MeshPose pose = body.pose();
     const std::optional<Plane> section = object_plane(plane, pose, origin);
     if (!section) {
-        record.status = Status::invalid_plane;
+        record.status = Status::invalid_argument;
         return body.mark_missed(record.swipe);
     }
     const WorldPlane placed = world_plane(*section, pose);

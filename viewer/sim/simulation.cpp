@@ -182,7 +182,7 @@ void Simulation::cut(Body& body, const WorldPlane& plane, std::uint32_t swipe)
     const bool missed_before = body.missed_swipe() == swipe;
     cut_body(world_, body.id(), plane, {proxy_, settings_.hash_surfaces, &last_id_}, record);
     check_cpu_ms_ += record.check_cpu_ms;
-    const bool is_cut = record.status == Status::cut || record.status == Status::open_section;
+    const bool is_cut = record.status == Status::done || record.status == Status::open_section;
     // A swipe grazes a proxy with segment after segment: one line in the log is enough.
     if (!is_cut && missed_before) return;
     if (record.dropped > 0)

@@ -18,20 +18,25 @@ namespace kerf {
 std::string_view name_of(Status status)
 {
     switch (status) {
-        case Status::cut:
-            return "cut";
+        case Status::done:
+            return "done";
         case Status::missed:
             return "missed";
         case Status::open_section:
             return "open_section";
-        case Status::invalid_plane:
-            return "invalid_plane";
+        case Status::invalid_argument:
+            return "invalid_argument";
         case Status::invalid_mesh:
             return "invalid_mesh";
         case Status::out_of_memory:
             return "out_of_memory";
     }
     return "unknown";
+}
+
+std::string_view outcome_name(Status status)
+{
+    return status == Status::done ? "cut" : name_of(status);
 }
 
 std::string_view name_of(Phase phase)
@@ -135,7 +140,7 @@ Status Cuttable::detach() noexcept
 {
     try {
         if (has_relatives()) compact();
-        return Status::cut;
+        return Status::done;
     } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     } catch (const std::length_error&) {
@@ -150,7 +155,7 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     if (!object) {
         result.status = Status::invalid_mesh;
     } else if (!plane.valid()) {
-        result.status = Status::invalid_plane;
+        result.status = Status::invalid_argument;
     } else {
         try {
             result = object->cut_by(plane, options);
@@ -163,7 +168,7 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
             result.status = Status::out_of_memory;
         }
     }
-    const bool spent = result.status == Status::cut || result.status == Status::open_section;
+    const bool spent = result.status == Status::done || result.status == Status::open_section;
     if (!spent) result.object = std::move(object);
     return result;
 }
@@ -191,7 +196,7 @@ PrepareResult Backend::prepare(ProvenMesh mesh) const
         if (mesh->triangles.empty())
             return {Status::invalid_mesh, nullptr, "the mesh has no triangles; give it one at least"};
         const bool is_coarse = has_coarse_coordinates(shortest_edge(mesh->vertices, mesh->triangles), mesh->bounds());
-        return {Status::cut, make(std::move(mesh)), {}, is_coarse};
+        return {Status::done, make(std::move(mesh)), {}, is_coarse};
     } catch (const std::bad_alloc&) {
         return without_memory();
     } catch (const std::length_error&) {

@@ -12,6 +12,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/side.h"
 #include "common/proxy/collision_proxy.h"
 #include "common/repair/proven_mesh.h"
 
@@ -21,18 +22,20 @@
 
 namespace kerf {
 
-/// Outcome of preparing or cutting. Bad geometry is an expected outcome, not an exception.
+/// Outcome of preparing, cutting or detaching. Bad geometry is an expected outcome, not an exception.
 enum class Status : std::uint8_t
 {
-    cut,            ///< both sides exist, every section loop was closed (prepare: the mesh is ready)
-    missed,         ///< all of the object is on one side, or within plane_noise of it: the object comes back unharmed
-    open_section,   ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are not
-                    ///< capped
-    invalid_plane,  ///< not finite, or the normal is not a unit vector: the object comes back unharmed
-    invalid_mesh,   ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
-    out_of_memory,  ///< the object comes back unharmed
+    done,              ///< prepare: the mesh is ready; cut: both sides exist, every section loop was closed
+    missed,            ///< all of the object is on one side, or within plane_noise of it: it comes back unharmed
+    open_section,      ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are
+                       ///< not capped
+    invalid_argument,  ///< a plane that is not finite, or whose normal is not a unit vector: the object comes back
+    invalid_mesh,      ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
+    out_of_memory,     ///< the object comes back unharmed
 };
 std::string_view name_of(Status status);
+/// What programs print of a cut: "cut" for `done`, otherwise the status's name.
+std::string_view outcome_name(Status status);
 
 /// Where the time of a cut goes. A back end leaves the phases that it does not have at 0.
 enum class Phase : std::uint8_t
@@ -199,8 +202,7 @@ public:
     /// Makes the object a stranger to all others, so that it can be cut while they are drawn, and drawn while they are
     /// cut: compact() where it has relatives, nothing otherwise. Never throws.
     ///
-    /// @return  `cut` when it shares nothing (as prepare() says that a mesh is ready), or `out_of_memory` when it is as
-    ///          it was
+    /// @return  `done` when it shares nothing, or `out_of_memory` when it is as it was
     Status detach() noexcept;
 
 protected:
@@ -211,7 +213,7 @@ protected:
 private:
     friend CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options);
 
-    /// Cuts by a valid plane. With status `cut` or `open_section` the fragments are in the result and the object is
+    /// Cuts by a valid plane. With status `done` or `open_section` the fragments are in the result and the object is
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
 
@@ -228,7 +230,10 @@ struct CutResult
     std::unique_ptr<Cuttable> object;                 ///< the object itself, unless it was cut
     std::vector<std::unique_ptr<Cuttable>> positive;  ///< fragments with signed_distance >= 0
     std::vector<std::unique_ptr<Cuttable>> negative;  ///< fragments with signed_distance < 0
-    double section_area = 0.0;  ///< signed sum of the closed loops' areas, mesh units squared: what caps should cover
+    /// Of a miss: where the object lies. One within plane_noise of the plane lies on the negative side.
+    Side side_of_object = Side::negative;
+    /// Signed sum of the closed loops' areas, mesh units squared: what caps should cover. 0 of a miss.
+    double section_area = 0.0;
     /// A warning, see caps_exceed_section(): caps are closed and have the section's signed area, but some triangles are
     /// turned over and others lie on them. Set if a section winds around something backwards (the surface runs
     /// through itself inside out, or is open), if it crosses itself too often to be untangled, and by the baseline's
@@ -259,8 +264,8 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
 /// What became of a mesh.
 struct PrepareResult
 {
-    Status status = Status::invalid_mesh;  ///< cut, invalid_mesh or out_of_memory
-    std::unique_ptr<Cuttable> object;      ///< set when the status is `cut`
+    Status status = Status::invalid_mesh;  ///< done, invalid_mesh or out_of_memory
+    std::unique_ptr<Cuttable> object;      ///< set when the status is `done`
     std::string reason;                    ///< one sentence when it is not
     bool coarse_coordinates = false;       ///< a warning, see has_coarse_coordinates(): results are closed but rounded
 };

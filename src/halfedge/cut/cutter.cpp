@@ -26,7 +26,8 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     CutStatistics& statistics = result.statistics;
     for (const ShellRoot& shell : shells_) statistics.triangles += u.tree.nodes[shell.root].count;
 
-    if (misses(plane, statistics.nodes_visited)) {
+    if (const std::optional<Side> side = missed_side(plane, statistics.nodes_visited)) {
+        result.side_of_object = *side;
         done(Phase::find, result);
         return false;
     }
@@ -45,7 +46,11 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     split_crossings(u, s);
     done(Phase::split, result);
     // All of a side can vanish: a spike so thin that its cut points are one.
-    if (!keeps_triangles(Side::negative) || !keeps_triangles(Side::positive)) return false;
+    for (const Side side : kSides)
+        if (!keeps_triangles(side)) {
+            result.side_of_object = opposite(side);
+            return false;
+        }
     walk_section(u, plane, s);
     done(Phase::walk, result);
 
@@ -77,11 +82,13 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     hand_out_caps(s);
     if (options.split_components) divide_piece_shells(s);
     plan_cap_groups(options);
-    if (pieces_.fragment_count[Side::negative] == 0 || pieces_.fragment_count[Side::positive] == 0) {
-        result.section_area = 0.0;
-        result.caps_exceed_section = false;
-        return false;
-    }
+    for (const Side side : kSides)
+        if (pieces_.fragment_count[side] == 0) {
+            result.side_of_object = opposite(side);
+            result.section_area = 0.0;
+            result.caps_exceed_section = false;
+            return false;
+        }
     done(Phase::components, result);
 
     const std::size_t grown = s.stitcher->plan(u, s) + s.rebuilder->plan(u, s);
@@ -112,10 +119,10 @@ void Cutter::carry_out(CutResult& result) noexcept
     statistics.triangles_touched = s.entries.size() + s.triangles_read + 2 * s.crossings.size() + 2 * s.caps.size();
     statistics.bytes_to_upload =
         s.rebuilder->new_vertices() * sizeof(Vertex) + s.rebuilder->new_slots() * sizeof(Triangle);
-    result.status = statistics.open_chains > 0 ? Status::open_section : Status::cut;
+    result.status = statistics.open_chains > 0 ? Status::open_section : Status::done;
 }
 
-bool Cutter::misses(const Plane& plane, std::uint64_t& nodes_visited) const
+std::optional<Side> Cutter::missed_side(const Plane& plane, std::uint64_t& nodes_visited) const
 {
     const Universe& u = u_;
     const auto reaches = [&](int sign) {
@@ -123,7 +130,9 @@ bool Cutter::misses(const Plane& plane, std::uint64_t& nodes_visited) const
             return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, nodes_visited);
         });
     };
-    return !reaches(1) || !reaches(-1);
+    if (!reaches(1)) return Side::negative;
+    if (!reaches(-1)) return Side::positive;
+    return std::nullopt;
 }
 
 bool Cutter::keeps_triangles(Side side) const

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "common/cutting/cut.h"
@@ -52,7 +53,8 @@ public:
     }
 
 private:
-    bool misses(const Plane& plane, std::uint64_t& nodes_visited) const;
+    /// The side that the object lies on, if the plane misses it.
+    std::optional<Side> missed_side(const Plane& plane, std::uint64_t& nodes_visited) const;
     void find_shells(const Plane& plane);
     /// Whether a side gets any triangle, once the crossing triangles are split: asked before targets are made.
     bool keeps_triangles(Side side) const;

@@ -65,7 +65,7 @@ protected:
             if (simulation.cuts().size() > costs.size()) around += 1e3 * watch.lap();
             for (std::size_t i = costs.size(); i < simulation.cuts().size(); ++i) {
                 const sim::CutRecord& cut = simulation.cuts()[i];
-                EXPECT_EQ(cut.status, Status::cut);
+                EXPECT_EQ(cut.status, Status::done);
                 EXPECT_EQ(world.cut_uploads()[i].bytes, cut.statistics.bytes_to_upload);
                 costs.push_back(app::cut_to_upload_ms(cut, world.cut_uploads()[i]));
             }

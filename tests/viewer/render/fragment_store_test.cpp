@@ -132,7 +132,7 @@ TEST_F(FragmentStoreTest, AnObjectThatIsCutOnItsWayComesWithItsPieces)
     store.bring(*object, arrival, 100'000);
     ASSERT_FALSE(arrival.is_whole);
     const CutResult result = halves(std::move(object));
-    ASSERT_EQ(result.status, Status::cut);
+    ASSERT_EQ(result.status, Status::done);
     const DrawnFragment positive = store.add(*result.positive.front());
     const DrawnFragment negative = store.add(*result.negative.front());
     EXPECT_EQ(positive.buffers, negative.buffers);
@@ -146,7 +146,7 @@ TEST_F(FragmentStoreTest, UploadsOfAHalfEdgeCutWhatTheStatisticsSayAndNothingEls
     for (int i = 0; i < 3; ++i) {
         const std::uint64_t before = store.bytes_uploaded();
         CutResult result = halves(std::move(object), 0.05 * i);
-        ASSERT_EQ(result.status, Status::cut);
+        ASSERT_EQ(result.status, Status::done);
         const DrawnFragment positive = store.add(*result.positive.front());
         const DrawnFragment negative = store.add(*result.negative.front());
         EXPECT_EQ(store.bytes_uploaded() - before, result.statistics.bytes_to_upload);
@@ -164,7 +164,7 @@ TEST_F(FragmentStoreTest, UploadsOfABaselineCutBothFragmentsWhole)
     const DrawnFragment whole = store.add(*object);
     const std::uint64_t before = store.bytes_uploaded();
     const CutResult result = halves(std::move(object));
-    ASSERT_EQ(result.status, Status::cut);
+    ASSERT_EQ(result.status, Status::done);
     std::uint64_t expected = 0;
     for (const auto* side : {&result.positive, &result.negative}) {
         const IndexedMesh mesh = side->front()->to_indexed_mesh();

@@ -37,7 +37,7 @@ std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& back
         const glm::dvec3 normal(0.4 + 0.3 * i, 0.8 - 0.5 * i, 0.5);
         const Plane plane = *Plane::through(whole.object->mass_properties().centre, normal);
         CutResult result = cut(std::move(whole.object), plane);
-        if (result.status != Status::cut) throw std::runtime_error(model + ": the cut missed");
+        if (result.status != Status::done) throw std::runtime_error(model + ": the cut missed");
         const auto keep = [&](std::unique_ptr<Cuttable>& piece, float side) {
             const glm::mat4 apart = glm::translate(whole.model, side * 0.12f * radius * glm::vec3(plane.normal));
             pieces.push_back({std::move(piece), apart, 1.0f / radius, plane, is_closed});

@@ -102,7 +102,7 @@ TEST_P(OnEachBackEnd, CutsWhatTheSwipeCrosses)
     run.advance(110);
     ASSERT_EQ(run.cuts().size(), 1u);
     const CutRecord& cut = run.cuts().front();
-    EXPECT_EQ(cut.status, Status::cut);
+    EXPECT_EQ(cut.status, Status::done);
     EXPECT_EQ(cut.backend, GetParam());
     EXPECT_EQ(cut.object, 1u);
     EXPECT_GE(cut.pieces.size(), 2u);

@@ -117,7 +117,7 @@ void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mod
 {
     ImGui::Text("%s", models.model(cut.model).name.c_str());
     ImGui::SameLine();
-    ImGui::TextDisabled("%s, %s", cut.backend.c_str(), std::string(name_of(cut.status)).c_str());
+    ImGui::TextDisabled("%s, %s", cut.backend.c_str(), std::string(outcome_name(cut.status)).c_str());
     const CutStatistics& s = cut.statistics;
     ImGui::Text("%llu triangles, %llu crossing, %llu %s", static_cast<unsigned long long>(s.triangles),
                 static_cast<unsigned long long>(s.crossing_surface), static_cast<unsigned long long>(s.section_loops),

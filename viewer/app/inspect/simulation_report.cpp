@@ -37,7 +37,7 @@ Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mode
             {"object", cut.object},
             {"model", models.model(cut.model).name},
             {"backend", cut.backend},
-            {"status", name_of(cut.status)},
+            {"status", outcome_name(cut.status)},
             {"triangles", cut.statistics.triangles},
             {"crossing", cut.statistics.crossing_surface},
             {"crossing_with_caps", cut.statistics.crossing_triangles},

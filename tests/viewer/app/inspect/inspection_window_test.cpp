@@ -364,7 +364,7 @@ TEST_F(DraggingTest, CutsWhatThePointerCrosses)
     }
     frames(3);
     ASSERT_GE(simulation.cuts().size(), 1u);
-    EXPECT_EQ(simulation.cuts().front().status, Status::cut);
+    EXPECT_EQ(simulation.cuts().front().status, Status::done);
     EXPECT_GE(simulation.bodies().size(), 2u);
 }
 
