@@ -47,7 +47,7 @@ public:
     {
         const IndexedMesh& mesh = fragment_.mesh;
         DrawView view;
-        view.buffers = this;
+        view.buffers = serial_;
         view.vertices = mesh.vertices;
         static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
         view.indices = {reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()), mesh.triangles.size() * 3};
@@ -106,8 +106,11 @@ private:
         return result;
     }
 
+    std::uint64_t buffers() const noexcept override { return serial_; }
+
     Fragment fragment_;
     Method method_;
+    const std::uint64_t serial_ = new_buffers_serial();
     bool is_uploaded_ = false;
 };
 

@@ -10,6 +10,7 @@ namespace kerf::halfedge {
 /// of any of them are planned in. Both are guarded by the universe's lock.
 struct Family
 {
+    const std::uint64_t serial = new_buffers_serial();  ///< DrawView::buffers
     Universe universe;
     CutScratch scratch;
 

@@ -38,7 +38,7 @@ public:
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
-    const void* buffers() const noexcept override { return family_.get(); }
+    std::uint64_t buffers() const noexcept override { return family_->serial; }
     bool has_relatives() const noexcept override { return family_.use_count() > 1; }
 
     using FragmentsBySide = BySide<std::vector<std::unique_ptr<Fragment>>>;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "common/cutting/cut.h"
@@ -88,7 +90,7 @@ TEST_P(Relatives, AreStrangersOnceOneIsDetached)
         const CutResult halves = halves_of(*backend_, shape);
         Cuttable &one = *halves.positive.at(0), &other = *halves.negative.at(0);
         const Bytes one_before = bytes_of(one), other_before = bytes_of(other);
-        const void* const buffers = other.draw_view().buffers;
+        const std::uint64_t buffers = other.draw_view().buffers;
         const bool shared = one.shares_buffers_with(other);
         one.mark_uploaded();
         EXPECT_EQ(one.detach(), Status::done);
@@ -107,12 +109,25 @@ TEST_P(Relatives, WhatSharesNothingIsDetachedAlready)
     halves.negative.clear();
     Cuttable& alone = *halves.positive.at(0);
     alone.mark_uploaded();
-    const void* const buffers = alone.draw_view().buffers;
+    const std::uint64_t buffers = alone.draw_view().buffers;
     const Vertex* const vertices = alone.draw_view().vertices.data();
     EXPECT_EQ(alone.detach(), Status::done);
     EXPECT_EQ(alone.draw_view().buffers, buffers);
     EXPECT_EQ(alone.draw_view().vertices.data(), vertices);
     EXPECT_TRUE(alone.draw_view().new_vertex_bytes.empty());
+}
+
+/// Who keeps buffers on a graphics card under their number never takes a new object for one that is gone.
+TEST_P(Relatives, BuffersAreNeverNumberedTwice)
+{
+    std::set<std::uint64_t> seen;
+    for (int i = 0; i < 50; ++i) {
+        const CutResult halves = halves_of(*backend_, "cube");
+        const std::unique_ptr<Cuttable> copy = halves.positive.at(0)->clone();
+        ASSERT_EQ(halves.negative.at(0)->detach(), Status::done);
+        for (const Cuttable* object : {halves.positive.at(0).get(), halves.negative.at(0).get(), copy.get()})
+            EXPECT_TRUE(seen.insert(object->draw_view().buffers).second);
+    }
 }
 
 TEST_P(Relatives, ADrawViewOutlivesCutsOfWhatWasDetached)

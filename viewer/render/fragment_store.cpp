@@ -30,12 +30,6 @@ std::uint64_t capacity_for(std::uint64_t bytes, Room room)
     return bytes + (room == Room::to_grow ? std::min(bytes, kMostRoom) : 0);
 }
 
-/// Nothing of these buffers is on the graphics card: they are new, whatever their address was before.
-bool is_fresh(const DrawView& view)
-{
-    return !view.new_vertex_bytes.empty() && view.new_vertex_bytes.front().offset == 0;
-}
-
 std::vector<DrawBatch> batches_of(const DrawView& view, LookTable& looks)
 {
     std::vector<DrawBatch> batches;
@@ -78,22 +72,14 @@ void IndexRuns::add(std::uint32_t first_index, std::uint32_t index_count)
 std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, Room room, bool& is_new)
 {
     const auto found = sets_.find(view.buffers);
-    is_new = found == sets_.end() || is_fresh(view);
+    is_new = found == sets_.end();
     if (!is_new) return found->second;
     auto made = std::make_shared<SharedBuffers>(
         SharedBuffers{GrowingBuffer(capacity_for(view.vertices.size_bytes(), room)),
                       GrowingBuffer(capacity_for(view.indices.size_bytes(), room)), GlVertexArray::create()});
     describe_vertices(*made);
-    own(view.buffers, made);
+    sets_.emplace(view.buffers, made);
     return made;
-}
-
-/// These buffers are found by their address from now on.
-void FragmentStore::own(const void* address, std::shared_ptr<SharedBuffers> buffers)
-{
-    std::shared_ptr<SharedBuffers>& place = sets_[address];
-    if (place) orphans_.push_back(std::move(place));
-    place = std::move(buffers);
 }
 
 DrawnFragment FragmentStore::add(Cuttable& object, Room room)
@@ -132,7 +118,7 @@ std::uint64_t FragmentStore::bring(Cuttable& object, Arrival& arrival, std::uint
         arrival.buffers = std::make_shared<SharedBuffers>(SharedBuffers{
             GrowingBuffer(capacity_for(vertices.size(), room)), GrowingBuffer(0), GlVertexArray::create()});
         arrival.bytes = vertices.size() + indices.size();
-        orphans_.push_back(arrival.buffers);
+        arriving_.push_back(arrival.buffers);
     }
     std::uint64_t left = most;
     const auto go_on = [&](GrowingBuffer& buffer, std::span<const std::byte> content, std::uint64_t& done) {
@@ -148,8 +134,8 @@ std::uint64_t FragmentStore::bring(Cuttable& object, Arrival& arrival, std::uint
     bytes_uploaded_ += most - left;
     if (arrival.vertex_bytes + arrival.index_bytes == arrival.bytes) {
         describe_vertices(*arrival.buffers);
-        std::erase(orphans_, arrival.buffers);
-        own(view.buffers, arrival.buffers);
+        std::erase(arriving_, arrival.buffers);
+        sets_[view.buffers] = arrival.buffers;
         object.mark_uploaded();
         arrival.is_whole = true;
     }
@@ -159,7 +145,7 @@ std::uint64_t FragmentStore::bring(Cuttable& object, Arrival& arrival, std::uint
 void FragmentStore::release_unused()
 {
     std::erase_if(sets_, [](const auto& entry) { return entry.second.use_count() == 1; });
-    std::erase_if(orphans_, [](const auto& buffers) { return buffers.use_count() == 1; });
+    std::erase_if(arriving_, [](const auto& buffers) { return buffers.use_count() == 1; });
 }
 
 std::uint64_t FragmentStore::bytes_held() const
@@ -169,7 +155,7 @@ std::uint64_t FragmentStore::bytes_held() const
         bytes += buffers.vertices.capacity() + buffers.indices.capacity();
     };
     for (const auto& [key, buffers] : sets_) add(*buffers);
-    for (const auto& buffers : orphans_) add(*buffers);
+    for (const auto& buffers : arriving_) add(*buffers);
     return bytes;
 }
 

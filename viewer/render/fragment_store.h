@@ -98,12 +98,10 @@ public:
 
 private:
     std::shared_ptr<SharedBuffers> buffers_for(const DrawView& view, Room room, bool& is_new);
-    void own(const void* address, std::shared_ptr<SharedBuffers> buffers);
 
     LookTable& looks_;
-    std::unordered_map<const void*, std::shared_ptr<SharedBuffers>> sets_;  ///< by DrawView::buffers
-    std::vector<std::shared_ptr<SharedBuffers>> orphans_;  ///< in use, but not found by address: it has a new owner, or
-                                                           ///< all is not there yet
+    std::unordered_map<std::uint64_t, std::shared_ptr<SharedBuffers>> sets_;  ///< by DrawView::buffers
+    std::vector<std::shared_ptr<SharedBuffers>> arriving_;                    ///< all is not there yet
     std::uint64_t bytes_uploaded_ = 0;
 };
 

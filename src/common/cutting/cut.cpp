@@ -1,6 +1,7 @@
 #include "common/cutting/cut.h"
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <new>
@@ -134,6 +135,12 @@ double PhaseTimes::total() const
 bool caps_exceed_section(double excess, double section_area, double section_length, double unit)
 {
     return excess > std::max(kCapAgreement * std::abs(section_area), unit * section_length);
+}
+
+std::uint64_t new_buffers_serial() noexcept
+{
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
 }
 
 Status Cuttable::detach() noexcept

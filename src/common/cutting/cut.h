@@ -114,7 +114,7 @@ struct ByteRange
 /// object or a relative, and until the object is compacted, detached or destroyed.
 struct DrawView
 {
-    const void* buffers = nullptr;           ///< identity: objects with equal values share vertex and index buffer
+    std::uint64_t buffers = 0;               ///< a serial number, never used again; equal ones are the same buffers
     std::span<const Vertex> vertices;        ///< the whole vertex buffer
     std::span<const std::uint32_t> indices;  ///< the whole index buffer
     std::vector<DrawRange> ranges;           ///< sorted by kind and material, adjacent runs merged
@@ -139,6 +139,9 @@ struct CutOptions
 /// on where a material has that name: caps never share one with the surface by accident. The number is the smallest
 /// that is free, or another where names occur twice. O(materials); allocates nothing where there is room for one.
 std::uint32_t add_cap_material(std::vector<Material>& materials);
+
+/// A serial number for buffers, which no others get. From any thread.
+std::uint64_t new_buffers_serial() noexcept;
 
 struct CutResult;
 
@@ -217,8 +220,8 @@ private:
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
 
-    /// DrawView::buffers: of an object that has buffers of its own, itself.
-    virtual const void* buffers() const noexcept { return this; }
+    /// DrawView::buffers, from new_buffers_serial().
+    virtual std::uint64_t buffers() const noexcept = 0;
     /// Whether some other object has the same buffers.
     virtual bool has_relatives() const noexcept { return false; }
 };

@@ -231,44 +231,6 @@ TEST_F(FragmentStoreTest, UploadsEverythingAgainWhenTheBuffersWereFreed)
     expect_same_bytes(drawn, *object);
 }
 
-TEST_F(FragmentStoreTest, DoesNotTakeANewObjectForAnOldOneAtTheSameAddress)
-{
-    // Cuttables that say what a test wants: the same address, other content.
-    class Impostor final : public Cuttable
-    {
-    public:
-        explicit Impostor(float x) : vertices_(3, Vertex{glm::vec3(x), {}, {}}) {}
-        std::unique_ptr<Cuttable> clone() const override { return nullptr; }
-        std::uint64_t triangle_count() const override { return 1; }
-        Box bounds() const override { return {}; }
-        DrawView draw_view() const override
-        {
-            DrawView view;
-            view.buffers = "one address";
-            view.vertices = vertices_;
-            view.indices = indices_;
-            view.new_vertex_bytes = {{0, view.vertices.size_bytes()}};
-            view.new_index_bytes = {{0, view.indices.size_bytes()}};
-            return view;
-        }
-        void mark_uploaded() override {}
-        MassProperties mass_properties() const override { return {}; }
-        CollisionProxy collision_proxy(ProxyKind) const override { return {}; }
-        std::span<const SectionLoop> section_loops() const override { return {}; }
-        IndexedMesh to_indexed_mesh() const override { return {}; }
-
-    private:
-        CutResult cut_by(const Plane&, const CutOptions&) override { return {}; }
-        std::vector<Vertex> vertices_;
-        std::array<std::uint32_t, 3> indices_{0, 1, 2};
-    };
-    Impostor first(1.0f), second(2.0f);
-    const DrawnFragment first_drawn = store.add(first), second_drawn = store.add(second);
-    EXPECT_NE(first_drawn.buffers, second_drawn.buffers);
-    expect_same_bytes(first_drawn, first);
-    expect_same_bytes(second_drawn, second);
-}
-
 TEST_F(FragmentStoreTest, MakesOneBatchForEachMaterialAndKind)
 {
     std::vector<StagedPiece> pieces = pieces_of("barrel", *halfedge::make_backend(), 1, 0.0f);
