@@ -64,9 +64,12 @@ private:
         return result;
     }
 
+    std::uint64_t buffers() const noexcept override { return serial_; }
+
     std::unique_ptr<Cuttable> honest_;
     Spoil spoil_;
     bool was_cut_;
+    const std::uint64_t serial_ = new_buffers_serial();
 };
 
 class LyingBackend final : public Backend

@@ -15,6 +15,7 @@
 #include "common/caps/run_boxes.h"
 #include "common/geometry/turn.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/tolerances.h"
 
 // Cut points are rounded to float, so a section that comes near to itself may touch or cross itself by a unit in the
 // last place: a point lies in another edge, two edges cross beside a point. Such an edge is led over the point: a
@@ -44,9 +45,6 @@ namespace {
 
 /// Rounds after which an outline is given up. Rounding errors are gone after one or two.
 constexpr int kMostRounds = 32;
-/// What parts may cover that run clockwise, as a share of all others: such a part is no hole but a loop that rounding
-/// has turned over, and turning its cover over as well costs less than anyone asks for.
-constexpr double kTurnedShare = 1e-8;
 constexpr double kAnyShare = std::numeric_limits<double>::infinity();
 /// Work that an outline of n points may cost before it is given up, per round and in all.
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;

@@ -13,6 +13,7 @@
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/side.h"
+#include "common/mesh/tolerances.h"
 #include "common/proxy/collision_proxy.h"
 #include "common/repair/proven_mesh.h"
 
@@ -244,9 +245,6 @@ struct CutResult
     bool caps_exceed_section = false;
     CutStatistics statistics;
 };
-
-/// Caps cover their section to this share of its area: what rounding cut points to float costs.
-inline constexpr double kCapAgreement = 1e-6;
 
 /// Whether caps cover so much more than their section that it is not rounding: more than kCapAgreement of it, and more
 /// than a unit in the last place along its outline.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/io/read_formats.h"
+#include "common/mesh/tolerances.h"
 
 namespace kerf::io {
 
@@ -13,10 +14,6 @@ namespace {
 /// Vertex and index numbers are 32 bits wide, and so is the number of corners.
 constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
 constexpr std::size_t kMostTriangles = std::numeric_limits<std::uint32_t>::max() / 3;
-
-/// A normal whose length differs by more is not a rounded unit vector and is normalised; a file that we wrote stays as
-/// it is.
-constexpr double kUnitTolerance = 1e-6;
 
 bool is_finite(const glm::vec3& p)
 {

@@ -3,13 +3,9 @@
 #include <span>
 
 #include "common/mesh/indexed_mesh.h"
+#include "common/mesh/tolerances.h"
 
 namespace kerf {
-
-/// Below so many units in the last place of the largest coordinate an edge is too short for its mesh: cut points on it
-/// have hardly anywhere to go, and volumes and areas are those of a mesh that was rounded on the way here. Four bits:
-/// a cut point then still divides an edge to 1/16.
-inline constexpr double kCoarseUnits = 16.0;
 
 /// The distance between neighbouring floats at the largest coordinate, in mesh units: how coarse positions are.
 double coordinate_grain(const Box& box);

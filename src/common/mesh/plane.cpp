@@ -17,8 +17,6 @@ std::optional<Plane> Plane::through(const glm::dvec3& point, const glm::dvec3& n
 
 bool Plane::valid() const
 {
-    // 1e-6 relative: a normal that was stored as float, or went through a rotation matrix, is still meant to be one.
-    constexpr double kUnitTolerance = 1e-6;
     const double length = std::hypot(normal.x, normal.y, normal.z);
     return std::isfinite(length) && std::isfinite(offset) && std::abs(length - 1.0) <= kUnitTolerance;
 }

@@ -9,6 +9,7 @@
 #include "common/mesh/box.h"
 #include "common/mesh/float_range.h"
 #include "common/mesh/float_rules.h"
+#include "common/mesh/tolerances.h"
 
 namespace kerf {
 
@@ -63,12 +64,8 @@ struct PlaneFrame
     }
 };
 
-/// plane_noise() in units in the last place.
-inline constexpr double kNoiseInUnits = 4.0;
-
 /// How far from the plane a side must reach to be a fragment: kNoiseInUnits units in the last place of the mesh's
-/// largest coordinate, in mesh units. Cut points are rounded to float, so a cap wanders from its plane by about one
-/// such unit; a second cut by the same plane must find nothing. `largest_coordinate` is that of the mesh before any cut
+/// largest coordinate, in mesh units. `largest_coordinate` is that of the mesh before any cut
 /// (Box::largest_coordinate).
 double plane_noise(float largest_coordinate);
 

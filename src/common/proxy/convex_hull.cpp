@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "common/mesh/box.h"
+#include "common/mesh/tolerances.h"
 
 namespace kerf {
 namespace {
@@ -84,9 +85,8 @@ bool is_flat(const ConvexHull& hull, std::span<const glm::vec3> points, const Bo
         area2 += glm::length(glm::cross(b - a, c - a));
     }
     // A flat pyramid of thickness t has the volume t * base / 3 and the area 2 * base; other bodies are thicker for
-    // the same quotient. Two parts of the lattice: rounding moves either side by one.
-    constexpr double kThinnest = 2.0 / kHullLattice;
-    return !(2.0 * volume6 / area2 > kThinnest);
+    // the same quotient.
+    return !(2.0 * volume6 / area2 > kThinnestInParts / kHullLattice);
 }
 
 // The points by a power of two, which takes the largest coordinate to between 1 and 2: Bullet knows no coordinates over

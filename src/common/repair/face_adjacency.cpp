@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "common/mesh/tolerances.h"
 #include "common/repair/sheets.h"
 
 namespace kerf {
@@ -123,10 +124,6 @@ public:
     }
 
 private:
-    /// Triangles that stand in the same direction from the edge, in radians: coplanar triangles with float corners can
-    /// be off by the rounding of their corners, a few 1e-7; thinner wedges of solid are rare and harmless.
-    static constexpr double kSameAngle = 1e-6;
-
     /// A triangle at the edge, like a page at the spine of a book.
     struct Page
     {

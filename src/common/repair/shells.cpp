@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/mesh/index.h"
+#include "common/mesh/tolerances.h"
 #include "common/repair/adjacency.h"
 
 namespace kerf {

@@ -27,12 +27,8 @@ struct Shells
     std::vector<Shell> shells;
 };
 
-/// An open shell has an inside when its boundary loops, each closed by a fan over its centre, add at most this share
-/// of the shell's area: a head with open eye sockets has one, a terrain or a bowl has none, and neither can be inside
-/// out. Shells without an inside get volume 0.
-inline constexpr double kLargestHole = 0.1;
-
-/// O(n).
+/// A closed shell has an inside, and so has an open one whose holes are small (kLargestHole). Shells without an inside
+/// get volume 0. O(n).
 Shells find_shells(const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions);
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/mesh/tolerances.h"
 #include "common/repair/vertex_fans.h"
 
 namespace kerf {

@@ -8,10 +8,6 @@
 
 namespace kerf {
 
-/// Two neighbours whose normals differ by more than this, in degrees, meet at a crease. 40 keeps the sides of a
-/// cylinder of nine or more slices round and the edges of boxes, hexagons and octagons sharp.
-inline constexpr double kCreaseAngle = 40.0;
-
 /// Normals for the corners of a surface; corners of one sector share theirs.
 struct SmoothNormals
 {

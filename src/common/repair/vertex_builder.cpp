@@ -6,15 +6,12 @@
 #include <unordered_map>
 
 #include "common/mesh/index.h"
+#include "common/mesh/tolerances.h"
 #include "common/repair/smooth_normals.h"
 
 namespace kerf {
 
 namespace {
-
-/// Squared length by which a normal may differ from 1 before it is made unit: files give six digits or so, and a normal
-/// that is good enough must come back with the same bits.
-constexpr double kUnitTolerance = 1e-3;
 
 struct KeyHash
 {
@@ -156,7 +153,7 @@ private:
             glm::vec3& normal = mesh_.vertices[v].normal;
             const glm::dvec3 n = normal;
             const double squared = glm::dot(n, n);
-            if (std::abs(squared - 1.0) <= kUnitTolerance) continue;
+            if (std::abs(squared - 1.0) <= kRepairedUnitTolerance) continue;
             if (std::isfinite(squared) && squared > 0.0) {
                 normal = glm::vec3(n / std::sqrt(squared));
             } else {

@@ -8,6 +8,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/parallel_rays.h"
 #include "common/mesh/mass_properties.h"
+#include "common/mesh/tolerances.h"
 #include "halfedge/cut/outline.h"
 #include "halfedge/universe/export.h"
 
@@ -114,7 +115,6 @@ public:
     }
 
 private:
-    static constexpr double kLostDigits = 1e-11;
     static constexpr double kUnitsAcross = 0x1p20;  ///< noise units that a mesh reaches from the origin
 
     /// Nodes whose boxes begin behind the first corner are skipped.
