@@ -1,10 +1,13 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include "common/caps/cap_arena.h"
 
-// What CGAL's containers allocate with (CGAL/memory.h): defined before anything of CGAL is read.
+// What CGAL's containers allocate with (CGAL/memory.h). It is set once the kernel's number types are read: those are the
+// same types in every file of a program, and the containers below hold types of this file alone.
+#undef CGAL_ALLOCATOR
 #define CGAL_ALLOCATOR(T) kerf::CapArenaAllocator<T>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
