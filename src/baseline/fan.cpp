@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "common/geometry/dominant_axis.h"
+
 namespace kerf::baseline {
 
 glm::vec3 section_centre(const Section& section)
@@ -46,8 +48,7 @@ glm::vec3 clear_of_rim(const Section& section, const SectionPath& path, const gl
                        double step)
 {
     // Along the two axes that the normal is least inclined to, in growing squares.
-    const glm::dvec3 size = glm::abs(plane.normal);
-    const int across = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    const int across = dominant_axis(plane.normal);
     const int u = (across + 1) % 3, v = (across + 2) % 3;
     glm::vec3 place = centre;
     for (int reach = 0;; ++reach)

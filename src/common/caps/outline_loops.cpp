@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "common/geometry/dominant_axis.h"
 #include "common/mesh/index.h"
 #include "common/mesh/position_order.h"
 
@@ -254,13 +255,7 @@ std::vector<std::array<std::uint32_t, 2>> opposite_edges(std::size_t point_count
 DividedOutline divide_outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
                               std::span<const std::uint64_t> tags)
 {
-    return Divider(plane.normal[dominant_axis(plane)] < 0.0, points, edges, tags).run();
-}
-
-int dominant_axis(const Plane& plane)
-{
-    const glm::dvec3 size = glm::abs(plane.normal);
-    return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    return Divider(plane.normal[dominant_axis(plane.normal)] < 0.0, points, edges, tags).run();
 }
 
 }  // namespace kerf

@@ -60,8 +60,4 @@ std::vector<std::array<std::uint32_t, 2>> opposite_edges(std::size_t point_count
 DividedOutline divide_outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
                               std::span<const std::uint64_t> tags = {});
 
-/// The axis along which the plane's normal is longest: leaving it out projects the plane without loss, and a ray along
-/// it gets away from the plane fastest.
-int dominant_axis(const Plane& plane);
-
 }  // namespace kerf

@@ -12,6 +12,7 @@
 #include "common/cutting/cut_geometry.h"
 #include "common/geometry/containment.h"
 #include "common/geometry/disjoint_sets.h"
+#include "common/geometry/dominant_axis.h"
 
 namespace kerf {
 
@@ -506,7 +507,7 @@ glm::vec3 ShellSample::point() const
 BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide<SideParts>& sides,
                                                 std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
 {
-    const int axis = dominant_axis(plane);
+    const int axis = dominant_axis(plane.normal);
     if (plane.normal[axis] < 0.0) {
         // Loops that touch can be linked in several ways: a flipped plane must link them as the plane does.
         std::vector<OutlineEdge> reversed;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/geometry/dominant_axis.h"
+
 namespace kerf {
 
 PointTree::PointTree(std::span<const glm::vec3> points)
@@ -22,8 +24,7 @@ PointTree::PointTree(std::span<const glm::vec3> points)
             continue;
         }
         // Divide the longest side at its median; the index makes the order total, so that equal points divide too.
-        const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+        const int axis = dominant_axis(glm::dvec3(box.hi) - glm::dvec3(box.lo));
         std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
                          [&](std::uint32_t a, std::uint32_t b) {
                              const float p = points[a][axis], q = points[b][axis];

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "common/geometry/dominant_axis.h"
+
 namespace kerf::io {
 
 namespace {
@@ -41,12 +43,7 @@ glm::dvec3 newell_normal(std::span<const std::uint32_t> indices, std::span<const
 std::vector<Point2> project(std::span<const std::uint32_t> indices, std::span<const Vertex> vertices)
 {
     const glm::dvec3 n = newell_normal(indices, vertices);
-    const glm::dvec3 size = glm::abs(n);
-    int axis = 2;
-    if (size.x >= size.y && size.x >= size.z)
-        axis = 0;
-    else if (size.y >= size.z)
-        axis = 1;
+    const int axis = dominant_axis(n);
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const bool mirrored = n[axis] < 0.0;
     std::vector<Point2> points;

@@ -8,6 +8,7 @@
 #include "common/caps/halving_triangulator.h"
 #include "common/caps/section_area.h"
 #include "common/caps/untangling_triangulator.h"
+#include "common/geometry/dominant_axis.h"
 
 namespace kerf::halfedge {
 
@@ -20,8 +21,7 @@ CapPlanner::CapPlanner()
 
 void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
 {
-    const glm::dvec3 size = glm::abs(plane.normal);
-    const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    const int dropped = dominant_axis(plane.normal);
     axis_u_ = (dropped + 1) % 3;
     axis_v_ = (dropped + 2) % 3;
     if (plane.normal[dropped] < 0.0) std::swap(axis_u_, axis_v_);
@@ -38,7 +38,7 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
         for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_set == set;) ++last;
         close_set({closed.data() + first, last - first}, set, scratch);
     }
-    excess_ /= size[dropped];
+    excess_ /= std::abs(plane.normal[dropped]);
 }
 
 void CapPlanner::clear_outline()

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+namespace kerf {
+
+/// The axis along which a vector is longest: 0, 1 or 2. Leaving out that of a plane's normal projects the plane without
+/// loss, and a ray along it gets away from the plane fastest.
+inline int dominant_axis(const glm::dvec3& v)
+{
+    const glm::dvec3 size = glm::abs(v);
+    return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+}
+
+}  // namespace kerf
