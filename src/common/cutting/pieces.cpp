@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "common/caps/section_area.h"
 #include "common/cutting/cut_geometry.h"
+#include "common/cutting/holes.h"
 #include "common/geometry/containment.h"
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/dominant_axis.h"
@@ -17,187 +17,6 @@
 namespace kerf {
 
 namespace {
-
-/// The section as edges between points; what runs forth and back is gone.
-class Outline
-{
-public:
-    Outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges)
-        : plane_(plane), points_(points)
-    {
-        std::vector<bool> is_gone(edges.size(), false);
-        for (const auto& pair : opposite_edges(points.size(), edges)) is_gone[pair[0]] = is_gone[pair[1]] = true;
-        for (std::size_t e = 0; e < edges.size(); ++e)
-            if (!is_gone[e] && edges[e].from != edges[e].to) edges_.push_back(edges[e]);
-    }
-
-    const Plane& plane() const { return plane_; }
-    std::span<const glm::vec3> points() const { return points_; }
-    std::span<const OutlineEdge> edges() const { return edges_; }
-    const glm::vec3& position(std::uint32_t point) const { return points_[point]; }
-
-private:
-    const Plane& plane_;
-    std::span<const glm::vec3> points_;
-    std::vector<OutlineEdge> edges_;
-};
-
-/// A section loop in the plane of the two other axes.
-struct FlatLoop
-{
-    std::uint32_t part = 0;
-    double area2 = 0.0;  ///< twice the area, positive for an outer loop
-    Box box;             ///< z = 0
-    std::vector<PlanarPoint> points;
-};
-
-/// Calls visit(p, q) for each edge of a loop.
-template <class Visit>
-void for_each_edge(const FlatLoop& loop, Visit&& visit)
-{
-    for (std::size_t i = 0; i < loop.points.size(); ++i)
-        visit(loop.points[i], loop.points[i + 1 < loop.points.size() ? i + 1 : 0]);
-}
-
-/// `path` is a loop of the outline that bounds `part`. Neither its size nor its points depend on where it begins.
-FlatLoop flatten(const Outline& outline, std::span<const std::uint32_t> path, std::uint32_t part, int axis)
-{
-    FlatLoop flat;
-    flat.part = part;
-    flat.points.reserve(path.size());
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const std::uint32_t edge : path) {
-        const glm::vec3& p = outline.position(outline.edges()[edge].from);
-        flat.points.push_back({p[u], p[v]});
-        flat.box.add(glm::vec3(p[u], p[v], 0.0f));
-    }
-    std::rotate(flat.points.begin(),
-                std::min_element(flat.points.begin(), flat.points.end(),
-                                 [](auto& p, auto& q) { return p.u != q.u ? p.u < q.u : p.v < q.v; }),
-                flat.points.end());
-    // About a corner of its box, so that a loop far from the origin loses no digits.
-    const glm::dvec3 origin(flat.box.lo), size = glm::dvec3(flat.box.hi) - origin;
-    OrderlessSum area2(4.0 * (size.x * size.x + size.y * size.y));
-    for_each_edge(flat, [&](const PlanarPoint& p, const PlanarPoint& q) {
-        area2.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
-                  (double(p.v) - origin.y) * (double(q.u) - origin.x));
-    });
-    flat.area2 = area2.value();
-    return flat;
-}
-
-/// The middle of the longest way through the inside of the loop at height v; false when there is none.
-bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
-{
-    std::vector<std::pair<double, int>> hits;  // u, winding
-    for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
-        if ((p.v <= v) == (q.v <= v)) return;
-        const double t = (double(v) - double(p.v)) / (double(q.v) - double(p.v));
-        hits.emplace_back(double(p.u) + t * (double(q.u) - double(p.u)), p.v <= v ? 1 : -1);
-    });
-    std::sort(hits.begin(), hits.end());
-    int winding = 0;
-    double longest = 0.0;
-    for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
-        winding += hits[i].second;
-        const double length = hits[i + 1].first - hits[i].first;
-        if (winding == 0 || length <= longest) continue;
-        longest = length;
-        middle = {static_cast<float>(hits[i].first + length / 2), v, 0.0f};
-    }
-    return longest > 0.0;
-}
-
-/// Three points in a loop, each at a height where no point of the loop is near: loops may touch one another in points
-/// and edges, but hardly there.
-void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<NestingSample>& samples)
-{
-    constexpr std::size_t kSamples = 3;  // odd, so that they always have a majority
-    std::vector<float> heights;
-    heights.reserve(loop.points.size());
-    for (const PlanarPoint& p : loop.points) heights.push_back(p.v);
-    std::sort(heights.begin(), heights.end());
-    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-
-    const std::size_t gaps = heights.size() - 1;
-    for (std::size_t part = 0; part < kSamples; ++part) {
-        // The widest gap in each third of the heights.
-        const std::size_t begin = gaps * part / kSamples, end = std::max(begin + 1, gaps * (part + 1) / kSamples);
-        double widest = 0.0;
-        float height = heights[begin];
-        for (std::size_t i = begin; i < std::min(end, gaps); ++i) {
-            const double gap = double(heights[i + 1]) - double(heights[i]);
-            if (gap <= widest) continue;
-            widest = gap;
-            height = static_cast<float>(double(heights[i]) + gap / 2);
-        }
-        glm::vec3 middle{loop.points.front().u, loop.points.front().v, 0.0f};
-        middle_at(loop, height, middle);
-        samples.push_back({middle, candidate});
-    }
-}
-
-/// Decides which holes (`candidates`) lie in an outer loop.
-void decide(std::span<const FlatLoop> loops, std::uint32_t outer, std::span<const std::uint32_t> candidates,
-            std::span<std::uint8_t> lies_in)
-{
-    std::vector<NestingSample> samples;
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) add_samples(loops[candidates[i]], i, samples);
-    WindingNumbers windings(samples);
-    for_each_edge(loops[outer], [&](const PlanarPoint& p, const PlanarPoint& q) {
-        Box reach;
-        reach.add(glm::vec3(p.u, p.v, 0.0f));
-        reach.add(glm::vec3(q.u, q.v, 0.0f));
-        reach.lo.x = -std::numeric_limits<float>::infinity();
-        windings.add(reach, [&](const glm::vec3& s) { return edge_crossing({s.x, s.y}, p, q); });
-    });
-    windings.vote(lies_in);
-}
-
-/// Joins each hole of one solid with the smallest outer loop around it, and with all around it that are as small:
-/// those cannot be told apart, and no order of theirs is the same for every back end.
-void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
-{
-    std::vector<Nestable> items;
-    items.reserve(loops.size());
-    for (const FlatLoop& loop : loops)
-        items.push_back({loop.box, std::abs(loop.area2), loop.area2 > 0.0, loop.area2 < 0.0});
-    const std::vector<std::uint32_t> container = smallest_containers(
-        items, [&](auto outer, auto candidates, auto lies_in) { decide(loops, outer, candidates, lies_in); });
-
-    std::vector<std::uint32_t> holes, outer_loops;
-    for (std::uint32_t i = 0; i < loops.size(); ++i) {
-        if (items[i].can_contain) outer_loops.push_back(i);
-        if (container[i] == kNoContainer) continue;
-        pieces.unite(loops[i].part, loops[container[i]].part);
-        holes.push_back(i);
-    }
-    const auto size_around = [&](std::uint32_t hole) { return items[container[hole]].size; };
-    std::sort(holes.begin(), holes.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return size_around(a) < size_around(b); });
-    std::sort(outer_loops.begin(), outer_loops.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return items[a].size < items[b].size; });
-    std::vector<std::uint32_t> candidates;
-    std::vector<std::uint8_t> lies_in;
-    auto hole = holes.begin();
-    for (auto outer = outer_loops.begin(); outer != outer_loops.end();) {
-        const double size = items[*outer].size;
-        const auto end = std::find_if(outer, outer_loops.end(), [&](std::uint32_t i) { return items[i].size != size; });
-        while (hole != holes.end() && size_around(*hole) < size) ++hole;
-        const auto last_hole = std::find_if(hole, holes.end(), [&](std::uint32_t i) { return size_around(i) != size; });
-        for (; outer != end; ++outer) {
-            candidates.clear();
-            for (auto i = hole; i != last_hole; ++i)
-                if (container[*i] != *outer && encloses(items[*outer].box, items[*i].box)) candidates.push_back(*i);
-            if (candidates.empty()) continue;
-            lies_in.assign(candidates.size(), 0);
-            decide(loops, *outer, candidates, lies_in);
-            for (std::size_t i = 0; i < candidates.size(); ++i)
-                if (lies_in[i] != 0) pieces.unite(loops[candidates[i]].part, loops[*outer].part);
-        }
-        hole = last_hole;
-    }
-}
 
 /// The parts of one solid on one side.
 struct SolidParts
@@ -250,7 +69,7 @@ public:
                            [](const SolidParts& solid) { return solid.is_cut && solid.shown.size() > 1; });
     }
 
-    void join_holes_of_solids(const Outline& outline, int axis)
+    void join_holes_of_solids(const SectionOutline& outline, int axis)
     {
         std::vector<std::uint64_t> parts;
         parts.reserve(outline.edges().size());
@@ -270,7 +89,7 @@ public:
 
     /// Finds in each solid the first piece that has volume: the one that alone has the outline's first edge of those
     /// that one piece alone has. Which way an edge runs does not matter.
-    void find_first_pieces(const Outline& outline)
+    void find_first_pieces(const SectionOutline& outline)
     {
         struct Claim
         {
@@ -315,7 +134,7 @@ public:
     }
 
     /// Joins pieces without volume with the first piece of their solid that has some.
-    void join_flat_pieces(const Outline& outline)
+    void join_flat_pieces(const SectionOutline& outline)
     {
         if (std::none_of(side_.parts.begin(), side_.parts.end(), [](const SurfacePart& part) { return part.is_flat; }))
             return;
@@ -329,7 +148,7 @@ public:
     }
 
     /// `outline` is null where no solid has come apart.
-    void join_the_rest(const AxisRay& away, const Outline* outline)
+    void join_the_rest(const AxisRay& away, const SectionOutline* outline)
     {
         join_cavities(away, outline);
         for (const SolidParts& solid : solids_) {
@@ -362,7 +181,7 @@ private:
 
     /// Joins each cavity of a cut solid with the piece it lies in: the one whose winding number around it is not 0.
     /// Where pieces overlap there may be several, which are one then.
-    void join_cavities(const AxisRay& direction, const Outline* outline)
+    void join_cavities(const AxisRay& direction, const SectionOutline* outline)
     {
         // Joining a cavity changes the names of pieces: first all are looked for, then joined.
         std::vector<Home> homes, sought;
@@ -432,7 +251,8 @@ private:
 
 /// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
 /// then the pieces at that point become one. They stay apart if the outline itself ends there.
-void join_where_loops_need_it(const Outline& outline, const BySide<SideParts>& sides, BySide<SideGrouping>& grouping)
+void join_where_loops_need_it(const SectionOutline& outline, const BySide<SideParts>& sides,
+                              BySide<SideGrouping>& grouping)
 {
     struct End
     {
@@ -522,9 +342,9 @@ BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide
     BySide<SideGrouping> grouping{SideGrouping(sides[Side::negative], Side::negative),
                                   SideGrouping(sides[Side::positive], Side::positive)};
     const BySide<bool> apart{grouping[Side::negative].has_come_apart(), grouping[Side::positive].has_come_apart()};
-    std::optional<Outline> outline_of_parts;
+    std::optional<SectionOutline> outline_of_parts;
     if (apart[Side::negative] || apart[Side::positive]) {
-        const Outline& outline = outline_of_parts.emplace(plane, points, edges);
+        const SectionOutline& outline = outline_of_parts.emplace(plane, points, edges);
         for (const Side side : kSides)
             if (apart[side]) grouping[side].join_holes_of_solids(outline, axis);
         join_where_loops_need_it(outline, sides, grouping);
