@@ -20,83 +20,89 @@ void Cutter::done(Phase phase, CutResult& result)
 
 bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& result)
 {
-    Universe& u = u_;
-    CutScratch& s = s_;
     plane_ = plane;
-    CutStatistics& statistics = result.statistics;
-    for (const ShellRoot& shell : shells_) statistics.triangles += u.tree.nodes[shell.root].count;
+    for (const ShellRoot& shell : shells_) result.statistics.triangles += u_.tree.nodes[shell.root].count;
 
-    if (const std::optional<Side> side = missed_side(plane, statistics.nodes_visited)) {
-        result.side_of_object = *side;
+    if (const std::optional<Side> side = missed_side(plane, result.statistics.nodes_visited)) {
         done(Phase::find, result);
-        return false;
+        return misses(*side, result);
     }
-    s.begin(u);
+    s_.begin(u_);
     find_shells(plane);
     done(Phase::find, result);
-
-    // New vertices are written behind the others as the walk makes them: two for each crossing triangle at most, and
-    // two for each point of the outline.
-    const std::size_t outline_edges = s.crossings.size() + s.in_plane.size();
-    statistics.bytes_grown += u.vertices.make_room(2 * s.crossings.size() + 2 * outline_edges);
-    for (Stream& stream : u.streams)
-        statistics.bytes_grown += stream.values.make_room((2 * s.crossings.size() + 2 * outline_edges) * stream.width);
-    done(Phase::growth, result);
-
-    split_crossings(u, s);
+    make_room_for_vertices(result);
+    split_crossings(u_, s_);
     done(Phase::split, result);
     // All of a side can vanish: a spike so thin that its cut points are one.
     for (const Side side : kSides)
-        if (!keeps_triangles(side)) {
-            result.side_of_object = opposite(side);
-            return false;
-        }
-    walk_section(u, plane, s);
+        if (!keeps_triangles(side)) return misses(opposite(side), result);
+    walk_section(u_, plane, s_);
     done(Phase::walk, result);
 
-    for (Index i = 0; i < s.cut_shells.size(); ++i)
+    find_pieces(options, result);
+    if (options.build_caps) close_section(result);
+    done(Phase::cap, result);
+    hand_out_caps(s_);
+    if (options.split_components) divide_piece_shells(s_);
+    plan_cap_groups(options);
+    for (const Side side : kSides)
+        if (pieces_.fragment_count[side] == 0) return misses(opposite(side), result);
+    done(Phase::components, result);
+
+    const std::size_t grown = s_.stitcher->plan(u_, s_) + s_.rebuilder->plan(u_, s_);
+    result.statistics.bytes_grown += grown;
+    done(grown > 0 ? Phase::growth : Phase::rebuild, result);
+    leaves_open_ = !options.build_caps || result.statistics.open_chains > 0;
+    return true;
+}
+
+bool Cutter::misses(Side side_of_object, CutResult& result)
+{
+    result.side_of_object = side_of_object;
+    result.section_area = 0.0;
+    result.caps_exceed_section = false;
+    return false;
+}
+
+void Cutter::make_room_for_vertices(CutResult& result)
+{
+    // The walk writes new vertices behind the others: two for each crossing triangle at most, and two for each point of
+    // the outline.
+    const std::size_t outline_edges = s_.crossings.size() + s_.in_plane.size();
+    const std::size_t room = 2 * s_.crossings.size() + 2 * outline_edges;
+    result.statistics.bytes_grown += u_.vertices.make_room(room);
+    for (Stream& stream : u_.streams) result.statistics.bytes_grown += stream.values.make_room(room * stream.width);
+    done(Phase::growth, result);
+}
+
+void Cutter::find_pieces(const CutOptions& options, CutResult& result)
+{
+    for (Index i = 0; i < s_.cut_shells.size(); ++i)
         for (const Side side : kSides) {
             Target t;
             t.side = side;
             t.shell = i;
-            s.targets.push_back(t);
+            s_.targets.push_back(t);
         }
     if (options.split_components) {
-        s.components->separate(u, s);
-        pieces_ = plan_pieces(u, plane, whole_, s);
+        s_.components->separate(u_, s_);
+        pieces_ = plan_pieces(u_, plane_, whole_, s_);
     } else {
-        pieces_ = plan_sides(whole_, s);
+        pieces_ = plan_sides(whole_, s_);
     }
-    for (const Loop& loop : s.loops) ++(loop.closed ? statistics.section_loops : statistics.open_chains);
-    result.section_area = section_area(plane, s);
-    plan_cap_sets(s);
+    for (const Loop& loop : s_.loops) ++(loop.closed ? result.statistics.section_loops : result.statistics.open_chains);
+    result.section_area = section_area(plane_, s_);
+    plan_cap_sets(s_);
     done(Phase::components, result);
-    if (options.build_caps) {
-        s.cap_planner->plan(plane, s);
-        statistics.cap_steps = s.cap_planner->steps();
-        if (const double excess = s.cap_planner->excess(); excess > 0.0)
-            result.caps_exceed_section =
-                caps_exceed_section(excess, result.section_area, section_length(s), u.noise / kNoiseInUnits);
-    }
-    done(Phase::cap, result);
-    hand_out_caps(s);
-    if (options.split_components) divide_piece_shells(s);
-    plan_cap_groups(options);
-    for (const Side side : kSides)
-        if (pieces_.fragment_count[side] == 0) {
-            result.side_of_object = opposite(side);
-            result.section_area = 0.0;
-            result.caps_exceed_section = false;
-            return false;
-        }
-    done(Phase::components, result);
+}
 
-    const std::size_t grown = s.stitcher->plan(u, s) + s.rebuilder->plan(u, s);
-    statistics.bytes_grown += grown;
-    done(grown > 0 ? Phase::growth : Phase::rebuild, result);
-
-    leaves_open_ = !options.build_caps || statistics.open_chains > 0;
-    return true;
+void Cutter::close_section(CutResult& result)
+{
+    s_.cap_planner->plan(plane_, s_);
+    result.statistics.cap_steps = s_.cap_planner->steps();
+    if (const double excess = s_.cap_planner->excess(); excess > 0.0)
+        result.caps_exceed_section =
+            caps_exceed_section(excess, result.section_area, section_length(s_), u_.noise / kNoiseInUnits);
 }
 
 void Cutter::carry_out(CutResult& result) noexcept

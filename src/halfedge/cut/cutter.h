@@ -53,6 +53,12 @@ public:
     }
 
 private:
+    /// What a miss says. Returns false, as plan() does then.
+    static bool misses(Side side_of_object, CutResult& result);
+    void make_room_for_vertices(CutResult& result);
+    /// Which parts and pieces there are, and which loops are closed together.
+    void find_pieces(const CutOptions& options, CutResult& result);
+    void close_section(CutResult& result);
     /// The side that the object lies on, if the plane misses it.
     std::optional<Side> missed_side(const Plane& plane, std::uint64_t& nodes_visited) const;
     void find_shells(const Plane& plane);
