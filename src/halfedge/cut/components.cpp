@@ -242,12 +242,13 @@ void Components::seed_whole_shell(Index shell)
         } else if (op.kind == TreeOp::Kind::leaf) {
             const Node& node = u_->tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                const Index entry = s_->entries[op.argument + e], face = u_->face_of_slot[node.first + e];
-                if (entry >= kCrossingEntry) {
+                const LeafEntry entry = s_->entries[op.argument + e];
+                const Index face = u_->face_of_slot[node.first + e];
+                if (entry.is_crossing()) {
                     start(face, Side::negative);
                     start(face, Side::positive);
                 } else {
-                    start(face, s_->targets[entry].side);
+                    start(face, s_->targets[entry.target()].side);
                 }
             }
         }
@@ -312,11 +313,19 @@ void Components::assign_targets(Index shell)
     }
 }
 
-/// Rewrites the program of a shell: subtrees that reach into the small parts are opened.
+Index Components::target_of(Index face, Side side, Index shell) const
+{
+    const std::uint64_t stamp = u_->stamp_of_face[face];
+    return stamp >= mark_base_ && stamp - mark_base_ < searches_.size()
+               ? searches_[static_cast<Index>(stamp - mark_base_)].target
+               : first_target(shell, side);
+}
+
+/// Rewrites what is known of single triangles and edges, then the program: subtrees that reach into the small parts are
+/// opened.
 void Components::retarget(Index shell)
 {
     CutShell& cut = s_->cut_shells[shell];
-    const auto default_target = [&](Side side) { return first_target(shell, side); };
     for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
         for (const Side side : kSides) {
             const Index search = crossing_mark_[i][side];
@@ -324,17 +333,12 @@ void Components::retarget(Index shell)
             s_->crossings[i].target[side] = searches_[search].target;
             s_->crossings[i].bounds_nothing[side] = searches_[search].is_empty;
         }
-    const auto target_of = [&](Index face, Side side) {
-        const std::uint64_t stamp = u_->stamp_of_face[face];
-        return stamp >= mark_base_ && stamp - mark_base_ < searches_.size()
-                   ? searches_[static_cast<Index>(stamp - mark_base_)].target
-                   : default_target(side);
-    };
     for (std::size_t i = cut.first_flush; i < cut.first_flush + cut.flush_count; ++i)
-        s_->flush[i].target = target_of(s_->flush[i].face, s_->flush[i].side);
+        s_->flush[i].target = target_of(s_->flush[i].face, s_->flush[i].side, shell);
     for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i) {
         InPlaneEdge& e = s_->in_plane[i];
-        e.target = {target_of(e.negative_face, Side::negative), target_of(e.positive_face, Side::positive)};
+        e.target = {target_of(e.negative_face, Side::negative, shell),
+                    target_of(e.positive_face, Side::positive, shell)};
     }
 
     ops_.assign(s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
@@ -342,57 +346,61 @@ void Components::retarget(Index shell)
     // The program moves to the end of the list.
     cut.first_op = s_->ops.size();
     for (const TreeOp& op : ops_) {
-        if (op.kind == TreeOp::Kind::join) {
-            s_->ops.push_back(op);
+        if (op.kind == TreeOp::Kind::whole) {
+            open_subtree(op.node, s_->targets[op.argument].side, shell);
             continue;
         }
         if (op.kind == TreeOp::Kind::leaf) {
             const Node& node = u_->tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                Index& entry = s_->entries[op.argument + e];
-                if (entry < kCrossingEntry)
-                    entry = target_of(u_->face_of_slot[node.first + e], s_->targets[entry].side);
-            }
-            s_->ops.push_back(op);
-            continue;
-        }
-        const Side side = s_->targets[op.argument].side;
-        stack_.assign(1, {op.node, false});
-        while (!stack_.empty()) {
-            const auto [n, children_done] = stack_.back();
-            stack_.pop_back();
-            if (children_done) {
-                s_->ops.push_back({TreeOp::Kind::join, n, kNone});
-                continue;
-            }
-            const Node& node = u_->tree.nodes[n];
-            if (disjoint(node.box, small_parts_[side])) {
-                s_->ops.push_back({TreeOp::Kind::whole, n, default_target(side)});
-                continue;
-            }
-            ++s_->nodes_visited;
-            if (!node.is_leaf()) {
-                stack_.push_back({n, true});
-                stack_.push_back({node.right, false});
-                stack_.push_back({node.left, false});
-                continue;
-            }
-            const Index first_entry = static_cast<Index>(s_->entries.size());
-            bool uniform = true;
-            for (Index e = 0; e < node.count; ++e) {
-                s_->entries.push_back(target_of(u_->face_of_slot[node.first + e], side));
-                uniform = uniform && s_->entries.back() == s_->entries[first_entry];
-            }
-            if (uniform) {
-                s_->ops.push_back({TreeOp::Kind::whole, n, s_->entries[first_entry]});
-                s_->entries.resize(first_entry);
-                s_->triangles_read += node.count;
-            } else {
-                s_->ops.push_back({TreeOp::Kind::leaf, n, first_entry});
+                LeafEntry& entry = s_->entries[op.argument + e];
+                if (entry.is_crossing()) continue;
+                const Side side = s_->targets[entry.target()].side;
+                entry = LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell));
             }
         }
+        s_->ops.push_back(op);
     }
     cut.op_count = s_->ops.size() - cut.first_op;
+}
+
+/// Appends the program of a subtree that is kept on a side: as few nodes as keep the parts of that side apart.
+void Components::open_subtree(Index root, Side side, Index shell)
+{
+    stack_.assign(1, {root, false});
+    while (!stack_.empty()) {
+        const auto [n, children_done] = stack_.back();
+        stack_.pop_back();
+        if (children_done) {
+            s_->ops.push_back({TreeOp::Kind::join, n, kNone});
+            continue;
+        }
+        const Node& node = u_->tree.nodes[n];
+        if (disjoint(node.box, small_parts_[side])) {
+            s_->ops.push_back({TreeOp::Kind::whole, n, first_target(shell, side)});
+            continue;
+        }
+        ++s_->nodes_visited;
+        if (!node.is_leaf()) {
+            stack_.push_back({n, true});
+            stack_.push_back({node.right, false});
+            stack_.push_back({node.left, false});
+            continue;
+        }
+        const Index first_entry = static_cast<Index>(s_->entries.size());
+        bool uniform = true;
+        for (Index e = 0; e < node.count; ++e) {
+            s_->entries.push_back(LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell)));
+            uniform = uniform && s_->entries.back() == s_->entries[first_entry];
+        }
+        if (uniform) {
+            s_->ops.push_back({TreeOp::Kind::whole, n, s_->entries[first_entry].target()});
+            s_->entries.resize(first_entry);
+            s_->triangles_read += node.count;
+        } else {
+            s_->ops.push_back({TreeOp::Kind::leaf, n, first_entry});
+        }
+    }
 }
 
 }  // namespace kerf::halfedge

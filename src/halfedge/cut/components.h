@@ -50,6 +50,9 @@ private:
     void seed_whole_shell(Index shell);
     void assign_targets(Index shell);
     void retarget(Index shell);
+    void open_subtree(Index root, Side side, Index shell);
+    /// Where a face that is kept goes.
+    Index target_of(Index face, Side side, Index shell) const;
 
     Universe* u_ = nullptr;
     CutScratch* s_ = nullptr;

@@ -94,8 +94,27 @@ struct TreeOp
     Index argument;
 };
 
-/// Where a triangle of a rewritten leaf goes: a target, or kCrossingEntry + number of the crossing triangle.
-inline constexpr Index kCrossingEntry = Index(1) << 31;
+/// Where a triangle of a rewritten leaf goes: to a target, or to several as a crossing triangle.
+class LeafEntry
+{
+public:
+    LeafEntry() = default;
+    static LeafEntry to_target(Index target) { return LeafEntry(target); }
+    static LeafEntry to_crossing(Index crossing) { return LeafEntry(kCrossing + crossing); }
+
+    bool is_crossing() const { return (number_ & kCrossing) != 0; }
+    Index target() const { return number_; }
+    Index crossing() const { return number_ - kCrossing; }
+
+    bool operator==(const LeafEntry&) const = default;
+
+private:
+    static constexpr Index kCrossing = Index(1) << 31;
+
+    explicit LeafEntry(Index number) : number_(number) {}
+
+    Index number_ = 0;
+};
 
 /// A shell that the plane cuts, and its program.
 struct CutShell
@@ -224,7 +243,7 @@ struct CutScratch
 {
     // FIND
     std::vector<TreeOp> ops;
-    std::vector<Index> entries;
+    std::vector<LeafEntry> entries;
     Recycled<Crossing> crossings;
     std::vector<InPlaneEdge> in_plane;
     std::vector<FlushEdge> flush;

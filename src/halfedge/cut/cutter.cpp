@@ -154,7 +154,7 @@ bool Cutter::keeps_triangles(Side side) const
            std::any_of(s.ops.begin(), s.ops.end(),
                        [&](const TreeOp& op) { return op.kind == TreeOp::Kind::whole && goes_to_side(op.argument); }) ||
            std::any_of(s.entries.begin(), s.entries.end(),
-                       [&](Index entry) { return entry < kCrossingEntry && goes_to_side(entry); });
+                       [&](LeafEntry entry) { return !entry.is_crossing() && goes_to_side(entry.target()); });
 }
 
 void Cutter::find_shells(const Plane& plane)

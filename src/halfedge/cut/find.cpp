@@ -118,7 +118,7 @@ private:
         const Vertex* const vertices = u_.vertices.data();
         const std::size_t first_entry = s_.entries.size();
         s_.entries.resize(first_entry + node.count);
-        Index* const entries = &s_.entries[first_entry];
+        LeafEntry* const entries = &s_.entries[first_entry];
         BySide<std::uint32_t> kept{};
         std::uint32_t crossing = 0;
         for (Index slot = node.first; slot < node.first + node.count; ++slot) {
@@ -130,7 +130,7 @@ private:
             const bool above = (unsigned{d[0] > 0.0} | unsigned{d[1] > 0.0} | unsigned{d[2] > 0.0}) != 0;
             const bool below = (unsigned{d[0] < 0.0} | unsigned{d[1] < 0.0} | unsigned{d[2] < 0.0}) != 0;
             if (above & below) {
-                entries[slot - node.first] = kCrossingEntry + static_cast<Index>(s_.crossings.size());
+                entries[slot - node.first] = LeafEntry::to_crossing(static_cast<Index>(s_.crossings.size()));
                 add_crossing(slot, node.group, t, d);
                 ++crossing;
                 continue;
@@ -140,7 +140,7 @@ private:
                 on ? kept_side(plane, {vertices[t[0]].position, vertices[t[1]].position, vertices[t[2]].position}, d)
                    : static_cast<Side>(above);
             ++kept[side];
-            entries[slot - node.first] = target(side);
+            entries[slot - node.first] = LeafEntry::to_target(target(side));
             if (on && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
                 add_in_plane_edges(u_.face_of_slot[slot], side, t, d, node.group);
         }

@@ -47,15 +47,15 @@ void for_each_on_side(const Universe& u, const CutScratch& s, Side side, VisitNo
             if (op.kind != TreeOp::Kind::leaf) continue;
             const Node& node = u.tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                const Index entry = s.entries[op.argument + e];
+                const LeafEntry entry = s.entries[op.argument + e];
                 const Triangle& t = u.slots[node.first + e];
-                if (entry < kCrossingEntry) {
-                    if (s.targets[entry].side == side)
-                        visit_triangle(entry, u.vertices[t[0]].position, u.vertices[t[1]].position,
+                if (!entry.is_crossing()) {
+                    if (s.targets[entry.target()].side == side)
+                        visit_triangle(entry.target(), u.vertices[t[0]].position, u.vertices[t[1]].position,
                                        u.vertices[t[2]].position);
                     continue;
                 }
-                const Crossing& c = s.crossings[entry - kCrossingEntry];
+                const Crossing& c = s.crossings[entry.crossing()];
                 const auto position = [&](std::uint8_t code) {
                     if (code == TriangleSplit::kCutNext) return c.split.cut_next.position;
                     if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
@@ -182,10 +182,10 @@ void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_sever
             if (op.kind != TreeOp::Kind::leaf) continue;
             const Node& node = u_.tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                const Index entry = s_.entries[op.argument + e];
-                const bool crosses = entry >= kCrossingEntry;
-                const Crossing* const c = crosses ? &s_.crossings[entry - kCrossingEntry] : nullptr;
-                const Index part = of_target_[crosses ? c->target[side_] : entry];
+                const LeafEntry entry = s_.entries[op.argument + e];
+                const bool crosses = entry.is_crossing();
+                const Crossing* const c = crosses ? &s_.crossings[entry.crossing()] : nullptr;
+                const Index part = of_target_[crosses ? c->target[side_] : entry.target()];
                 if (part == kNone || is_far[part]) continue;
                 if (!crosses) {
                     for (const Index v : u_.slots[node.first + e])

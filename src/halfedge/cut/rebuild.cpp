@@ -6,11 +6,6 @@ namespace kerf::halfedge {
 
 namespace {
 
-bool is_crossing(Index entry)
-{
-    return (entry & kCrossingEntry) != 0;
-}
-
 std::size_t end_of_entries(const Universe& u, const TreeOp& op)
 {
     return op.argument + u.tree.nodes[op.node].count;
@@ -72,11 +67,11 @@ void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, Cu
         start_[target] = number;
     };
     for (std::size_t e = op.argument; e < end_of_entries(u, op); ++e) {
-        if (!is_crossing(s.entries[e])) {
-            count(s.entries[e]);
+        if (!s.entries[e].is_crossing()) {
+            count(s.entries[e].target());
             continue;
         }
-        const Crossing& c = s.crossings[s.entries[e] - kCrossingEntry];
+        const Crossing& c = s.crossings[s.entries[e].crossing()];
         for (const SubTriangle& t : c.split.sub_triangles()) count(c.target[t.side]);
     }
 }
@@ -182,12 +177,12 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Stitcher& stit
         ++t.cursor;
     };
     for (Index i = 0; i < leaf.count; ++i) {
-        const Index entry = s.entries[op.argument + i];
-        if (!is_crossing(entry)) {
-            emit(entry, u.slots[leaf.first + i], u.face_of_slot[leaf.first + i]);
+        const LeafEntry entry = s.entries[op.argument + i];
+        if (!entry.is_crossing()) {
+            emit(entry.target(), u.slots[leaf.first + i], u.face_of_slot[leaf.first + i]);
             continue;
         }
-        const Index number = entry - kCrossingEntry;
+        const Index number = entry.crossing();
         const Crossing& c = s.crossings[number];
         const auto vertex = [&](std::uint8_t code) {
             if (code == TriangleSplit::kCutNext) return c.n_vertex();
