@@ -1,5 +1,5 @@
 // Sections as large as they come: a loop of 100 000 points, 10 000 loops, a plane that grazes a million coplanar
-// triangles. What a cut says of them and what it makes; docs/robustness.md has the times.
+// triangles. What a cut says of them and what it makes; docs/verification.md has the times.
 
 #include <gtest/gtest.h>
 

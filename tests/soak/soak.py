@@ -175,7 +175,7 @@ def show_progress(soak, wanted, start, cuts_before, last):
 
 
 def summary(results, first_seed):
-    """The table that docs/robustness.md shows, as Markdown."""
+    """The table that docs/verification.md shows, as Markdown."""
     lines = ["| | meshes | cuts | missed | rows that failed | surfaces that differ | pieces that differ | "
              "half-edge caps of a wrong area | "
              "caps not judged | open edges on closed input | triangles with equal corners | worst volume error |",
