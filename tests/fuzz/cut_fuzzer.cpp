@@ -46,7 +46,7 @@ struct Scale
 std::unique_ptr<Cuttable> prepared(const Backend& backend, const IndexedMesh& mesh)
 {
     PrepareResult result = backend.prepare(mesh);
-    require(result.status == Status::done, backend.name() + ": an repaired mesh can be prepared");
+    require(result.status == Status::done, backend.name() + ": a repaired mesh can be prepared");
     return std::move(result.object);
 }
 
@@ -242,7 +242,7 @@ void fuzz_cut(Bytes input)
 
     Repaired repaired = repair(soup_from(bytes));
     if (!repaired.error.empty()) return;
-    require(is_manifold(repaired.mesh), "an repaired mesh is manifold");
+    require(is_manifold(repaired.mesh), "a repaired mesh is manifold");
     const std::array<std::unique_ptr<Backend>, 2> backends{baseline::make_backend(lookup), halfedge::make_backend()};
     IndexedMesh mesh = *std::move(repaired.mesh);
     for (int i = 0; i < kMostCuts; ++i) {

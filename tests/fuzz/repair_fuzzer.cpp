@@ -67,8 +67,8 @@ void fuzz_repair(Bytes input)
     }
     const IndexedMesh& mesh = repaired.mesh;
     const Repairs& repairs = repaired.repairs;
-    require(prove(mesh).error.empty(), "an repaired mesh is one (" + prove(mesh).error + ")");
-    require(is_manifold(mesh), "an repaired mesh is manifold");
+    require(prove(mesh).error.empty(), "a repaired mesh is one (" + prove(mesh).error + ")");
+    require(is_manifold(mesh), "a repaired mesh is manifold");
     require(mesh.triangles.size() + repairs.degenerate_triangles + repairs.duplicate_triangles == triangles,
             "triangles are kept or counted as dropped");
     require(std::all_of(mesh.sources.begin(), mesh.sources.end(), [&](std::uint32_t s) { return s < triangles; }),
@@ -79,7 +79,7 @@ void fuzz_repair(Bytes input)
 
     for (const auto& backend : {baseline::make_backend(), halfedge::make_backend()}) {
         const PrepareResult result = backend->prepare(mesh);
-        require(result.status == Status::done, backend->name() + " takes an repaired mesh (" + result.reason + ")");
+        require(result.status == Status::done, backend->name() + " takes a repaired mesh (" + result.reason + ")");
         const IndexedMesh copy = result.object->to_indexed_mesh();
         require(referee::canonical_surface(copy) == referee::canonical_surface(mesh),
                 backend->name() + " keeps every triangle");

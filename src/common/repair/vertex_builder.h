@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// What the vertices of an repaired mesh are made from. Triangles of the surface are numbered as in `surface`.
+/// What the vertices of a repaired mesh are made from. Triangles of the surface are numbered as in `surface`.
 struct VertexSources
 {
     const TriangleSoup& soup;
