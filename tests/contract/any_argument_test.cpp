@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -22,6 +21,7 @@
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
+#include "support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -328,9 +328,7 @@ TEST(AnyNumbers, MakeAShapeOrAnException)
 
 TEST(AnyMesh, IsWrittenOrRefused)
 {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / ("kerf_any_" + std::to_string(::getpid()));
-    fs::create_directory(folder);
+    const test::TemporaryFolder folder;
     std::vector<IndexedMesh> meshes(1);
     const auto add = [&](auto&& change) {
         meshes.push_back(test::closed_shape("uv_sphere"));
@@ -349,19 +347,18 @@ TEST(AnyMesh, IsWrittenOrRefused)
     add([](IndexedMesh& mesh) { mesh.vertices.clear(); });
     for (const std::string& format : io::writable_formats()) {
         for (const IndexedMesh& mesh : meshes)
-            EXPECT_THROW(io::write_mesh(folder / ("a." + format), mesh), io::FileError);
+            EXPECT_THROW(io::write_mesh(folder.file("a." + format), mesh), io::FileError);
         IndexedMesh odd = test::closed_shape("cube");
         odd.materials[0] = {std::string("\0\n", 2), glm::vec4(kNan), "\n"};
         odd.streams.push_back({"color", 3, Buffer<float>(3 * odd.vertices.size(), kNan)});
-        EXPECT_NO_THROW(io::write_mesh(folder / ("b." + format), odd));
-        EXPECT_TRUE(fs::exists(folder / ("b." + format)));
-        EXPECT_FALSE(fs::exists(folder / ("a." + format)));
+        EXPECT_NO_THROW(io::write_mesh(folder.file("b." + format), odd));
+        EXPECT_TRUE(folder.exists("b." + format));
+        EXPECT_FALSE(folder.exists("a." + format));
     }
     for (const char* name : {"", ".", "..", "/", "/nowhere/at/all.obj", "no_extension", "a.OBJ/"})
         EXPECT_THROW(io::write_mesh(name, test::closed_shape("cube")), io::FileError) << name;
     for (const char* name : {"", ".", "/", "nothing.obj", "no_extension"})
         EXPECT_THROW(io::read_mesh(name), io::FileError) << name;
-    fs::remove_all(folder);
 }
 
 }  // namespace

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,43 +14,15 @@
 
 #include "common/io/mesh_file.h"
 #include "common/mesh/indexed_mesh.h"
+#include "support/temporary_folder.h"
 
 // Vocabulary of the tests of mesh files.
 
 namespace kerf::io {
 
-/// A folder of its own for each test, removed afterwards.
-class MeshFileTest : public ::testing::Test
+class MeshFileTest : public test::FolderTest
 {
 protected:
-    MeshFileTest()
-    {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() / ("kerf_io_" + std::string(test->test_suite_name()) + "_" +
-                                                            test->name() + "_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    ~MeshFileTest() override
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-
-    std::filesystem::path file(const std::string& name) const { return folder_ / name; }
-
-    std::filesystem::path write(const std::string& name, std::string_view bytes) const
-    {
-        std::ofstream out(file(name), std::ios::binary);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        return file(name);
-    }
-
-    static std::string read_text(const std::filesystem::path& path)
-    {
-        std::ifstream in(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-
     TriangleSoup soup_of(const std::string& name, std::string_view bytes) const
     {
         return read_soup(write(name, bytes));
@@ -87,17 +55,6 @@ protected:
         ADD_FAILURE() << path << " was read";
         return {};
     }
-
-    std::vector<std::string> names_in_folder() const
-    {
-        std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_))
-            names.push_back(entry.path().filename().string());
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-
-    std::filesystem::path folder_;
 };
 
 inline bool contains(const std::string& text, const std::string& part)

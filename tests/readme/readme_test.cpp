@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include "common/io/mesh_file.h"
+#include "support/temporary_folder.h"
 
 // The program that the README shows, run where its paths are right.
 
@@ -17,22 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Readme : public ::testing::Test
+class Readme : public test::FolderTest
 {
 protected:
-    Readme()
-    {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ =
-            fs::temp_directory_path() / ("kerf_readme_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-        fs::create_directory_symlink(KERF_DATA_DIR, folder_ / "data");
-    }
-    ~Readme() override
-    {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
+    Readme() { fs::create_directory_symlink(KERF_DATA_DIR, file("data")); }
 
     /// Exit status; 128 + n when signal n ended it.
     int run_slicer(const std::string& arguments) const
@@ -42,14 +29,6 @@ protected:
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
-
-    std::string text_of(const std::string& name) const
-    {
-        std::ifstream in(folder_ / name);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-
-    fs::path folder_;
 };
 
 TEST_F(Readme, TheListingWritesAClosedHalf)

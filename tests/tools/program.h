@@ -2,16 +2,14 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
+
+#include "support/temporary_folder.h"
 
 // Runs the built program as a user would, in a folder of its own.
 
@@ -28,22 +26,9 @@ struct Outcome
     std::ptrdiff_t error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
 
-class ProgramTest : public ::testing::Test
+class ProgramTest : public test::FolderTest
 {
 protected:
-    ProgramTest()
-    {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() / ("kerf_tools_" + std::string(test->test_suite_name()) + "_" +
-                                                            test->name() + "_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    ~ProgramTest() override
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-
     /// Runs `kerf ARGUMENTS` in a shell, with the folder as working directory. `before` is shell, too.
     Outcome kerf(const std::string& arguments, const std::string& before = "") const
     {
@@ -70,26 +55,6 @@ protected:
         EXPECT_FALSE(json.is_discarded()) << outcome.out;
         return json;
     }
-
-    void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-
-    static std::string read_text(const std::filesystem::path& path)
-    {
-        std::ifstream in(path, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    std::string text_of(const std::string& name) const { return read_text(folder_ / name); }
-
-    std::vector<std::string> names_in_folder() const
-    {
-        std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(folder_))
-            names.push_back(entry.path().filename().string());
-        std::sort(names.begin(), names.end());
-        return names;
-    }
-
-    std::filesystem::path folder_;
 };
 
 /// A file or mesh that cannot be used: exit 1, one line on standard error that says `reason`, nothing on standard

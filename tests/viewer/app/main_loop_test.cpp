@@ -1,10 +1,9 @@
 #include "viewer/app/main_loop.h"
 
-#include <unistd.h>
-
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
 #include "viewer/render/gl_test.h"
 
 namespace kerf::test {
@@ -93,12 +92,11 @@ TEST_F(MainLoopTest, OnlyUploadsWhatNobodySees)
 
 TEST_F(MainLoopTest, DrawsTheLastFrameForAScreenshot)
 {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() / ("kerf_main_loop_" + std::to_string(::getpid()) + ".png");
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.file("last.png");
     run({Pace::fixed_step, 3, 0, file});
     EXPECT_EQ(diary.what, "ssd");
     EXPECT_GT(std::filesystem::file_size(file), 0u);
-    std::filesystem::remove(file);
 }
 
 }  // namespace kerf::test

@@ -5,7 +5,7 @@
 
 #include "common/support/random.h"
 #include "support/brief.h"
-#include "viewer/game/folder_test.h"
+#include "support/temporary_folder.h"
 
 namespace kerf::game {
 namespace {

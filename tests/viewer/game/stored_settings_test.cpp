@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viewer/game/folder_test.h"
+#include "support/temporary_folder.h"
 
 namespace kerf::game {
 namespace {

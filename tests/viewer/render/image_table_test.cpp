@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include "common/io/mesh_file.h"
 #include "support/backends.h"
+#include "support/temporary_folder.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/inspection_pass.h"
@@ -41,9 +41,6 @@ bool is_red_cell(int column, int row_from_top)
 class ImageTest : public GlTest
 {
 protected:
-    ImageTest() { std::filesystem::create_directories(folder); }
-    ~ImageTest() override { std::filesystem::remove_all(folder); }
-
     /// Writes `cells` x `cells` squares of so many pixels.
     template <class ColourOf>
     std::string image(const std::string& name, int cells, ColourOf colour_of, int side = 16) const
@@ -54,7 +51,7 @@ protected:
                 const Rgb c = colour_of(x / side, y / side);
                 picture.rgba.insert(picture.rgba.end(), {c[0], c[1], c[2], 255});
             }
-        const std::filesystem::path path = folder / name;
+        const std::filesystem::path path = folder.file(name);
         render::write_png(path, picture);
         return path.string();
     }
@@ -74,8 +71,7 @@ protected:
         return target.read();
     }
 
-    std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("kerf_images_" + std::to_string(::getpid()));
+    TemporaryFolder folder;
     render::LookTable looks;
     render::FragmentStore store{looks};
     render::SceneRenderer renderer{looks};
@@ -174,15 +170,15 @@ TEST_F(ImageTest, IsAveragedFromFarAway)
 
 TEST_F(ImageTest, ThatCannotBeReadIsSaidOnceAndTheColourIsDrawn)
 {
-    const std::string missing = (folder / "missing.png").string(), broken = (folder / "broken.png").string(),
-                      half = (folder / "half.png").string();
+    const std::string missing = folder.file("missing.png").string(), broken = folder.file("broken.png").string(),
+                      half = folder.file("half.png").string();
     std::ofstream(broken) << "this is no picture";
     const std::string whole = checker();
     std::filesystem::copy_file(whole, half);
     std::filesystem::resize_file(half, std::filesystem::file_size(half) / 2);
     const std::vector<Material> plain{{"mine", {0.1f, 0.2f, 0.9f, 1.0f}, ""}};
     const std::uint32_t expected = looks.index_of(plain, 0, TriangleKind::surface);
-    for (const std::string& path : {missing, broken, half, folder.string()}) {
+    for (const std::string& path : {missing, broken, half, folder.path().string()}) {
         std::vector<Material> materials = plain;
         materials[0].texture = path;
         EXPECT_EQ(looks.index_of(materials, 0, TriangleKind::surface), expected) << path;

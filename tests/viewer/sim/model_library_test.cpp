@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <atomic>
 #include <thread>
 
 #include "common/io/mesh_file.h"
+#include "support/temporary_folder.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/surface_hash.h"
 #include "viewer/support/stages.h"
@@ -37,16 +36,13 @@ TEST(ModelLibrary, KnowsWhichFilesHaveABoundary)
     lidless.triangles.pop_back();
     --lidless.groups.back().count;
     if (!lidless.sources.empty()) lidless.sources.pop_back();
-    const std::filesystem::path folder = std::filesystem::temp_directory_path();
-    const auto closed = folder / ("kerf_closed_" + std::to_string(::getpid()) + ".ply");
-    const auto open = folder / ("kerf_open_" + std::to_string(::getpid()) + ".ply");
+    const test::TemporaryFolder folder;
+    const std::filesystem::path closed = folder.file("closed.ply"), open = folder.file("open.ply");
     io::write_mesh(closed, *test::shape("box"));
     io::write_mesh(open, lidless);
     ModelLibrary library;
     EXPECT_TRUE(library.model(library.add_file(closed)).is_closed);
     EXPECT_FALSE(library.model(library.add_file(open)).is_closed);
-    std::filesystem::remove(closed);
-    std::filesystem::remove(open);
 }
 
 TEST(ModelLibrary, PreparesOnceAndHandsOutIndependentCopies)

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include <sstream>
 
 #include "common/support/random.h"
+#include "support/temporary_folder.h"
 
 namespace kerf::sim {
 namespace {
@@ -115,11 +115,11 @@ TEST(Script, AFileThatIsNoneIsSaidToBe)
 TEST(Script, WhatIsNoRegularFileIsRefusedBeforeItIsOpened)
 {
     // A pipe that nobody writes to would never open, and a device might never end.
-    const auto pipe = std::filesystem::temp_directory_path() / ("kerf-script-pipe-" + std::to_string(::getpid()));
+    const test::TemporaryFolder folder;
+    const std::filesystem::path pipe = folder.file("pipe.script");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THROW(read_script(pipe), io::FileError);
     EXPECT_THROW(read_script(std::filesystem::path("/dev/zero")), io::FileError);
-    std::filesystem::remove(pipe);
 }
 
 /// A script of moves at these times.
@@ -146,13 +146,13 @@ TEST(Script, HasNoMoreEventsAtOnceThanAProgramCanTake)
 
 TEST(Script, AFileReadsBack)
 {
-    const auto path = std::filesystem::temp_directory_path() / "kerf-script-test.script";
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder.file("test.script");
     Script script;
     script.scene = "report";
     script.events.push_back({5, InputKind::press, {0.1, -0.2}, ""});
     write_script(path, script);
     EXPECT_EQ(read_script(path), script);
-    std::filesystem::remove(path);
 }
 
 }  // namespace

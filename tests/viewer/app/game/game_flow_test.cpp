@@ -1,12 +1,11 @@
 #include "viewer/app/game/game_flow.h"
 
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <set>
 #include <thread>
 
+#include "support/temporary_folder.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/game/game_scene.h"
 #include "viewer/game/giant_scene.h"
@@ -26,18 +25,11 @@ namespace {
 class GameFlowTest : public GlTest
 {
 protected:
-    GameFlowTest()
-    {
-        std::string pattern = (std::filesystem::temp_directory_path() / "kerf_flow_XXXXXX").string();
-        folder = ::mkdtemp(pattern.data());
-    }
-    ~GameFlowTest() override { std::filesystem::remove_all(folder); }
-
     GameSetup setup(const std::string& scene = "menu") const
     {
         GameSetup setup;
         setup.data_folder = KERF_DATA_DIR;
-        setup.user_folder = folder;
+        setup.user_folder = folder.path();
         setup.scene = scene;
         setup.fixed_step = true;
         setup.boulder = 2000;
@@ -126,7 +118,7 @@ protected:
         }
     }
 
-    std::filesystem::path folder;
+    TemporaryFolder folder;
     app::Painter painter{320, 180};
     app::UserInterface interface {
         1.0f
@@ -180,7 +172,7 @@ TEST_F(GameFlowTest, AllTextsFitIntoTheSmallAndTheLargePicture)
 TEST_F(GameFlowTest, AScoreOfAnyLengthStaysOnItsCard)
 {
     // The largest number that is read from a file.
-    std::ofstream(folder / "scores.json")
+    std::ofstream(folder.file("scores.json"))
         << R"({"format": "kerf-scores", "version": 1, "modes": {"classic": [{"score": 9223372036854775807,
                "date": "2026-11-21T15:08:00Z", "backend": "halfedge", "seed": 7, "fruit": 9, "longest_combo": 5}]}})";
     GameFlow flow(setup(), painter, speaker);
@@ -448,11 +440,10 @@ TEST_F(GameFlowTest, SettingsAreStoredWhenTheirScreenIsLeft)
     flow.show_screen(Screen::settings);
     for (int i = 0; i < 4; ++i) flow.press(MenuKey::left);
     frames(flow, 2);
-    EXPECT_FALSE(std::filesystem::exists(folder / "settings.json"))
-        << "a slider that is moved does not wait for a disk";
+    EXPECT_FALSE(folder.exists("settings.json")) << "a slider that is moved does not wait for a disk";
     flow.press(MenuKey::back);
     frames(flow, 1);
-    EXPECT_NEAR(game::load_settings(folder).settings.volume, 0.5, 1e-9);
+    EXPECT_NEAR(game::load_settings(folder.path()).settings.volume, 0.5, 1e-9);
 }
 
 TEST_F(GameFlowTest, AGameThatIsLeftKeepsItsScore)
@@ -473,7 +464,7 @@ TEST_F(GameFlowTest, AGameThatIsLeftKeepsItsScore)
         EXPECT_EQ(flow.scores().best(game::GameMode::classic), score);
         EXPECT_EQ(flow.scores().of(game::GameMode::classic).size(), 1u);
     }
-    EXPECT_EQ(game::HighScores(folder).best(game::GameMode::classic), score);
+    EXPECT_EQ(game::HighScores(folder.path()).best(game::GameMode::classic), score);
 }
 
 TEST_F(GameFlowTest, SaysThatTheSoundIsOffForSomeSeconds)
@@ -488,7 +479,7 @@ TEST_F(GameFlowTest, SaysThatTheSoundIsOffForSomeSeconds)
 
 TEST_F(GameFlowTest, SaysOfEveryDamagedFileThatItIs)
 {
-    for (const char* name : {"scores.json", "settings.json"}) std::ofstream(folder / name) << "{ torn";
+    for (const char* name : {"scores.json", "settings.json"}) folder.write(name, "{ torn");
     GameFlow flow(setup(), painter, speaker);
     std::set<std::string> said;
     for (int i = 0; i < 900; ++i) {

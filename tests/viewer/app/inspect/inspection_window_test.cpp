@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
 #include "viewer/app/virtual_display.h"
 #include "viewer/sim/camera.h"
 
@@ -315,21 +315,17 @@ TEST_F(InspectionWindowTest, ChoosesAndSaysSoWhilePaused)
 
 TEST_F(InspectionWindowTest, NeverOverwritesAPicture)
 {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "kerf_pictures_test",
-                                here = std::filesystem::current_path();
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    std::filesystem::current_path(folder);
-    std::ofstream("kerf_000.png") << "mine";
-    std::ofstream("kerf_002.png") << "mine";
+    const TemporaryFolder folder;
+    for (const char* name : {"kerf_000.png", "kerf_002.png"}) folder.write(name, "mine");
+    const std::filesystem::path here = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
     frames(1);
     for (int i = 0; i < 2; ++i) inspection.act(app::KeyAction::screenshot);
     std::filesystem::current_path(here);
     for (const char* name : {"kerf_000.png", "kerf_002.png"})
-        EXPECT_EQ(std::filesystem::file_size(folder / name), 4u) << name;
+        EXPECT_EQ(std::filesystem::file_size(folder.file(name)), 4u) << name;
     for (const char* name : {"kerf_001.png", "kerf_003.png"})
-        EXPECT_GT(std::filesystem::file_size(folder / name), 100u) << name;
-    std::filesystem::remove_all(folder);
+        EXPECT_GT(std::filesystem::file_size(folder.file(name)), 100u) << name;
 }
 
 TEST_F(InspectionWindowTest, TheBackEndKeySwitchesForTheNextThrow)
