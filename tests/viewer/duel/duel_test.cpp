@@ -39,24 +39,23 @@ public:
     }
 };
 
-/// As a timetable, but the first cut says when it has begun, and goes on once it has been seen.
-class ACutThatIsSeen : public TimetableScene
+/// As a timetable, but the first cut says when it has begun, and ends once it is let.
+class ACutThatWaits : public TimetableScene
 {
 public:
-    ACutThatIsSeen(std::binary_semaphore& began, std::binary_semaphore& seen)
-        : TimetableScene(std::vector<Item>{{0}}), began_(began), seen_(seen)
+    ACutThatWaits(std::binary_semaphore& began, std::binary_semaphore& may_end)
+        : TimetableScene(std::vector<Item>{{0}}), began_(began), may_end_(may_end)
     {
     }
-    void on_cut(sim::Simulation&, const sim::CutRecord&) override
+    void on_cut(sim::Simulation&, const sim::CutRecord& cut) override
     {
-        if (!std::exchange(first_, false)) return;
+        if (cut.pieces.empty() || !std::exchange(first_, false)) return;
         began_.release();
-        seen_.acquire();
-        std::this_thread::sleep_for(50ms);
+        may_end_.acquire();
     }
 
 private:
-    std::binary_semaphore &began_, &seen_;
+    std::binary_semaphore &began_, &may_end_;
     bool first_ = true;
 };
 
@@ -94,23 +93,25 @@ TEST(Duel, ASlowCutFreezesOnlyItsOwnHalf)
 {
     const auto models = library_of({"icosphere"});
     for (const std::string& backend : kBackEnds) models->prepare(0, backend);
-    Duel duel = unfair_duel(models);
+    std::binary_semaphore began{0}, may_end{0};
+    Duel duel = unfair_duel(models, [&] { return std::make_unique<ACutThatWaits>(began, may_end); });
     const std::vector<sim::InputEvent> swipe = one_swipe();
 
-    sim::Tick most_behind_fast = 0, most_behind_slow = 0;
+    bool is_cutting = false;
+    sim::Tick most_behind_fast = 0;
     for (int frame = 0; frame < 240; ++frame) {
-        const auto began = std::chrono::steady_clock::now();
         duel.advance(2, between(swipe, duel.now(), duel.now() + 2));
         // As in play, but for as long as it takes: other programs may want the processor, too.
         ASSERT_TRUE(duel.half(0).wait_for(10s)) << "frame " << frame;
         most_behind_fast = std::max(most_behind_fast, duel.now() - duel.half(0).done());
-        most_behind_slow = std::max(most_behind_slow, duel.now() - duel.half(1).done());
         // The fast half is drawn in every frame: it has done all ticks, one after the other.
         ASSERT_EQ(duel.half(0).simulation().now(), duel.now());
-        std::this_thread::sleep_until(began + 4ms);
+        while (!is_cutting && !duel.half(1).idle()) is_cutting = began.try_acquire_for(1ms);
     }
     EXPECT_EQ(most_behind_fast, 0);
-    EXPECT_GT(most_behind_slow, 20) << "the other half stood still while it cut";
+    EXPECT_TRUE(is_cutting);
+    EXPECT_GT(duel.now() - duel.half(1).done(), 20) << "the other half stands still while it cuts";
+    may_end.release();
     duel.finish();
     EXPECT_GE(duel.half(0).simulation().cuts().size(), 1u);
     EXPECT_EQ(duel.half(1).simulation().cuts().size(), duel.half(0).simulation().cuts().size());
@@ -186,8 +187,8 @@ TEST(Duel, TheBladeFollowsThePlayerWhateverTheHalvesDo)
 TEST(Duel, EndsInTheMiddleOfACut)
 {
     const auto models = library_of({"icosphere"});
-    std::binary_semaphore began{0}, seen{0};
-    Duel duel = unfair_duel(models, [&] { return std::make_unique<ACutThatIsSeen>(began, seen); });
+    std::binary_semaphore began{0}, may_end{0};
+    Duel duel = unfair_duel(models, [&] { return std::make_unique<ACutThatWaits>(began, may_end); });
     for (int frame = 0; frame < 140; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
     // Until the second half is in the middle of its cut: leaving must neither hang nor crash.
     while (!began.try_acquire_for(1ms)) {
@@ -195,7 +196,7 @@ TEST(Duel, EndsInTheMiddleOfACut)
         duel.half(1).resume(duel.half(1).owed());
     }
     EXPECT_FALSE(duel.half(1).idle());
-    seen.release();
+    may_end.release();
 }
 
 TEST(Duel, HandsOnWhatGoesWrongInAHalf)

@@ -148,6 +148,7 @@ TEST_P(OnEachBackEnd, TellsWhatItsChecksCostApartFromItsCuts)
             EXPECT_EQ(simulation.check_cpu_ms(), 0.0);
         }
         EXPECT_EQ(logged > 0.0, checks);
+        // Parts of a whole, by one clock: true however fast this runs.
         EXPECT_GE(simulation.check_cpu_ms(), logged);
         EXPECT_LE(simulation.check_cpu_ms() + cuts, whole) << "no time counts twice";
     }
