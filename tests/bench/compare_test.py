@@ -52,6 +52,12 @@ class Revisions(unittest.TestCase):
         self.assertEqual(row["counters"], {"touched": (5, 6)})
         self.assertEqual(self.compare.verdict(row), "slower")
 
+    def test_a_benchmark_that_b_lacks_is_an_error_and_one_that_only_b_has_is_none(self):
+        one, two = {"x": {"ms": 1}}, {"x": {"ms": 1}, "y": {"ms": 1}}
+        with self.assertRaisesRegex(self.compare.Failed, "B lacks 1 of A's benchmarks: y"):
+            self.compare.rows_of(([two], [one]))
+        self.assertEqual([row["benchmark"] for row in self.compare.rows_of(([one], [two]))], ["x"])
+
     def row(self, name, ratio, low, high):
         return {"benchmark": name, "ratio": ratio, "low": low, "high": high}
 
