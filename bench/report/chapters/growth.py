@@ -49,15 +49,16 @@ def method(found: Measurements, facts: Facts) -> str:
 
 
 def dearer_alone(found: Measurements, facts: Facts) -> str:
-    """Sizes at which the half-edge back end's geometry alone took longer than the whole chain: noise, and called so."""
+    """Says how often the tables show the geometry alone at a longer time than the whole chain: noise, and called so."""
     whole, geometry = found.growth("Scale", "asteroid"), found.growth("Geometry", "asteroid")
-    odd = [size for (name, size), c in sorted(geometry.items()) if name == "halfedge" and (name, size) in whole
-           and c["real_time"][0] > whole[(name, size)]["real_time"][0]]
+    pairs = [(geometry[key]["real_time"][0], whole[key]["real_time"][0]) for key in geometry.keys() & whole.keys()]
+    odd = [alone for alone, both in pairs if alone > both and timed(alone) != timed(both)]
     if not odd:
         return ""
-    return (f"At {facts.say('largest size with dearer geometry', odd[-1], count_short)} triangles the half-edge back "
-            "end's geometry alone took longer than the whole chain of which it is a part. That is noise: its mass "
-            "properties and hulls cost less than runs of the same cut differ by.")
+    return (f"In coherent order, {facts.say('cells with dearer geometry', len(odd), digits(0))} of "
+            f"{facts.say('cells of geometry', len(pairs), digits(0))} times of the geometry alone are longer than that of "
+            "the whole chain of which it is a part. That is noise: mass properties and hulls cost less there than runs "
+            "of the same cut differ by.")
 
 
 def quadratic(found: Measurements, facts: Facts) -> str:
