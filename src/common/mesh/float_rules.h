@@ -1,7 +1,7 @@
 #pragma once
 
-// The floating point that both back ends rely on to agree bit for bit. Every Kerf header that computes includes this
-// one. What is decided here is explained in docs/floating-point.md.
+// The floating point that both back ends rely on to agree bit for bit; docs/floating-point.md explains the rules. The
+// headers of planes, turns, mass moments and the range of float include this one.
 
 #include <cfloat>
 #include <limits>

@@ -5,10 +5,10 @@
 
 namespace kerf {
 
-/// A number of something, counted from 0.
+/// The number of a vertex, a point, a triangle or the like, counted from 0.
 using Index = std::uint32_t;
 
-/// Stands where there is no vertex, point, triangle, or what else has a number.
+/// Stands for no vertex, no point, no triangle: for nothing that an Index numbers.
 inline constexpr Index kNone = std::numeric_limits<Index>::max();
 
 }  // namespace kerf

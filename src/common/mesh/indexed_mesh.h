@@ -33,7 +33,7 @@ enum class TriangleKind : std::uint8_t
     cap,      ///< closes the section of a cut; stays cap through later cuts
 };
 
-/// `source` of a triangle that no input triangle is the origin of: a cap.
+/// `source` of a triangle that comes from no input triangle: a cap triangle.
 inline constexpr std::uint32_t kNoSource = std::numeric_limits<std::uint32_t>::max();
 
 /// A run of triangles that share their material, solid and kind.
@@ -46,7 +46,7 @@ struct TriangleGroup
     TriangleKind kind = TriangleKind::surface;
 };
 
-/// What a surface looks like, as far as mesh files say.
+/// How a surface looks, as far as mesh files say.
 struct Material
 {
     std::string name;
@@ -54,7 +54,7 @@ struct Material
     std::string texture;     ///< path of a colour texture as the file names it; empty for none
 };
 
-/// Floats that ride along with the vertices (a colour, a tangent, anything) and are interpolated by cuts.
+/// Floats that accompany the vertices (a colour, a tangent, anything); cuts interpolate them.
 struct VertexStream
 {
     std::string name;
@@ -62,15 +62,15 @@ struct VertexStream
     Buffer<float> values;     ///< width * vertices
 };
 
-/// An indexed triangle mesh that a back end can cut. `repair()` (common/repair/repair.h) makes one out of triangles as
-/// they come and establishes what is promised here; `prove()` (common/repair/proven_mesh.h) tests it, for meshes made
-/// by hand. What breaks a promise is refused with one sentence.
+/// An indexed triangle mesh that a back end can cut. `repair()` (common/repair/repair.h) makes one out of any triangles
+/// and establishes the promises below; `prove()` (common/repair/proven_mesh.h) checks them, for meshes made by hand. A
+/// mesh that breaks a promise is refused with one sentence.
 ///
 /// * There is a triangle; at most 2^32 / 3 triangles and fewer than 2^32 - 1 vertices; each vertex has a point and is a
 ///   corner of a triangle; each triangle has a source.
-/// * `points` says which vertices are one place on the surface: vertices at a seam differ in normal or uv and share
-///   their point. Connectivity is by point. Point ids are dense: every id below `point_count` is used, and all vertices
-///   of a point have equal positions. (Equal positions do not mean equal points: touching corners stay apart.)
+/// * `points` gives each vertex its point, a place on the surface: vertices at a seam differ in normal or uv and share
+///   a point. Connectivity is by point. Point ids are dense: every id below `point_count` is used. All vertices of a
+///   point have equal positions. (Equal positions do not mean equal points: touching corners stay apart.)
 /// * No triangle has two corners at one position.
 /// * No directed edge (by point) occurs twice. The triangles around a point form one fan.
 /// * `groups` cover the triangles in order, without gap or overlap, and name materials and kinds that exist.
@@ -78,9 +78,9 @@ struct VertexStream
 /// * Coordinates are finite, however large; -0 does not occur. Normals and uv are finite.
 /// * Streams have `width` >= 1 values for each vertex.
 ///
-/// Anything else is data that rides along: any `source` and any number of a `solid` are as good as others, normals may
-/// have any length (cuts make unit ones), streams may hold NaN and infinity (and give NaN next to them), materials need
-/// no name, triangles may have no area or lie on one another.
+/// Nothing else is promised: `source` and `solid` may be any number, normals may have any length (cuts make unit ones),
+/// streams may hold NaN and infinity (and give NaN next to them), materials need no name, triangles may have no area or
+/// overlap.
 struct IndexedMesh
 {
     Buffer<Vertex> vertices;
@@ -104,9 +104,9 @@ struct IndexedMesh
 /// Whether all corners are below `vertex_count`. O(n).
 bool are_in_range(std::span<const Triangle> triangles, std::size_t vertex_count);
 
-/// Empty when the mesh keeps what IndexedMesh promises about sizes, indices, ids, groups and numbers; otherwise one
-/// sentence that names the first thing that is wrong. Does not look at what meets at edges and points: prove() does.
-/// Takes any mesh. O(n).
+/// Checks what IndexedMesh promises about sizes, indices, ids, groups and numbers. Takes any mesh. Returns an empty
+/// string, or one sentence that names the first fault. It does not look at how triangles meet at edges and points:
+/// prove() does. O(n).
 std::string check(const IndexedMesh& mesh);
 
 }  // namespace kerf

@@ -47,8 +47,8 @@ PairOfPoints load(const Vertex& first, const Vertex& second, [[maybe_unused]] co
     return p;
 }
 
-// For two triangles 36 multiplications, 39 additions and 9 conversions. Additions and conversions share their two units
-// on the machines this was measured on, and are what the time goes into: fewer additions is the way to make it faster.
+// Two triangles take 36 multiplications, 39 additions and 9 conversions. On the machines measured, additions and
+// conversions share two units and take most of the time: only fewer additions would make this faster.
 struct PairOfMoments
 {
     Pair volume{}, x{}, y{}, z{}, xx{}, yy{}, zz{}, yz{}, zx{}, xy{};
@@ -106,7 +106,7 @@ MassProperties MassMoments::properties(const glm::dvec3& reference) const
     result.volume = volume6 / 6.0;
     const glm::dvec3 first = first24 / 24.0;
     glm::dvec3 c = first / result.volume;
-    // No volume, or so little that the quotient overflows: there is no centre to speak of.
+    // With no volume, or so little that the quotient overflows, there is no meaningful centre.
     if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) c = glm::dvec3(0.0);
     result.centre = reference + c;
 

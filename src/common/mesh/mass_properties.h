@@ -13,7 +13,7 @@ namespace kerf {
 struct MassProperties
 {
     double volume = 0.0;      ///< mesh units cubed; negative for a mesh that is inside out
-    glm::dvec3 centre{0.0};   ///< centre of mass, in mesh coordinates; the reference point when the volume is 0
+    glm::dvec3 centre{0.0};   ///< centre of mass, in mesh coordinates; the reference point if the volume is 0
     glm::dmat3 inertia{0.0};  ///< inertia tensor about the centre of mass, mesh axes, mesh units to the fifth
 };
 
@@ -57,23 +57,23 @@ struct MassMoments
     MassProperties properties(const glm::dvec3& reference) const;
 };
 
-/// The moments of triangles about `reference`, whose indices must be in range: for back ends. Two triangles at a time,
-/// so the last bits differ from those of one add() after the other; equal inputs give equal bits. Cheapest about the
-/// origin. O(triangles).
+/// Sums the moments of triangles about `reference`. For back ends: indices must be in range. It takes two triangles at
+/// a time, so the last bits differ from those of one add() after the other; equal inputs give equal bits. Cheapest
+/// about the origin. O(triangles).
 MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
                          const glm::dvec3& reference);
 
-/// Whether a closed shell has no volume to speak of: no more than its box has surface times `noise`, plane_noise().
-/// volume6 is MassMoments::volume6.
+/// Whether a closed shell has practically no volume: at most the surface area of its box times `noise` (plane_noise()).
+/// `volume6` is MassMoments::volume6.
 bool has_no_volume(double volume6, const Box& box, double noise);
 
-/// A good reference point for a mesh with these bounds: the centre of the box, or the origin where that is close enough
-/// to the box to cost no digits worth mentioning.
+/// A good reference point for a mesh with these bounds: the centre of the box, or the origin if it is so close to the
+/// box that hardly any digits are lost.
 glm::dvec3 mass_reference(const Box& bounds);
 
 /// Mass properties of a closed mesh, summed about mass_reference() of its bounds so that a mesh far from the origin
-/// loses no digits. Exact up to rounding; for an open mesh the result depends on the reference point. Nothing has no
-/// mass, nor has a mesh with an index out of range. O(n).
+/// loses no digits. Exact up to rounding; for an open mesh the result depends on the reference point. All are 0 for an
+/// empty mesh and for a mesh with an index out of range. O(n).
 MassProperties mass_properties(const IndexedMesh& mesh);
 
 }  // namespace kerf

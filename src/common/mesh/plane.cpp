@@ -6,7 +6,7 @@ namespace kerf {
 
 std::optional<Plane> Plane::through(const glm::dvec3& point, const glm::dvec3& normal)
 {
-    // hypot neither overflows nor underflows where a plain sum of squares would.
+    // Unlike a plain sum of squares, hypot neither overflows nor underflows.
     const double length = std::hypot(normal.x, normal.y, normal.z);
     if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
     Plane plane{normal / length, 0.0};

@@ -19,8 +19,8 @@ struct Plane
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit length
     double offset = 0.0;               ///< signed distance of the plane from the origin, in mesh units
 
-    /// The plane through `point` with the direction of `normal`, which may have any length.
-    /// Empty when a number is not finite or the normal has no direction.
+    /// The plane through `point` with the direction of `normal`, which may have any length. Empty if a number is not
+    /// finite or the normal has no direction.
     static std::optional<Plane> through(const glm::dvec3& point, const glm::dvec3& normal);
 
     /// Signed distance of a mesh vertex, in mesh units. The sign decides the side: >= 0 is positive, without a
@@ -44,7 +44,7 @@ struct Plane
     /// The same plane seen from the other side. Points exactly on the plane change sides.
     Plane flipped() const { return {-normal, -offset}; }
 
-    /// True when all four numbers are finite and the normal has unit length within rounding.
+    /// True if all four numbers are finite and the normal has unit length within rounding.
     bool valid() const;
 };
 
@@ -56,8 +56,8 @@ struct PlaneFrame
 
     static PlaneFrame of(const glm::dvec3& normal);
 
-    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. A corner of a box of the
-    /// largest floats is farther along a diagonal than floats reach: it gets the largest.
+    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. In a box of the largest
+    /// floats a coordinate along a diagonal can exceed the largest float; it then becomes the largest.
     glm::vec2 uv(const glm::vec3& p) const
     {
         return {nearest_finite_float(glm::dot(u, glm::dvec3(p))), nearest_finite_float(glm::dot(v, glm::dvec3(p)))};

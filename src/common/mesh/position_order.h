@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-/// True when `a` comes before `b` in the order by x, then y, then z.
+/// True if `a` comes before `b` in the order by x, then y, then z.
 inline bool lexicographically_less(const glm::vec3& a, const glm::vec3& b)
 {
     if (a.x != b.x) return a.x < b.x;

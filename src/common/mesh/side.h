@@ -17,7 +17,7 @@ enum class Side : std::uint8_t
 
 inline constexpr std::array kSides{Side::negative, Side::positive};
 
-/// One for each side.
+/// A value for each side.
 template <class T>
 struct BySide
 {
@@ -37,7 +37,7 @@ inline Side opposite(Side side)
     return side == Side::positive ? Side::negative : Side::positive;
 }
 
-/// Side of a point by its signed distance; there is no "on".
+/// The side of a point at this signed distance; points on the plane are on the positive side.
 inline Side side_of(double signed_distance)
 {
     return signed_distance >= 0.0 ? Side::positive : Side::negative;

@@ -12,7 +12,7 @@ struct TriangleSoup
 {
     Buffer<Vertex> vertices;
     Buffer<Triangle> triangles;
-    std::vector<std::uint32_t> triangle_materials;  ///< one a triangle; empty: all 0
+    std::vector<std::uint32_t> triangle_materials;  ///< one per triangle; empty: all 0
     std::vector<VertexStream> streams;
     std::vector<Material> materials;  ///< empty: one unnamed material
     bool has_normals = true;          ///< false: repair() computes smooth normals with a crease angle
