@@ -24,8 +24,8 @@ std::vector<std::uint32_t> smallest_containers(std::span<const Nestable> items, 
 
     std::vector<std::uint32_t> by_size(items.size()), rank(items.size());
     std::iota(by_size.begin(), by_size.end(), 0u);
-    // Of two that coincide the one that cannot contain anything lies in the other, whichever comes first: the order of
-    // items that are at one place is not the same for every back end.
+    // Of two coincident items, the one that cannot contain anything lies in the other, whichever comes first: back ends
+    // may order items at one place differently.
     std::sort(by_size.begin(), by_size.end(), [&](std::uint32_t a, std::uint32_t b) {
         if (items[a].size != items[b].size) return items[a].size < items[b].size;
         return items[a].can_contain != items[b].can_contain ? items[b].can_contain : a > b;

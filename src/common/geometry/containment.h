@@ -10,7 +10,7 @@
 #include "common/geometry/point_tree.h"
 #include "common/mesh/box.h"
 
-// Which closed things (shells, loops) lie in which. Shells in space and loops in a plane (z = 0) share the search.
+// Containment of closed shapes (shells, loops). Shells in space and loops in a plane (z = 0) share the search.
 
 namespace kerf {
 
@@ -23,11 +23,11 @@ inline bool encloses(const Box& outer, const Box& inner)
            inner.hi.y <= outer.hi.y && outer.lo.z <= inner.lo.z && inner.hi.z <= outer.hi.z;
 }
 
-/// Something that may lie in something else.
+/// A shape that may lie in another one or contain others.
 struct Nestable
 {
     Box box;
-    double size = 0.0;        ///< volume or area, at least 0: a container is larger than what it contains
+    double size = 0.0;        ///< volume or area, at least 0: a container is larger than its contents
     bool can_contain = true;  ///< may contain others
     bool can_lie_in = true;   ///< a container is wanted for it
 };
@@ -37,12 +37,12 @@ using DecideContainment = std::function<void(std::uint32_t container, std::span<
                                              std::span<std::uint8_t> lies_in)>;
 
 /// For each item the smallest one that contains it, or kNoContainer. Containers are tried from small to large, on the
-/// items in their box that have found none yet; items of equal size lie in one another in the order of their numbers.
-/// O(n log n) and one decision for each pair of box and item in it that is tried: O(n) pairs where boxes that contain
-/// one another belong to items that do.
+/// items in their box that have found none yet; of items of equal size, those with larger numbers may lie in the
+/// others. O(n log n), and one decision for each pair of a box and an item in it that is tried: O(n) pairs if nested
+/// boxes belong to nested items.
 std::vector<std::uint32_t> smallest_containers(std::span<const Nestable> items, const DecideContainment& decide);
 
-/// A point to be tested, and which candidate it belongs to.
+/// A point to be tested, and the candidate it belongs to.
 struct NestingSample
 {
     glm::vec3 position;

@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// The axis along which a vector is longest: 0, 1 or 2. Leaving out that of a plane's normal projects the plane without
-/// loss, and a ray along it gets away from the plane fastest.
+/// The axis along which a vector is longest: 0, 1 or 2. Dropping the dominant axis of a plane's normal projects the
+/// plane without loss, and a ray along it leaves the plane fastest.
 inline int dominant_axis(const glm::dvec3& v)
 {
     const glm::dvec3 size = glm::abs(v);

@@ -10,17 +10,17 @@
 
 namespace kerf {
 
-/// Rays of one direction, to be met with triangles and boxes that come one by one. Building costs O(r log r), a
-/// triangle what finding the rays through its bounds costs.
+/// Rays of one direction, tested against triangles and boxes one at a time. Building costs O(r log r) for r rays; a
+/// triangle costs a search for the rays through its bounds.
 class ParallelRays
 {
 public:
     explicit ParallelRays(std::span<const AxisRay> rays) : rays_(rays), origins_(origins_of(rays)), tree_(origins_) {}
 
-    /// Some ray meets the box, or may.
+    /// Whether a ray may meet the box; if false, none does.
     bool may_meet(const Box& box) const { return !rays_.empty() && tree_.any_in(reach(box)); }
 
-    /// Calls visit(ray, term) for each ray with its ray_crossing() with the triangle, where that is not 0.
+    /// Calls visit(ray, term) for each ray whose ray_crossing() with the triangle, `term`, is not 0.
     template <class Visit>
     void for_each_crossing(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, Visit&& visit) const
     {
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    /// Where the origins of rays that meet the box lie.
+    /// The box that holds the origins of all rays that meet the given one.
     Box reach(Box box) const
     {
         const AxisRay& ray = rays_.front();

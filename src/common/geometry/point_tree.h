@@ -52,8 +52,8 @@ private:
         std::uint32_t parent = 0;
     };
 
-    /// Goes through what lies in `box` until `is_whole` (of a node with points left that the box meets) or `visit` (of
-    /// a point in the box) is true; whether one was.
+    /// Searches `box` until is_whole(node), asked of each node that has points left and meets the box, or visit(point),
+    /// asked of each point in the box, is true. Returns whether one was.
     template <class IsWhole, class Visit>
     bool search(const Box& box, IsWhole is_whole, Visit visit) const
     {

@@ -21,7 +21,7 @@ struct PlanarPoint
 };
 
 /// The term of the edge from p to q in the winding number around o: whether it crosses the ray from o towards larger u,
-/// +1 upwards, -1 downwards, 0 not at all. An end counts as below the ray when it is on it (half-open rule). Exact.
+/// +1 upwards, -1 downwards, 0 not at all. An end that is on the ray counts as below it (half-open rule). Exact.
 inline int edge_crossing(const PlanarPoint& o, const PlanarPoint& p, const PlanarPoint& q)
 {
     const bool upwards = p.v <= o.v;
@@ -30,9 +30,9 @@ inline int edge_crossing(const PlanarPoint& o, const PlanarPoint& p, const Plana
     return upwards ? (side > 0.0 ? 1 : 0) : (side < 0.0 ? -1 : 0);
 }
 
-/// The term of one triangle in a signed crossing count: +1 where the ray leaves through the triangle, from behind it to
-/// its front, -1 where it enters, 0 where it misses. Edges and vertices are counted once between the triangles that
-/// share them (half-open rule, edges evaluated in a canonical order), so a closed surface gives its winding number.
+/// The term of one triangle in a signed crossing count: +1 if the ray leaves through the triangle, from behind it to
+/// its front, -1 if it enters, 0 if it misses. Edges and vertices are counted once between the triangles that share
+/// them (half-open rule, edges evaluated in a canonical order), so a closed surface gives its winding number.
 inline int ray_crossing(const AxisRay& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     const int w = ray.axis, u = (w + 1) % 3, v = (w + 2) % 3;

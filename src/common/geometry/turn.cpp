@@ -24,7 +24,7 @@ public:
         parts_[count_++] = value;
     }
 
-    /// The rounded product, and what rounding has cut off.
+    /// The rounded product and its rounding error.
     void add_product(double a, double b)
     {
         const double product = a * b;
@@ -44,7 +44,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Whether rounding has changed nothing of a - b.
+/// Whether the rounded difference a - b is exact.
 bool is_exact_difference(double a, double b)
 {
     // The tail of TWO-DIFF, section 2.
@@ -63,7 +63,7 @@ double turn_by_expansion(const glm::dvec2& a, const glm::dvec2& b, const glm::dv
         area.add_product(a.y - b.y, c.x - b.x);
         return area.rounded();
     }
-    // The same multiplied out, less b.x * b.y, which is in both products.
+    // The same area, multiplied out; b.x * b.y is in both products and cancels.
     area.add_product(b.x, c.y);
     area.add_product(-c.x, b.y);
     area.add_product(c.x, a.y);
