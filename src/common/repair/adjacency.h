@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// Who is whose neighbour in a mesh. Half-edge 3 * triangle + corner runs from that corner's point to the next one's.
+/// The neighbours in a mesh. Half-edge 3 * triangle + corner runs from that corner's point to the next one's.
 struct Adjacency
 {
     Buffer<Index> opposite;  ///< for each half-edge the one along the same points the other way; kNone at the boundary
@@ -15,13 +15,13 @@ struct Adjacency
     Index shell_count = 0;
 };
 
-/// Numbers the shells, which are what is connected by edges. Fills `shell` and returns how many there are. O(n).
+/// Numbers the shells: triangles connected by edges. Fills `shell` and returns the number of shells. O(n).
 Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell);
 
-/// Opposite half-edges of the same triangles in another order: triangle i is the old one order[i]. O(n).
+/// The opposite half-edges after a reordering: triangle i is the old triangle order[i]. O(n).
 Buffer<Index> opposite_in_order(std::span<const Index> opposite, std::span<const Index> order);
 
-/// Likewise with the shells, which are numbered anew. O(n).
+/// The same with the shells, which are numbered anew. O(n).
 Adjacency adjacency_in_order(std::span<const Index> opposite, std::span<const Index> shell,
                              std::span<const Index> order);
 

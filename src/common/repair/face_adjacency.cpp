@@ -19,8 +19,8 @@ struct Patches
     Buffer<std::uint8_t> flip;    ///< for each triangle whether to turn it over so that its patch agrees
 };
 
-/// Floods each patch from its first triangle. Neighbours that agree come before neighbours that do not, so that where
-/// no orientation fits (a Moebius strip) the surface opens along a seam that was there already, if there is one.
+/// Floods each patch from its first triangle. Neighbours that agree come before neighbours that do not, so a surface
+/// that no orientation fits (a Moebius strip) opens along edges that are inconsistent already, if there are any.
 class PatchFlood
 {
 public:
@@ -133,8 +133,8 @@ private:
         bool matched = false;
     };
 
-    /// Sorts by angle, counter-clockwise seen from the tip of the edge. Of pages at the same angle those come first
-    /// whose solid is before them, so that two solids that touch in a face stay two.
+    /// Sorts by angle, counter-clockwise seen from the tip of the edge. Of pages at the same angle, those whose solid
+    /// is before them come first, so that two solids that touch in a face stay two.
     void sort_around(const NonmanifoldEdge& edge)
     {
         const std::uint32_t first = edge.front();
@@ -144,7 +144,7 @@ private:
             const glm::dvec3 d = glm::dvec3(positions_[surface_.start(previous_halfedge(h))]) - tail;
             return d - axis * glm::dot(axis, d);
         };
-        // A triangle without area stands in no direction: measure angles from the one that reaches farthest.
+        // A triangle without area has no direction: measure angles from the one that reaches farthest.
         glm::dvec3 zero{0.0};
         for (const std::uint32_t h : edge)
             if (const glm::dvec3 d = across(h); glm::dot(d, d) > glm::dot(zero, zero)) zero = d;
@@ -161,7 +161,7 @@ private:
         };
         std::sort(pages_.begin(), pages_.end(), by_angle);
 
-        // Start behind the widest gap: no run of equal angles goes across the seam at +-pi then.
+        // Start behind the widest gap, so that no run of equal angles goes across the jump from +pi to -pi.
         constexpr double kTurn = 6.283185307179586;
         std::size_t start = 0;
         double widest = pages_.front().angle + kTurn - pages_.back().angle;
@@ -180,7 +180,7 @@ private:
         }
     }
 
-    /// Solid and empty wedges take turns: each wedge is bounded by neighbours. Otherwise wedges overlap.
+    /// Whether solid and empty wedges alternate, each bounded by neighbours. Otherwise wedges overlap.
     bool alternates() const
     {
         for (std::size_t i = 0; i < pages_.size(); ++i)
@@ -202,8 +202,8 @@ private:
         }
     }
 
-    /// Matches some pages like brackets: one that opens a solid wedge with the next one that closes it. Twice around,
-    /// because a wedge may reach over the start.
+    /// Matches some pages like brackets: one that opens a solid wedge with the next one that closes it. Goes around
+    /// twice, because a wedge may reach over the start.
     void match(std::span<const std::uint32_t> pages)
     {
         open_.clear();
@@ -254,14 +254,14 @@ void turn_sides_over(std::span<const std::uint8_t> flip, std::vector<Nonmanifold
             if (flip[h / 3]) h = turned_over(h);
 }
 
-/// How many triangles run along an edge as its first one does.
+/// The number of triangles that run along an edge in the direction of its first one.
 std::ptrdiff_t count_forward(const LinkedSurface& surface, const NonmanifoldEdge& edge)
 {
     return std::count_if(edge.begin(), edge.end(),
                          [&](std::uint32_t h) { return surface.start(h) == surface.start(edge.front()); });
 }
 
-/// Whether turning patches over may close an edge: it has an even number of triangles.
+/// Whether turning patches over may close an edge: an unbalanced one with an even number of triangles.
 bool may_be_turned_over(const LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
 {
     return std::any_of(resolved.begin(), resolved.end(), [&](const NonmanifoldEdge& edge) {
@@ -269,8 +269,8 @@ bool may_be_turned_over(const LinkedSurface& surface, std::span<const Nonmanifol
     });
 }
 
-/// A surface whose patches are oriented, but for edges of more than two triangles, which are in `resolved` and not
-/// linked yet. `patch` is left empty where there is nothing to orient.
+/// Links triangles and orients patches. Edges of more than two triangles go to `resolved` and are not linked yet.
+/// `patch` stays empty if there is nothing to orient.
 LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, std::vector<NonmanifoldEdge>& resolved,
                            Buffer<std::uint32_t>& patch)
 {
@@ -309,7 +309,7 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
             turn_sides_over(flip, resolved);
             turn_sides_over(flip, doubled);
         }
-    // One of two triangles in one place may have become the other's back.
+    // Of two triangles in one place, one may have become the other's back.
     for (const NonmanifoldEdge& edge : doubled)
         if (surface.start(edge[0]) != surface.start(edge[1])) surface.link(edge[0], edge[1]);
     for (std::uint32_t h = 0; h < surface.opposite.size(); ++h)

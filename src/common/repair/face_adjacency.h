@@ -12,8 +12,8 @@ namespace kerf {
 /// An edge where more than two triangles met: all of its half-edges.
 using NonmanifoldEdge = std::vector<std::uint32_t>;
 
-/// Triangles by point id and who is the neighbour of whom. After link_surface() every edge has at most two triangles,
-/// and these run along it in opposite directions.
+/// Triangles by point id, and their neighbours. After link_surface() every edge has at most two triangles, and these
+/// run along it in opposite directions.
 struct LinkedSurface
 {
     Buffer<Triangle> corners;        ///< point ids; turned over where `flipped` says so
@@ -25,7 +25,7 @@ struct LinkedSurface
     std::uint32_t start(std::uint32_t h) const { return corners[h / 3][h % 3]; }
     std::uint32_t end(std::uint32_t h) const { return start(next_halfedge(h)); }
 
-    /// Whether two half-edges are of triangles with the same points in the same orientation.
+    /// Whether two half-edges belong to triangles with the same points in the same orientation.
     bool coincide(std::uint32_t a, std::uint32_t b) const
     {
         return start(a) == start(b) && end(a) == end(b) && start(previous_halfedge(a)) == start(previous_halfedge(b));
@@ -41,24 +41,24 @@ struct LinkedSurface
     void turn_over(std::span<const std::uint8_t> flip);
 };
 
-/// The number that a half-edge gets when its triangle is turned over.
+/// The number that a half-edge gets if its triangle is turned over.
 inline std::uint32_t turned_over(std::uint32_t h)
 {
     return h - h % 3 + (2 - h % 3);
 }
 
-/// Finds each triangle's neighbours. Edges with two triangles join them; patches of triangles that are joined so are
-/// made to agree on an orientation by turning over the smaller part, and cut open where no orientation satisfies both
-/// sides (a Moebius strip). Where an even number of triangles, more than two, is not balanced at an edge then, patches
-/// are turned over as find_turned_sheets() says. Where more than two triangles meet, they are sorted around the edge
-/// and paired so that two bound the same wedge of solid; what finds no partner becomes boundary. Triangles that
-/// coincide are no neighbours of one another. As many half-edges find no partner at an edge as more run along it one
-/// way than the other, once patches are oriented. `corners` holds three different points for each triangle; `positions`
-/// belong to the points. `resolved` receives the edges of the last kind. O(n) plus sorting at each such edge.
+/// Finds each triangle's neighbours. Edges with two triangles join them into patches. The smaller part of a patch is
+/// turned over so that the patch has one orientation; a patch without one (a Moebius strip) is cut open. If an edge of
+/// an even number of triangles, more than two, is still not balanced, patches are turned over as find_turned_sheets()
+/// says. Where more than two triangles meet, they are sorted around the edge and paired so that two bound the same
+/// wedge of solid; a half-edge without a partner becomes boundary. Triangles that coincide are never neighbours. Once
+/// patches are oriented, as many half-edges of an edge stay without a partner as more run along it one way than the
+/// other. `corners` holds three different points for each triangle; `positions` belong to the points. `resolved`
+/// receives the edges of more than two triangles. O(n) plus sorting at each such edge.
 LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved);
 
-/// How many half-edges link_surface() leaves without a neighbour; that does not depend on where the points are.
+/// The number of half-edges that link_surface() leaves without a neighbour, which does not depend on positions.
 /// `corners` holds three different points for each triangle, all below `point_count`. O(n) for bounded valence, O(n log
 /// n) otherwise.
 std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_count);

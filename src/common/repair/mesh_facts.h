@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// A mesh before anything is repaired, welded by bit-equal position; but `open_edges` are those that repairs leave.
+/// Facts of a mesh before repair, welded by bit-equal position; only `open_edges` is the number that repair leaves.
 struct MeshFacts
 {
     std::uint64_t triangles = 0;
@@ -29,23 +29,23 @@ struct MeshFacts
     std::uint64_t shells = 0;             ///< components connected by edges, non-manifold ones too
     double shortest_edge = std::numeric_limits<double>::infinity();  ///< mesh units; infinite without edges
     double area = 0.0;                                               ///< of the surface, mesh units squared
-    double volume = 0.0;  ///< signed, by tetrahedra over the box centre; an open mesh has none, the value is that over
-                          ///< the origin
+    double volume = 0.0;  ///< signed, by tetrahedra from the box centre; for an open mesh, which has none, from the
+                          ///< origin
     Box bounds;
 
-    /// Whether what repair() makes of it has no boundary. It is closed as it stands if no edge is unbalanced.
+    /// Whether the mesh that repair() makes has no boundary. The mesh as given is closed if no edge is unbalanced.
     bool closed() const { return open_edges == 0; }
     bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_points == 0; }
     bool oriented() const { return misoriented_edges == 0; }
     bool has_coarse_coordinates() const { return kerf::has_coarse_coordinates(shortest_edge, bounds); }
 };
 
-/// Measures triangles as they come. Of nothing, and with an index out of range, all counts and sums are 0, the shortest
-/// edge is infinite and the bounds are empty. O(n log n).
+/// Measures triangles before repair. Without triangles and with an index out of range, all counts and sums are 0, the
+/// shortest edge is infinite and the bounds are empty. O(n log n).
 MeshFacts measure(const TriangleSoup& soup);
 
 /// Measures a mesh or a fragment by its point ids, caps included; `welded_vertices` counts points. With an index or a
-/// point id out of range there is nothing to measure, either. O(n log n).
+/// point id out of range the result is the same as above. O(n log n).
 MeshFacts measure(const IndexedMesh& mesh);
 
 }  // namespace kerf

@@ -6,7 +6,7 @@ namespace kerf {
 
 namespace {
 
-/// Half-edges of a mesh that has passed check(), by point, and what is wrong with how they meet.
+/// The half-edges, by point, of a mesh that has passed check(); finds faults in how they meet.
 class Neighbourhood
 {
 public:
@@ -26,7 +26,7 @@ public:
         return fault;
     }
 
-    /// Of a mesh without fault.
+    /// Only for a mesh without a fault.
     Adjacency take_adjacency()
     {
         Adjacency adjacency;
@@ -90,7 +90,7 @@ private:
         return fault;
     }
 
-    /// Triangles of a fan, by rotating around its point both ways from the half-edge `first`, which leaves the point.
+    /// Counts a fan's triangles, rotating around its point both ways from the half-edge `first`, which leaves it.
     std::size_t count_fan(std::uint32_t first) const
     {
         std::size_t count = 0;

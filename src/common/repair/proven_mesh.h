@@ -13,11 +13,11 @@ struct Repaired;
 struct Proof;
 struct TriangleSoup;
 
-/// A mesh that is known to keep all that IndexedMesh promises, so that back ends need not look. `repair()` and
-/// `prove()` alone make one; a default or moved-from one has no triangles.
+/// A mesh that is known to keep all promises of IndexedMesh, so that back ends need not check it. Only `repair()` and
+/// `prove()` make one; a default or moved-from one has no triangles.
 ///
-/// Reads like a `const IndexedMesh`. Copied or taken out (`*std::move(proven)`) the mesh may be changed, and is proven
-/// no more.
+/// Reads like a `const IndexedMesh`. A mesh that is copied or taken out (`*std::move(proven)`) may be changed, and is
+/// no longer proven.
 class ProvenMesh
 {
 public:
@@ -38,7 +38,7 @@ public:
     const IndexedMesh* operator->() const { return &mesh_; }
     operator const IndexedMesh&() const& { return mesh_; }
 
-    /// Found on the way; what was taken out has none.
+    /// Found by the proof; empty once the mesh has been taken out.
     const Adjacency& adjacency() const { return adjacency_; }
 
     /// Takes the mesh out.
@@ -47,10 +47,10 @@ public:
         adjacency_ = {};
         return std::exchange(mesh_, {});
     }
-    /// Would refer to what is gone at the end of the line: write `*repair(soup).mesh`, which is a mesh of its own.
+    /// The reference would dangle at the end of the line: write `*repair(soup).mesh`, which is a mesh of its own.
     operator const IndexedMesh&() const&& = delete;
 
-    /// How materials look, which nothing relies on.
+    /// Materials may be changed: no promise is about how they look.
     std::span<Material> materials() { return mesh_.materials; }
     /// Appends a material and returns its index.
     std::uint32_t add_material(Material material)
@@ -71,13 +71,13 @@ private:
 /// A mesh ready for a back end, or the reason why it can't be cut.
 struct Proof
 {
-    ProvenMesh mesh;    ///< empty when there is an error
+    ProvenMesh mesh;    ///< empty if there is an error
     std::string error;  ///< empty, or one sentence that names the first promise of IndexedMesh that is broken
 };
 
-/// Proves that a mesh keeps what IndexedMesh promises: check(), and that each directed edge occurs once and the
-/// triangles around each point form one fan, by pairing its half-edges. For meshes that were made by hand; what
-/// `repair()` gives is proven. O(n) time and memory. Throws std::bad_alloc.
+/// Proves that a mesh keeps what IndexedMesh promises: that it passes check(), that each directed edge occurs once, and
+/// that the triangles around each point form one fan. Pairs the half-edges. For meshes made by hand; the meshes of
+/// `repair()` are proven. O(n) time and memory. Throws std::bad_alloc.
 Proof prove(IndexedMesh mesh);
 
 }  // namespace kerf

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLargestIndex = std::numeric_limits<std::uint32_t>::max();
 
-/// Empty, or one sentence that names the first thing that is wrong.
+/// Empty, or one sentence that names the first fault.
 std::string find_error(const TriangleSoup& soup)
 {
     if (soup.triangles.empty()) return "the mesh has no triangles; give it one at least";
@@ -50,8 +50,8 @@ std::string find_error(const TriangleSoup& soup)
     return {};
 }
 
-/// Takes normals and uv that are not finite for missing: build_vertices() gives a normal of length 0 that of its
-/// triangles. Returns how many vertices that is.
+/// Sets normals and uv that are not finite to 0; build_vertices() replaces a normal of length 0 by that of its
+/// triangles. Returns the number of vertices it has changed.
 std::uint64_t replace_attributes(TriangleSoup& soup)
 {
     std::uint64_t count = 0;
@@ -66,7 +66,7 @@ std::uint64_t replace_attributes(TriangleSoup& soup)
     return count;
 }
 
-/// Triangles worth keeping, as points.
+/// The triangles that are kept, by point.
 struct Kept
 {
     Buffer<Triangle> corners;              ///< point ids

@@ -36,7 +36,7 @@ struct Repairs
 /// A mesh ready for a back end, or the reason why there is none.
 struct Repaired
 {
-    ProvenMesh mesh;  ///< without triangles when there is an error
+    ProvenMesh mesh;  ///< without triangles if there is an error
     Repairs repairs;
     std::string error;  ///< one sentence: no triangle, an index out of range, a coordinate that is not finite, ...
 };
@@ -45,13 +45,13 @@ struct Repaired
 /// connectivity is by id), drops degenerate and duplicate triangles, splits non-manifold edges and points, orients
 /// patches, finds the solids, and groups triangles by material and solid in otherwise unchanged order.
 ///
-/// What is closed - along each edge as many triangles run one way as the other - stays closed: duplicates are dropped
-/// only where that opens nothing (find_faults()); the others stay, with points of their own. Triangles that are turned
-/// over are turned back before that is decided, and where more than two triangles meet (find_turned_sheets()).
+/// A closed mesh - along each edge as many triangles run one way as the other - stays closed: duplicates are dropped
+/// only if that opens nothing (find_faults()); the others stay, with points of their own. Triangles that face the wrong
+/// way are turned back before that is decided, and where more than two triangles meet (find_turned_sheets()).
 ///
 /// Orientation: a shell whose triangles agree keeps its orientation, unless it is an outermost shell of negative
-/// volume: that one is flipped together with what it contains. `sources` count the triangles of the soup. O(n log n)
-/// time, O(n) memory. Throws std::bad_alloc when memory runs out.
+/// volume: that one is flipped together with what it contains. `sources` are triangle numbers of the soup. O(n log n)
+/// time, O(n) memory. Throws std::bad_alloc if memory runs out.
 Repaired repair(TriangleSoup soup);
 
 }  // namespace kerf

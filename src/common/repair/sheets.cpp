@@ -37,15 +37,15 @@ public:
     }
 
 private:
-    /// Looks at sides of patches, for each side that there is, before the search ends. A few are enough, but where
-    /// thousands of triangles meet in one edge, or where nothing can close what is open.
+    /// Looks at sides of patches, per side, before the search ends. A few are enough, unless thousands of triangles
+    /// meet at one edge or no choice closes the open edges.
     static constexpr std::size_t kMostLooks = 256;
 
     struct Copy
     {
         Triangle points;  ///< in ascending order
         std::uint32_t triangle;
-        int direction;  ///< 1 when it goes through its points in that order, otherwise -1
+        int direction;  ///< 1 if it goes through its points in that order, otherwise -1
 
         bool operator<(const Copy& other) const
         {
@@ -58,10 +58,10 @@ private:
         std::uint32_t first, count;  ///< in copies_
         int strength;
         std::uint32_t patch = kNone;
-        int sign = 1;  ///< -1 when its strength is the opposite of its patch's
+        int sign = 1;  ///< -1 if its strength is the opposite of its patch's
     };
 
-    /// Where a sheet, or a patch, meets an edge.
+    /// A place where a sheet, or a patch, meets an edge.
     struct Side
     {
         std::uint32_t owner, edge;
@@ -99,8 +99,8 @@ private:
         }
     }
 
-    /// Sheets that are alone at an edge and have the same number of copies are neighbours; other edges where several
-    /// meet are hinges.
+    /// Two sheets that meet at an edge, without a third, and have the same number of copies are neighbours; other edges
+    /// where several meet are hinges.
     void find_neighbours(std::uint32_t point_count)
     {
         Buffer<Triangle> corners;
@@ -125,7 +125,7 @@ private:
     /// Along the last side the points of a sheet descend.
     static int direction(std::uint32_t halfedge) { return halfedge % 3 == 2 ? -1 : 1; }
 
-    /// Triangles without a partner at the edges that count, if a sheet has strength_of(its number).
+    /// The number of open sides at the edges that count, if sheet s has strength_of(s).
     template <class StrengthOf>
     std::int64_t count_open(StrengthOf&& strength_of) const
     {
@@ -149,7 +149,7 @@ private:
     }
 
     /// Gives the sheets of a patch their signs. Neighbours that cancel already come before others, so that a twisted
-    /// patch opens where it is open.
+    /// patch opens where it is open already.
     void flood(std::uint32_t first, std::vector<int>& strengths)
     {
         struct Step
@@ -188,7 +188,8 @@ private:
         }
     }
 
-    /// The median turns the fewest over. Where it is not one number, the first sheet says which way round.
+    /// The median turns the fewest over. Of two the larger in size is taken; in a draw the first sheet decides the
+    /// sign.
     static int best_strength(std::vector<int>& strengths)
     {
         const int first = strengths.front();
@@ -198,7 +199,7 @@ private:
         return first < 0 ? low : high;
     }
 
-    /// Sides by patch, those of a patch at one edge added up; and the balance of each edge.
+    /// Lists sides by patch, those of a patch at one edge added up, and computes the balance of each edge.
     void list_sides_of_patches()
     {
         for (const Side& side : sides_) {
@@ -239,7 +240,7 @@ private:
         return std::span(sides_of_patches_).subspan(patch.first_side, patch.last_side - patch.first_side);
     }
 
-    /// How many triangles more would be open.
+    /// By how much the number of open sides would grow.
     std::int64_t cost(const Patch& patch, int change) const
     {
         std::int64_t cost = 0;
@@ -278,7 +279,7 @@ private:
 
     void look(std::size_t count) { looks_left_ -= std::min(looks_left_, count); }
 
-    /// Moves those that are queued, all but one, as long as that leaves fewer open.
+    /// Moves the queued patches, all but `fixed`, as long as that leaves fewer sides open.
     void descend(std::uint32_t fixed)
     {
         for (std::size_t next = 0; next < queue_.size(); ++next) {
@@ -298,7 +299,7 @@ private:
         queue_.clear();
     }
 
-    /// Whether fewer are open after a move that may open some, and all that pays after it. Otherwise nothing changes.
+    /// Makes a move that may open sides, then all that pay. Undoes them and returns false unless fewer sides are open.
     bool try_move(const Move& m)
     {
         const std::int64_t open = open_;
@@ -313,7 +314,7 @@ private:
         return false;
     }
 
-    /// Lets patches change their strength, small ones first, until none gains by it, nor by two steps one of which
+    /// Lets patches change their strength, small ones first, until no change pays, nor any two changes of which one
     /// costs something.
     void settle()
     {

@@ -45,7 +45,7 @@ double area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
     return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-/// Adds the volume behind fans over the boundary loops, or sets the volume to 0 where they are too large.
+/// Adds the volume behind fans over the boundary loops, or sets the volume to 0 if the fans are too large.
 void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions)
 {
     std::vector<double> shell_area(shells.shells.size(), 0.0), hole_area(shells.shells.size(), 0.0);

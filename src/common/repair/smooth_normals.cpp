@@ -66,7 +66,7 @@ SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::
             if (corner == first) break;
         }
         const double size = length(sum);
-        // Nothing around the point may have any area.
+        // Perhaps no triangle around the point has any area.
         result.normals.push_back(size > 0.0 ? glm::vec3(sum / size) : glm::vec3(0.0f, 0.0f, 1.0f));
     }
     return result;

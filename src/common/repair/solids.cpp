@@ -72,8 +72,8 @@ private:
             if (own.empty()) own = choose_samples(candidates[i]);
             for (const glm::vec3& position : own) samples.push_back({position, i});
         }
-        // Along the shortest side of the outer shell, where a ray has the fewest chances to meet it: along a comb it
-        // would meet every tooth.
+        // A ray along the shortest side of the outer shell has the fewest chances to meet it: along a comb it would
+        // meet every tooth.
         const glm::dvec3 size = glm::dvec3(shells_.shells[outer].box.hi) - glm::dvec3(shells_.shells[outer].box.lo);
         const int axis = size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2);
         WindingNumbers windings(samples);
@@ -91,8 +91,8 @@ private:
         windings.vote(lies_in);
     }
 
-    /// Points in a shell: of a closed one deep inside, where it can touch the shell around it as it likes; of an open
-    /// one, or where there is no inside, the middles of some triangles, whose corners may touch it.
+    /// Sample points of a shell. Those of a closed shell lie deep inside, so it may touch the shell around it. Those of
+    /// an open shell, or of one without an inside, are the middles of some triangles, whose corners may touch it.
     std::vector<glm::vec3> choose_samples(std::uint32_t shell) const
     {
         const std::span<const std::uint32_t> triangles = triangles_of(shell);
@@ -112,8 +112,8 @@ private:
         return glm::vec3((a + b + c) / 3.0);
     }
 
-    /// The middle of the longest way through the inside on a line along x, through that one of every third triangle
-    /// that faces it most. Adds nothing where there is no inside.
+    /// Adds the middle of the longest stretch of inside on a line along x. The line goes through the one of every third
+    /// triangle that faces it most. Adds nothing if there is no inside.
     void add_inside(std::span<const std::uint32_t> triangles, std::size_t part, std::vector<glm::vec3>& samples) const
     {
         double best = 0.0;
@@ -164,7 +164,7 @@ private:
         return std::clamp(x, lo, hi);
     }
 
-    /// From who lies in whom to orientation and solids.
+    /// Derives orientation and solids from containment.
     Solids group(std::span<const std::uint32_t> container) const
     {
         const std::size_t count = container.size();
@@ -175,7 +175,7 @@ private:
         Box box;
         for (const Shell& shell : shells_.shells) box.add(shell.box);
         const double noise = plane_noise(box.largest_coordinate());
-        // A container is never smaller than what it contains: containers come first in this order.
+        // A container is never smaller than its contents: containers come first in this order.
         std::vector<std::uint32_t> outside_in(count), owner(count);
         std::iota(outside_in.begin(), outside_in.end(), 0u);
         const auto size = [&](std::uint32_t s) { return std::abs(shells_.shells[s].volume6); };
@@ -186,7 +186,7 @@ private:
             const std::uint32_t around = container[s];
             solids.flip[s] = around == kNoContainer ? shell.volume6 < 0.0 : solids.flip[around];
             const double volume = solids.flip[s] ? -shell.volume6 : shell.volume6;
-            // A plane in which a shell without volume lies takes its two sides apart: they fill a hole of the cap.
+            // A plane that contains a shell without volume separates its two sides, which then fill a hole of the cap.
             const bool is_cavity = shell.closed && around != kNoContainer &&
                                    (volume < 0.0 || has_no_volume(shell.volume6, shell.box, noise));
             owner[s] = is_cavity ? owner[around] : s;

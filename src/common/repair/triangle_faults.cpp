@@ -29,10 +29,10 @@ struct Entry
 struct Repeat
 {
     std::uint32_t triangle;
-    std::uint32_t layer;  ///< how many there were before, less one
+    std::uint32_t layer;  ///< the number of earlier ones, less one
 };
 
-/// Judges repeats: which can be dropped.
+/// Decides which repeats can be dropped.
 class RepeatJudge
 {
 public:
@@ -46,10 +46,11 @@ public:
         }
     }
 
-    /// Whether turning triangles over may balance an edge: it has an even number of them, over different points.
+    /// Whether turning triangles over may balance an edge: an unbalanced one with an even number of them, over
+    /// different points.
     bool may_be_turned_over() const { return may_be_turned_over_; }
 
-    /// By number in `repeats`.
+    /// `repeat` is a number in `repeats`.
     bool is_needed(std::uint32_t repeat) { return is_needed_[patches_.find(repeat)] != 0; }
 
 private:
@@ -57,7 +58,7 @@ private:
     struct Side
     {
         std::uint32_t repeat, edge;
-        int direction;  ///< 1 when it runs from the smaller point to the larger one, otherwise -1
+        int direction;  ///< 1 if it runs from the smaller point to the larger one, otherwise -1
     };
 
     std::uint32_t layer_of(const Side& side) const { return repeats_[side.repeat].layer; }
@@ -69,7 +70,7 @@ private:
         for (const Repeat& repeat : repeats_)
             for (const std::uint32_t point : corners[repeat.triangle]) is_met[point] = 1;
 
-        // Only triangles between two points of repeats have an edge of theirs.
+        // Only triangles with two points of repeats can have an edge of theirs.
         Buffer<Triangle> near;
         Buffer<std::uint32_t> repeat_of;
         std::uint32_t next = 0;
@@ -106,7 +107,7 @@ private:
                          [&](const Side& a, const Side& b) { return layer_of(a) > layer_of(b); });
     }
 
-    /// Calls visit(edge, repeat, change) for each edge of a layer: any repeat at it, and what the layer adds to its
+    /// Calls visit(edge, repeat, change) for each edge of a layer: with any repeat at it, and the layer's share of its
     /// balance.
     template <class Visit>
     static void for_each_edge(std::span<const Side> layer, Visit&& visit)
@@ -123,7 +124,7 @@ private:
     {
         for (std::size_t i = 1; i < layer.size(); ++i)
             if (layer[i].edge == layer[i - 1].edge) patches_.unite(layer[i].repeat, layer[i - 1].repeat);
-        // Triangles at one edge are of one patch, so that patches do not depend on one another.
+        // The layer's triangles at one edge are in one patch, so patches do not depend on one another.
         for_each_edge(layer, [&](std::uint32_t edge, std::uint32_t repeat, int change) {
             if (std::abs(balance_[edge] - change) > std::abs(balance_[edge])) is_needed_[patches_.find(repeat)] = 1;
         });
@@ -135,7 +136,7 @@ private:
     std::span<const Repeat> repeats_;
     std::vector<Side> sides_;
     bool may_be_turned_over_ = false;
-    std::vector<int> balance_;             ///< of each edge of repeats, without what is dropped
+    std::vector<int> balance_;             ///< of each edge of repeats, without dropped ones
     DisjointSets patches_;                 ///< of numbers in `repeats_`
     std::vector<std::uint8_t> is_needed_;  ///< of each patch
 };
@@ -184,7 +185,7 @@ std::vector<Repeat> find_repeats(std::uint32_t point_count, std::span<const Tria
     return repeats;
 }
 
-/// The corners as they are once triangles are turned over.
+/// The corners after triangles have been turned over.
 Buffer<Triangle> turn_over(std::span<const Triangle> corners, const Buffer<std::uint8_t>& turned_over)
 {
     Buffer<Triangle> turned(corners.begin(), corners.end());
@@ -200,7 +201,7 @@ void mark(RepeatJudge& judge, std::span<const Repeat> repeats, std::vector<Trian
         faults[repeats[i].triangle] = judge.is_needed(i) ? TriangleFault::coinciding : TriangleFault::duplicate;
 }
 
-/// The faults of triangles some of which are turned over first.
+/// Turns some triangles over and finds the faults that remain.
 Faults find_faults_of_turned(std::uint32_t point_count, std::span<const Triangle> corners,
                              Buffer<std::uint8_t> turned_over)
 {
@@ -212,7 +213,7 @@ Faults find_faults_of_turned(std::uint32_t point_count, std::span<const Triangle
     return faults;
 }
 
-/// How many triangles find no partner at their edges, of those that stay.
+/// The number of sides without a partner, among the triangles that stay.
 std::uint64_t count_open(std::uint32_t point_count, std::span<const Triangle> corners, const Faults& faults)
 {
     Buffer<Triangle> kept = turn_over(corners, faults.turned_over);

@@ -22,8 +22,8 @@ struct KeyHash
     }
 };
 
-/// Gives each pair of numbers an index, in the order of first use. Most first numbers come with one second number
-/// only, so that the table is rarely asked.
+/// Gives each pair of numbers an index, in the order of first use. Most first numbers come with one second number only,
+/// so the table is rarely needed.
 class PairNumbering
 {
 public:
@@ -83,7 +83,7 @@ private:
         return glm::cross(q - p, r - p);
     }
 
-    /// Where triangles were turned over, finds the vertices whose normals point behind them now.
+    /// Finds the vertices whose normals point behind their triangles now that some have been turned over.
     void find_turned_normals()
     {
         const auto& flipped = in_.surface.flipped;
@@ -179,7 +179,7 @@ private:
     const VertexSources& in_;
     IndexedMesh& mesh_;
     SmoothNormals smooth_;
-    Buffer<std::uint8_t> turned_;   ///< for each soup vertex; empty when nothing was turned over
+    Buffer<std::uint8_t> turned_;   ///< for each soup vertex; empty if nothing was turned over
     Buffer<std::uint32_t> origin_;  ///< for each new vertex the soup vertex
 };
 

@@ -22,8 +22,8 @@ struct VertexSources
 
 /// Fills vertices, points, triangles and streams of `mesh`, with triangles in the given order and vertices and points
 /// numbered by first use: one vertex for each fan and different attributes in it. Without normals in the soup, smooth
-/// ones are computed and creases get vertices of their own. Normals that a file gave to a triangle which was turned
-/// over are turned when they point behind it; normals without a direction are replaced. O(n).
+/// ones are computed and creases get vertices of their own. A file's normals of triangles that were turned over are
+/// turned if they point behind them; normals without a direction are replaced. O(n).
 void build_vertices(const VertexSources& sources, std::span<const std::uint32_t> order, IndexedMesh& mesh);
 
 }  // namespace kerf

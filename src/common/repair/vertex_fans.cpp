@@ -21,7 +21,7 @@ public:
         forward_ = true;
     }
 
-    /// Takes one more corner; false when there is none.
+    /// Takes one more corner; false if there is none.
     bool step(const LinkedSurface& surface)
     {
         const std::uint32_t first = corners_.front();
@@ -50,16 +50,15 @@ private:
     std::uint32_t clockwise_ = 0;
 };
 
-/// Divides fans. Of two parts the smaller one gets a label of its own, however the parts are to be numbered, so that a
-/// corner changes its label O(log n) times; finish() puts numbers in the place of labels.
+/// Divides fans. The smaller of two parts gets a new label, whichever number it is to have, so that a corner changes
+/// its label O(log n) times; finish() replaces labels by numbers.
 class FanDivider
 {
 public:
     FanDivider(LinkedSurface& surface, Fans& fans) : surface_(surface), fans_(fans) {}
 
-    /// Exchanging the partners of two links that the same cycle passes divides the cycle in two, and never joins two
-    /// fans: half-edges between the same two fans are a group, groups only fall apart, and one pass over each edge is
-    /// enough.
+    /// Exchanging the partners of two links on the same cycle divides the cycle in two, and never joins two fans. So
+    /// half-edges between the same two fans are a group, groups only fall apart, and one pass over each edge is enough.
     void separate_repeats(const NonmanifoldEdge& edge)
     {
         edge_ = &edge;
@@ -86,8 +85,8 @@ public:
     }
 
 private:
-    /// Makes groups of `moved_`, places in the edge that are in no group and whose fans hold no half-edge of another
-    /// group: lists in ascending order.
+    /// Makes groups, as lists in ascending order, of `moved_`: places in the edge that are in no group and whose fans
+    /// hold no half-edge of another group.
     void form_groups()
     {
         const auto key = [&](std::uint32_t place) {
@@ -127,7 +126,7 @@ private:
         form_groups();
     }
 
-    /// Labels the parts of a fan, one with corner `a`, one with corner `b`: the first gets a new number.
+    /// Labels the two parts of a fan, with corners `a` and `b`; the part of `a` gets a new number.
     void divide(std::uint32_t a, std::uint32_t b)
     {
         if (number_.empty()) {

@@ -31,7 +31,7 @@ public:
     {
     }
 
-    /// The entry that is_same() accepts, or `candidate`, which is entered then.
+    /// Returns the entry that is_same() accepts; otherwise enters and returns `candidate`.
     template <class IsSame>
     std::uint32_t find_or_insert(std::uint64_t hash, std::uint32_t candidate, IsSame&& is_same)
     {

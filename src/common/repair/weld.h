@@ -8,14 +8,14 @@
 
 namespace kerf {
 
-/// Which vertices are at one place, and which are one and the same.
+/// Which vertices are at one place.
 struct Weld
 {
     Buffer<std::uint32_t> points;   ///< for each vertex the number of its position, dense, in order of first occurrence
     std::uint32_t point_count = 0;  ///< number of different positions
 };
 
-/// Numbers the different positions; positions are equal when their bits are, after -0 became +0. O(n), by hashing.
+/// Numbers the different positions; positions are equal if their bits are, with -0 taken as +0. O(n), by hashing.
 Weld weld_positions(std::span<const Vertex> vertices);
 
 /// For each vertex the first one with the same point, uv and stream values, and, unless `ignore_normals`, the same
