@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-/// Memory of one cap's triangulation, given back as a whole. CGAL's containers lose a block when the next allocation
-/// fails (Compact_container::allocate_new_block in CGAL 5.5); in an arena nothing is lost.
+/// Memory of one cap's triangulation, freed as a whole. CGAL's containers lose a block if the next allocation fails
+/// (Compact_container::allocate_new_block in CGAL 5.5); an arena loses nothing.
 ///
-/// The arena that was made last is the one in which its thread allocates; arenas end in the reverse order.
+/// A thread allocates in the arena that it made last; arenas end in the reverse order.
 class CapArena
 {
 public:
@@ -47,8 +47,7 @@ private:
     Block* blocks_ = nullptr;
 };
 
-/// A standard allocator in the thread's arena, which must live as long as what it allocates. Single pieces are not
-/// given back.
+/// A standard allocator in the thread's arena, which must outlive what it allocates. Single blocks are not freed.
 template <class T>
 struct CapArenaAllocator
 {

@@ -9,11 +9,11 @@
 
 #include "common/mesh/index.h"
 
-// How a section is closed: an outline goes in, triangles and what lies across each of their edges come out.
+// How a section is closed: an outline goes in; triangles come out, with links across each of their edges.
 
 namespace kerf {
 
-/// What lies across an edge of a cap triangle: an edge of another cap triangle, or an edge of the outline.
+/// The other side of a cap triangle's edge: an edge of another cap triangle, or an edge of the outline.
 class CapLink
 {
 public:
@@ -26,7 +26,7 @@ public:
     Index outline_edge() const { return number_ - kOutline; }
     Index triangle() const { return number_ / 3; }
     Index corner() const { return number_ % 3; }
-    /// Of the edges of all triangles, three for each.
+    /// A number among the edges of all triangles, three for each.
     Index edge() const { return number_; }
 
     bool operator==(const CapLink&) const = default;
@@ -39,14 +39,14 @@ private:
     Index number_ = kNone;
 };
 
-/// A cap triangle, counter-clockwise as its outline. `link[i]` is of the edge from corner i to corner i + 1.
+/// A cap triangle, counter-clockwise as its outline. `link[i]` belongs to the edge from corner i to corner i + 1.
 struct CapTriangle
 {
     std::array<Index, 3> corner;
     std::array<CapLink, 3> link{};
 };
 
-/// Joins two edges. True if both belong to the outline: then there is no triangle to say so.
+/// Joins two edges. True if both belong to the outline: then no triangle records it.
 inline bool connect(std::vector<CapTriangle>& triangles, CapLink a, CapLink b)
 {
     if (!a.is_outline()) triangles[a.triangle()].link[a.corner()] = b;
@@ -54,14 +54,14 @@ inline bool connect(std::vector<CapTriangle>& triangles, CapLink a, CapLink b)
     return a.is_outline() && b.is_outline();
 }
 
-/// Loops that are closed together, projected along a coordinate axis, which is exact: coordinates are those of the
-/// mesh. Outer loops run counter-clockwise. Edge i runs from point i to the next point of its loop.
+/// Loops that are closed together, projected along a coordinate axis. The projection is exact: coordinates are those of
+/// the mesh. Outer loops run counter-clockwise. Edge i runs from point i to the next point of its loop.
 struct CapOutline
 {
     std::span<const glm::dvec2> points;
     std::span<const glm::vec3> positions;  ///< the same points in space: those that are one point are equal there too
     std::span<const Index> loop_starts;    ///< first point of each loop, and the number of points at the end
-    int axis_u = 0, axis_v = 1;            ///< which coordinates in space those in the projection are
+    int axis_u = 0, axis_v = 1;            ///< the coordinates in space that the projection keeps
 
     Index successor(Index i, Index loop) const { return i + 1 == loop_starts[loop + 1] ? loop_starts[loop] : i + 1; }
 };
@@ -81,10 +81,10 @@ struct CapMesh
     std::vector<CrossingPoint> crossing_points;
     /// Edges of the outline that run forth and back over the same two points with no cap between them.
     std::vector<std::array<Index, 2>> cancelled;
-    /// Points of which corners are named for another one at the same position, or that have corners which don't hang
-    /// together: what a corner belongs to only its neighbours say.
+    /// Points whose corners bear the number of another point at the same position, or do not hang together: only its
+    /// neighbours tell what a corner belongs to.
     std::vector<Index> shared_points;
-    /// Corners and edges looked at, and predicates of CGAL's, so far: a refusal counts, and clear() does not reset it.
+    /// Corners and edges looked at, and CGAL's predicates, so far: a refusal counts, and clear() does not reset it.
     std::uint64_t steps = 0;
 
     void clear()
@@ -95,21 +95,21 @@ struct CapMesh
         shared_points.clear();
     }
 
-    /// Joins two edges, which cancel one another if both belong to the outline.
+    /// Joins two edges; they cancel if both belong to the outline.
     void connect(CapLink a, CapLink b)
     {
         if (kerf::connect(triangles, a, b)) cancelled.push_back({a.outline_edge(), b.outline_edge()});
     }
 };
 
-/// A way to close sections. It covers the section as often as the loops wind around it, uses all points and adds none
-/// but crossing points. Every edge of the outline is linked by exactly one triangle, or cancelled.
+/// A way to close sections. It covers the section as often as the loops wind around it, uses all points, and adds only
+/// crossing points. Every edge of the outline is linked by exactly one triangle, or cancelled.
 class CapTriangulator
 {
 public:
     virtual ~CapTriangulator() = default;
 
-    /// False when this way can't close the outline; `cap` is undefined then. May throw std::bad_alloc, nothing else.
+    /// False if this way cannot close the outline; `cap` is undefined then. May throw std::bad_alloc, nothing else.
     virtual bool triangulate(const CapOutline& outline, CapMesh& cap) = 0;
 };
 

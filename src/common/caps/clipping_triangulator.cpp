@@ -4,9 +4,9 @@
 #include "common/geometry/turn.h"
 
 // Ear clipping in layers. An ear is a convex corner whose triangle holds no reflex corner (Meisters 1975: every simple
-// polygon has two). A pass over the loop clips every ear that is not next to one that it has clipped already, so edges
-// get longer by a constant factor from pass to pass and a line crosses O(log k) triangles on its way in and out, where
-// clipping one corner after the other would leave a fan.
+// polygon has two). A pass over the loop clips every ear that is not next to one it has clipped already. So edges get
+// longer by a constant factor from pass to pass, and a line crosses O(log k) triangles on its way in and out; clipping
+// one corner after the other would leave a fan.
 
 namespace kerf {
 
@@ -23,8 +23,8 @@ public:
         });
     }
 
-    /// True when a reflex corner other than these three lies in or on the triangle. Counts the corners that it looks at
-    /// down from `left`, and is true when none are left.
+    /// True if a reflex corner other than these three lies in or on the triangle. Counts the corners that it looks at
+    /// down from `left`, and is true if none are left.
     bool meets(const std::vector<glm::dvec2>& points, const std::vector<std::uint8_t>& reflex, std::size_t ia,
                std::size_t ib, std::size_t ic, std::size_t& left) const
     {
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    /// Reflex corners that may be looked at for each point of the loop, before it is given up: teeth that lean over one
+    /// Limit of reflex corners looked at, for each point of the loop, before it is given up: teeth that lean over one
     /// another lie in the bounds of many ears.
     static constexpr std::size_t kMostLooks = 256, kFewPoints = 1024;
 
@@ -76,7 +76,7 @@ private:
         while (ring_.size() > 3) {
             const std::size_t before = ring_.size();
             clip(cap);
-            // Loops that wind like a spiral have few ears at a time; better triangulators know what to do with them.
+            // Loops that wind like a spiral have few ears at a time; they are left to better triangulators.
             constexpr std::size_t kLeastShare = 64;
             const std::size_t clipped = before - ring_.size();
             if (looks_left_ == 0 || clipped == 0 || clipped * kLeastShare < before) return false;
@@ -87,8 +87,8 @@ private:
         return true;
     }
 
-    /// One pass. Corners are judged as they are at its beginning: clipping an ear makes no corner reflex, and ears that
-    /// are not neighbours don't overlap.
+    /// One pass. It judges corners as they are at its beginning: clipping an ear makes no corner reflex, and ears that
+    /// are not neighbours do not overlap.
     void clip(CapMesh& cap)
     {
         const std::size_t n = ring_.size();
@@ -146,7 +146,7 @@ private:
 
     std::vector<glm::dvec2> points_;  // of the ring, in its order
     std::vector<Index> ring_;         // their numbers in the outline
-    std::vector<CapLink> edge_;       // what the edge that leaves them is: the outline's, or a triangle's
+    std::vector<CapLink> edge_;       // the edge that leaves each: the outline's, or a triangle's
     std::vector<std::uint8_t> reflex_, clipped_;
     ReflexTree reflex_tree_;
     std::size_t looks_left_ = 0;

@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-/// One simple concave loop, by clipping ears in layers: as few triangles along a line as Delaunay's, at a fraction of
-/// the cost. Refuses loops that have few ears at a time. O(k log k).
+/// Closes one simple concave loop by clipping ears in layers: a line crosses as few triangles as in a Delaunay
+/// triangulation, at a fraction of the cost. Refuses loops that have few ears at a time. O(k log k).
 std::unique_ptr<CapTriangulator> make_clipping_triangulator();
 
 }  // namespace kerf

@@ -5,7 +5,7 @@
 #include "common/caps/cap_triangulator.h"
 #include "common/caps/edge_routes.h"
 
-// What needs CGAL, which is GPL: defined in the library `caps_cgal`, in one file.
+// The part that needs CGAL, which is GPL: defined in the library `caps_cgal`, in one file.
 
 namespace kerf {
 

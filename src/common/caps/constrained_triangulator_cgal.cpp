@@ -2,8 +2,8 @@
 
 #include "common/caps/cap_arena.h"
 
-// What CGAL's containers allocate with (CGAL/memory.h). It is set once the kernel's number types are read: those are the
-// same types in every file of a program, and the containers below hold types of this file alone.
+// The allocator of CGAL's containers (CGAL/memory.h). It is set after the kernel's number types are read, which are the
+// same types in every file of a program; the containers below hold types of this file alone.
 #undef CGAL_ALLOCATOR
 #define CGAL_ALLOCATOR(T) kerf::CapArenaAllocator<T>
 
@@ -28,18 +28,18 @@ namespace kerf {
 
 namespace {
 
-/// Steps that inserting a point may take, and what they may exceed that by on end, in all and for each point of the
-/// outline, before another order is tried.
+/// Steps that inserting a point may take, and how far points may exceed them, in all and for each point of the outline,
+/// before another order is tried.
 constexpr std::uint64_t kStepsForPoint = 64, kMostDebt = 4096, kMostDebtForPoint = 4;
 
-/// Triangles for each point of an outline, and besides. Loops that do not cross need two, or as many as loops lie on
-/// one another; a coil around one point needs points times turns, which is no price for a cap.
+/// Triangles for each point of an outline, and in addition. Loops that do not cross need two, or as many as loops lie
+/// on one another; a coil around one point needs points times turns, too many for a cap.
 constexpr std::size_t kMostLayers = 4, kMostCovered = 32768;
 
 using ExactPredicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// A predicate that counts how often it is asked. Inlined, counting costs nothing that can be measured; left to the
-/// compiler it costs a twentieth of a triangulation.
+/// A predicate that counts how often it is asked. Inlined, counting costs nothing measurable; left to the compiler it
+/// costs a twentieth of a triangulation.
 template <class Predicate>
 class Counted : public Predicate
 {
@@ -57,8 +57,8 @@ private:
     std::uint64_t* count_;
 };
 
-/// What triangulations walk, flip and locate by: their steps are its predicates. Not counted are the first 2500
-/// triangles of a walk, which CGAL takes without exact predicates.
+/// The predicates by which triangulations walk, flip and locate; cap steps count them. The first 2500 triangles of a
+/// walk are not counted: CGAL takes them without exact predicates.
 struct Kernel : ExactPredicates
 {
     using Orientation_2 = Counted<ExactPredicates::Orientation_2>;
@@ -76,7 +76,7 @@ struct Kernel : ExactPredicates
 
 }  // namespace kerf
 
-/// As for the kernel that it is made of: walks begin without exact predicates.
+/// As for the kernel it is based on: walks begin without exact predicates.
 template <>
 struct CGAL::Triangulation_structural_filtering_traits<kerf::Kernel>
     : CGAL::Triangulation_structural_filtering_traits<kerf::ExactPredicates>
@@ -88,9 +88,9 @@ namespace kerf {
 namespace {
 
 /// Makes the triangles around a new constraint Delaunay with a stack of edges. CGAL takes edges to flip from the front
-/// of a sorted array, so that an outline edge that crosses m edges moves m^2 of them, which no predicate counts: teeth
+/// of a sorted array, so an outline edge that crosses m edges moves m^2 of them, which no predicate counts: teeth
 /// around a tip that the plane passes by cost a hundred times as much as others. CGAL perturbs points on a circle, so
-/// there is one result whatever the order.
+/// the result does not depend on the order.
 template <class Triangulation>
 class FlippingByStack : public Triangulation
 {
@@ -106,7 +106,7 @@ protected:
         Triangulation::Ctr::triangulate_hole(crossed, left, right, added);
         flips_.assign(added.begin(), added.end());
         while (!flips_.empty()) {
-            // A flip may have made it another edge: all whose triangles have changed are on the stack anew.
+            // A flip may have changed this edge: all edges whose triangles have changed are on the stack again.
             auto [f, i] = flips_.back();
             flips_.pop_back();
             if (!this->is_flipable(f, i)) continue;
@@ -140,7 +140,7 @@ using Triangulation = FlippingByStack<CGAL::Constrained_Delaunay_triangulation_2
 using FaceHandle = Triangulation::Face_handle;
 using VertexHandle = Triangulation::Vertex_handle;
 
-/// Knuth's linear congruential generator: the same numbers on every run and everywhere. Its high bits are the random
+/// Knuth's linear congruential generator: the same numbers on every run and every system. Its high bits are the random
 /// ones.
 class RandomNumbers
 {
@@ -157,21 +157,21 @@ private:
     std::uint64_t state_;
 };
 
-/// Fisher and Yates.
+/// Method of Fisher and Yates.
 void shuffle(std::vector<std::array<Index, 2>>& edges)
 {
     RandomNumbers random(edges.size());
     for (std::size_t i = edges.size(); i > 1; --i) std::swap(edges[i - 1], edges[random.below(i)]);
 }
 
-/// In which order points are inserted: numbers of points, those at one place one after the other.
+/// The order in which points are inserted: numbers of points, with those at one place one after the other.
 class InsertionOrder
 {
 public:
     std::span<const Index> points() const { return order_; }
 
-    /// Insertion in loop order makes long cascades of flips; neighbours on a space-filling curve are found at once. The
-    /// fastest order for nearly all outlines.
+    /// Insertion in loop order makes long cascades of flips; neighbours on a space-filling curve are found at once.
+    /// This is the fastest order for nearly all outlines.
     void along_curve(std::span<const glm::dvec2> points)
     {
         curve_.clear();
@@ -181,11 +181,11 @@ public:
         for (const Place& place : curve_) order_.push_back(place.point);
     }
 
-    /// An order that depends on where points lie has its outlines on which each point takes over the neighbours of the
-    /// one before: thousands of cut points around a tip that the plane passes by, as good as in one place, and
-    /// thousands elsewhere. In random order expected flips are O(n log n) for any points at all. Random rounds, each
-    /// along the curve and eight times as large as the one before, have this and the curve's short ways: Amenta, Choi
-    /// and Rote, "Incremental constructions con BRIO", 2003. After along_curve().
+    /// Any order that depends on where points lie has outlines on which each point takes over the neighbours of the one
+    /// before: thousands of cut points around a tip that the plane passes by, practically in one place, and thousands
+    /// elsewhere. In random order expected flips are O(n log n) for any points at all. Random rounds, each along the
+    /// curve and eight times as large as the one before, keep this bound and the curve's short walks: Amenta, Choi and
+    /// Rote, "Incremental constructions con BRIO", 2003. After along_curve().
     void in_rounds(std::span<const glm::dvec2> points)
     {
         refine_cells(points, curve_);
@@ -207,7 +207,7 @@ public:
         for (const auto& [round, i] : curve_) order_[round_start[round]++] = i;
     }
 
-    /// Moves a place that is not in line with the first two to the front. False when there is none.
+    /// Moves a place that is not in line with the first two to the front. False if there is none.
     bool span_the_plane(std::span<const glm::dvec2> points)
     {
         const glm::dvec2& first = points[order_[0]];
@@ -230,7 +230,7 @@ private:
         Index point;
     };
 
-    /// Along Hilbert's curve through cells of one size. False when there is only one place.
+    /// Sorts along Hilbert's curve through cells of one size. False if there is only one place.
     static bool sort_along_curve(std::span<const glm::dvec2> points, std::span<Place> run)
     {
         glm::dvec2 lo = points[run.front().point], hi = lo;
@@ -252,9 +252,9 @@ private:
         return longest > 0.0;
     }
 
-    /// Orders cells that hold many points along curves of their own: floats may lie a hundred powers of two nearer to
-    /// one another than to the rest. The ends of a box lie in different cells of it, so that each curve has fewer
-    /// points than the one before, and cells 2^-16 as large.
+    /// Orders cells that hold many points along curves of their own: some floats lie a hundred powers of two nearer to
+    /// one another than to the rest. The ends of a box lie in different cells of it, so each curve has fewer points
+    /// than the one before, and cells 2^-16 as large.
     static void refine_cells(std::span<const glm::dvec2> points, std::span<Place> run)
     {
         constexpr std::size_t kFewPoints = 8;
@@ -298,12 +298,12 @@ public:
     }
 
 private:
-    /// Nothing when `may_give_up` and points take too many steps in this order.
+    /// Empty if `may_give_up` and points take too many steps in this order.
     std::optional<bool> triangulate_in_order(const CapOutline& outline, CapMesh& cap, bool may_give_up)
     {
         cap.clear();
-        // A triangulation of its own for each cap: one that ran out of memory half-way is fit for nothing but its
-        // destructor, and clear() gives all memory back as well.
+        // Each cap has a triangulation of its own: one that ran out of memory half-way can only be destroyed, and reuse
+        // would save nothing, since clear() frees all memory.
         const CapArena arena;
         Triangulation triangulation(Kernel(&cap.steps));
         triangulation_ = &triangulation;
@@ -314,7 +314,7 @@ private:
         } catch (const std::bad_alloc&) {
             throw;
         } catch (const std::exception&) {
-            // Seams that cross one another: Intersection_of_constraints_exception.
+            // Outline edges that cross one another: Intersection_of_constraints_exception.
             return false;
         }
         if (!flood(cap)) return false;
@@ -322,7 +322,7 @@ private:
         return true;
     }
 
-    /// False when points fall together that are two points in space.
+    /// False if two points in space fall together in the projection.
     std::optional<bool> insert_points(const CapOutline& outline, CapMesh& cap, bool may_give_up)
     {
         vertices_.resize(outline.points.size());
@@ -333,7 +333,7 @@ private:
         std::uint64_t debt = 0;
         for (const Index i : order_.points()) {
             const glm::dvec2& p = outline.points[i];
-            // Points at one place follow one another. CGAL would find that it has them, and look around each again.
+            // Points at one place follow one another. CGAL would search around each again to find that it has them.
             if (v == VertexHandle() || outline.points[v->info()] != p) {
                 const std::uint64_t before = cap.steps;
                 // As long as all points are in line, CGAL looks at all edges for each new one.
@@ -355,7 +355,7 @@ private:
         return true;
     }
 
-    /// False when an edge passes through a point of the outline.
+    /// False if an edge passes through a point of the outline.
     bool insert_edges(const CapOutline& outline)
     {
         crossed_.clear();
@@ -369,10 +369,10 @@ private:
                 crossed_.push_back({from, to});
             return true;
         });
-        // What an edge crosses is triangulated anew. In the order of a loop that can be half of all there is, edge
-        // after edge (teeth that lean over one another); in random order those that are in shield those to come: O(n
-        // log^2 n) expected. Shewchuk and Brown, "Fast segment insertion and incremental construction of constrained
-        // Delaunay triangulations", 2015.
+        // The triangles that an edge crosses are made anew. In the order of a loop that can be half of the
+        // triangulation, edge after edge (teeth that lean over one another). In random order earlier edges shield later
+        // ones: O(n log^2 n) expected. Shewchuk and Brown, "Fast segment insertion and incremental construction of
+        // constrained Delaunay triangulations", 2015.
         shuffle(crossed_);
         for (const auto& [i, j] : crossed_) triangulation_->insert_constraint(vertices_[i], vertices_[j]);
         next_along_.assign(vertices_.size(), kNone);
@@ -389,8 +389,8 @@ private:
         });
     }
 
-    /// The ends of an edge, that first where fewer loops run through: CGAL looks for the other one around it, and where
-    /// thousands of loops meet, thousands of edges do.
+    /// The ends of an edge, first the one that fewer loops run through: CGAL looks for the other end around it, and
+    /// thousands of edges meet where thousands of loops do.
     std::array<Index, 2> from_fewer_loops(Index i, Index j) const
     {
         return loops_at_[vertices_[i]->info()] <= loops_at_[vertices_[j]->info()] ? std::array{i, j} : std::array{j, i};
@@ -405,10 +405,10 @@ private:
         return true;
     }
 
-    /// True when edge i of the outline runs with face f on its left along edge `edge`.
+    /// True if edge i of the outline runs with face f on its left along edge `edge`.
     bool leaves_on_left(Index i, FaceHandle f, int edge) const { return vertices_[i] == f->vertex(f->ccw(edge)); }
 
-    /// False when there are too many places that are wound around too often.
+    /// False if the cap would need too many triangles, because loops wind around places too often.
     bool flood(CapMesh& cap)
     {
         const std::size_t most = kMostLayers * vertices_.size() + kMostCovered;
@@ -446,7 +446,7 @@ private:
         return true;
     }
 
-    /// Pairs the half-edges along each edge: those of cap triangles on both sides and the outline's own.
+    /// Pairs the half-edges along each edge: those of cap triangles on both sides and those of the outline.
     void link(CapMesh& cap)
     {
         for (const FaceHandle f : queue_)
@@ -455,7 +455,7 @@ private:
                 if (f->info().id > g->info().id) continue;
                 const Index first = f->info().outline_edge[std::size_t(edge)];
                 if (f->info().winding == 0 && g->info().winding == 0 && first == kNone) continue;
-                // `along` holds what runs with f on its left, `against` what runs with g on its left; an outline edge
+                // `along` holds half-edges with f on their left, `against` those with g on their left; an outline edge
                 // counts as the surface's half-edge, which runs against it.
                 along_.clear();
                 against_.clear();
@@ -472,7 +472,7 @@ private:
 
     static void append_copies(FaceHandle f, int edge, std::vector<CapLink>& left, std::vector<CapLink>& right)
     {
-        // Edge `edge` of a face runs from corner edge + 1; in a triangle turned over it is another one.
+        // Edge `edge` of a face starts at corner edge + 1; in a triangle turned over it has another number.
         static constexpr std::array<Index, 3> kUpright{1, 2, 0}, kTurned{1, 0, 2};
         const int winding = f->info().winding;
         for (int copy = 0; copy < std::abs(winding); ++copy) {
@@ -494,8 +494,8 @@ private:
     std::vector<CapLink> along_, against_;
 };
 
-/// Edges are constraints of a triangulation in which constraints may cross: predicates are exact, the points where two
-/// cross are rounded to double, and both run over that point then.
+/// Edges are constraints of a triangulation in which constraints may cross. Predicates are exact; the point where two
+/// constraints cross is rounded to double, and both then run over that point.
 class CgalRouteFinder final : public RouteFinder
 {
 public:
@@ -528,21 +528,21 @@ private:
     using Constraints = FlippingByStack<CGAL::Constrained_Delaunay_triangulation_2<
         Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>, CGAL::Exact_predicates_tag>>;
 
-    /// Knows where constraints were divided: where they cross, and where they run over a vertex. (CGAL's
-    /// Constrained_triangulation_plus_2 does, too, but can't be destroyed once it has run out of memory.)
+    /// Records where constraints were divided: where they cross, and where they run over a vertex. (So does CGAL's
+    /// Constrained_triangulation_plus_2, but it cannot be destroyed once it has run out of memory.)
     class Crossing final : public Constraints
     {
     public:
         Crossing(const Kernel& kernel, Index places) : Constraints(kernel), next_(places) {}
 
-        /// As insert_constraint(), but that it notes where the edge is divided.
+        /// As insert_constraint(), but records where the edge is divided.
         void insert_edge(Vertex_handle from, Vertex_handle to)
         {
             std::vector<std::array<Vertex_handle, 2>> left{{from, to}};
             while (!left.empty()) {
                 auto [a, b] = left.back();
                 left.pop_back();
-                // CGAL looks all around the first: where most edges meet in one point, that is a loop over all of them.
+                // CGAL looks all around the first end; if most edges meet in it, that is a loop over all of them.
                 if (has_fewer_edges(b, a)) std::swap(a, b);
                 Vertex_handle v;
                 Face_handle face;
@@ -553,7 +553,7 @@ private:
                     List_faces crossed;
                     List_edges on_left, on_right;
                     if (find_intersected_faces(a, b, crossed, on_left, on_right, v)) {
-                        // Where it runs over its own end, that edge is gone by now.
+                        // If the edge runs over its own end, the edge found is gone by now.
                         if (v == a || v == b) {
                             left.push_back({a, b});
                         } else {
@@ -571,7 +571,7 @@ private:
             }
         }
 
-        /// Appends the vertices from a to b, but for a. False where they can't be told, or are too many.
+        /// Appends the vertices from a to b, without a. False if they cannot be told, or are too many.
         bool append_route(Vertex_handle a, Vertex_handle b, std::vector<Index>& route, std::size_t most_points) const
         {
             std::vector<std::array<Vertex_handle, 2>> left{{a, b}};
@@ -627,7 +627,7 @@ private:
         }
 
     private:
-        /// No edge runs over so many: a chain of divisions that leads back to itself ends.
+        /// A limit that no edge reaches: it ends a chain of divisions that leads back to itself.
         static constexpr std::size_t kMostOnRoute = std::size_t{1} << 20;
 
         static std::array<Index, 2> key(Vertex_handle a, Vertex_handle b)
@@ -646,7 +646,7 @@ private:
             return true;
         }
 
-        /// Notes that the edge from a to b runs over v, which may have just been made.
+        /// Records that the edge from a to b runs over v, which may be new.
         void divide(Vertex_handle a, Vertex_handle b, Vertex_handle v)
         {
             if (v->info().value == kNone) v->info().value = next_++;
@@ -673,7 +673,7 @@ private:
             vertices[i] = v;
             hint = v->face();
         }
-        // Where many meet in one place, edges between two places are many, too.
+        // If many edges meet in one place, many may join the same two places.
         std::vector<std::array<Index, 2>> constraints;
         for (const auto& [from, to] : edges) {
             if (from == to) return false;

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// What edges run over, each from its start to its end.
+/// The places that edges run over, each edge from its start to its end.
 struct EdgeRoutes
 {
     std::vector<Index> points;        ///< numbers of places, those of `added` behind the others
@@ -20,16 +20,16 @@ struct EdgeRoutes
     std::uint64_t steps = 0;          ///< predicates, counted up
 };
 
-/// Finds where edges meet that may cross all over.
+/// Finds where edges meet, however many cross.
 class RouteFinder
 {
 public:
     virtual ~RouteFinder() = default;
 
-    /// Leads each edge over every place that lies in it, and over one more wherever it crosses another: rounded to
-    /// double, which may lead it over others beside that, and back. What comes out meets in places alone. False where
-    /// more than `most_added` are new or the routes have more than `most_points`, where two places are equal and where
-    /// an edge ends at its start. May throw std::bad_alloc, nothing else. O((n + crossings) log n + points) expected.
+    /// Leads each edge over every place in it, and over a new one wherever it crosses another edge. Rounding new places
+    /// to double may lead an edge over others beside it, and back. Routes meet in places only. False if over
+    /// `most_added` places are new, routes have over `most_points`, two places are equal, or an edge ends at its start.
+    /// May throw std::bad_alloc, nothing else. O((n + crossings) log n + points) expected.
     virtual bool find(std::span<const glm::dvec2> places, std::span<const std::array<Index, 2>> edges,
                       std::size_t most_added, std::size_t most_points, EdgeRoutes& routes) = 0;
 };

@@ -44,7 +44,7 @@ public:
 private:
     bool same(Index a, Index b) const { return points_[ring_[a]] == points_[ring_[b]]; }
 
-    /// The point nearest to the middle that lies elsewhere than both ends.
+    /// The point nearest to the middle whose position differs from those of both ends.
     Index middle_of(Index first, Index last) const
     {
         const Index middle = first + (last - first) / 2;
@@ -106,7 +106,7 @@ public:
     }
 
 private:
-    /// Drops edges that run forth and straight back: `ring_` is what is left of the loop.
+    /// Drops edges that run forth and straight back; `ring_` is the rest of the loop.
     void reduce(const CapOutline& outline, Index first, Index last, CapMesh& cap)
     {
         const auto at = [&](Index i) -> const glm::vec3& { return outline.positions[i]; };
@@ -116,7 +116,7 @@ private:
             ring_.push_back(i);
             fold(at, cap);
         }
-        // Around the joint: the edge before and the edge after the first point.
+        // Across the joint: the edges before and after the first point.
         for (;;) {
             const std::size_t n = ring_.size();
             if (n >= 2 && at(ring_[n - 1]) == at(ring_[1])) {

@@ -8,11 +8,11 @@
 
 namespace kerf {
 
-/// One strictly convex loop, by halving it again and again: no point meets more than 2 log2(k) triangles, and a line
+/// Closes one strictly convex loop by halving it repeatedly: no point meets more than 2 log2(k) triangles, and a line
 /// crosses O(log k) of them. O(k).
 std::unique_ptr<CapTriangulator> make_convex_triangulator();
 
-/// Any outline at all: each loop is halved by its order alone, wherever its points lie. Triangles may overlap and be
+/// Closes any outline: each loop is halved by its order alone, wherever its points lie. Triangles may overlap and be
 /// turned over, but the cap is closed and its signed area is right. The last resort for self-intersecting input. O(k).
 std::unique_ptr<CapTriangulator> make_topological_triangulator();
 

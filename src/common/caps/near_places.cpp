@@ -12,7 +12,7 @@ namespace kerf {
 
 std::vector<Index> stand_ins(std::span<const glm::dvec2> places, std::span<const Index> order, double radius)
 {
-    // Cells as large as the radius: what is near lies in one of nine.
+    // Cells are as large as the radius, so near places lie in one of nine.
     const auto cell = [&](const glm::dvec2& p, int right, int up) {
         const auto x = static_cast<std::int64_t>(std::floor(p.x / radius)) + right;
         const auto y = static_cast<std::int64_t>(std::floor(p.y / radius)) + up;

@@ -6,23 +6,23 @@
 
 #include "common/mesh/index.h"
 
-// Places in the plane of a section that are nearer to one another than rounding moves them.
+// Places in the plane of a section that are closer to one another than the distance that rounding moves them.
 
 namespace kerf {
 
-/// For each place one that stands for it, `radius` away at most along each axis; those that stand for others stand for
-/// themselves, and are farther from one another. `order` says which place comes first. O(n) expected.
+/// Gives each place a stand-in, at most `radius` away along each axis. A stand-in stands for itself, and stand-ins are
+/// farther than that from one another. `order` says which place comes first. O(n) expected.
 std::vector<Index> stand_ins(std::span<const glm::dvec2> places, std::span<const Index> order, double radius);
 
-/// Some places, to be found beside edges: halved along x and y in turn.
+/// A tree over places, to find those beside an edge: halved along x and y in turn.
 class PlaceTree
 {
 public:
-    /// `which` of the places. O(n log n).
+    /// Builds the tree over the places numbered in `which`. O(n log n).
     void build(std::span<const glm::dvec2> places, std::vector<Index> which);
 
-    /// Appends those that lie within `radius` of the edge from a to b, in the order in which it passes them. O(log n)
-    /// for few and short edges, O(sqrt(n)) at most for what is found in vain. Counts the places that it looks at.
+    /// Appends the places within `radius` of the edge from a to b, in the order in which the edge passes them. O(log n)
+    /// for few and short edges, at most O(sqrt(n)) for a search in vain. Counts the places that it looks at.
     void append_beside(const glm::dvec2& a, const glm::dvec2& b, double radius, std::vector<Index>& found,
                        std::uint64_t& looks) const;
 

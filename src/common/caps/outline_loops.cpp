@@ -35,8 +35,8 @@ int compare(const glm::vec3& a, const glm::vec3& b)
     return lexicographically_less(a, b) ? -1 : 1;
 }
 
-/// Divides one outline: the strands between nodes are followed from node to node. A node is a point, as the edges of
-/// one tag see it, where they do not just pass.
+/// Divides one outline, following the strands from node to node. A node is a point, as seen by the edges of one tag,
+/// that these do not just pass.
 class Divider
 {
 public:
@@ -153,7 +153,7 @@ private:
         return a < b;
     }
 
-    /// Takes the path that begins at a node on until no edge is left to take. Loops leave it on the way.
+    /// Takes the path that begins at a node on until no edge is left. Loops leave it on the way.
     void follow(std::uint32_t node)
     {
         path_.clear();
@@ -198,7 +198,7 @@ private:
         divided_.paths.push_back({begin, divided_.edges.size() - begin, true});
     }
 
-    /// Takes the path from `first` on off as a loop or chain.
+    /// Removes the path from `first` on and records it as a loop or a chain.
     void emit(std::size_t first, bool closed)
     {
         const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(first);
@@ -228,7 +228,7 @@ std::vector<std::array<std::uint32_t, 2>> opposite_edges(std::size_t point_count
 {
     EdgeAtPoint out(point_count);
     for (std::uint32_t e = 0; e < edges.size(); ++e) out.add(edges[e].from, e);
-    // Those that may have a reverse.
+    // Edges that may have a reverse.
     std::vector<std::uint32_t> some;
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
         const std::uint32_t back = out[edges[e].to];

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// A box in the plane of a section; empty when made.
+/// A box in the plane of a section; initially empty.
 struct Box2
 {
     double lo_x = std::numeric_limits<double>::infinity(), lo_y = lo_x, hi_x = -lo_x, hi_y = -lo_x;
@@ -35,12 +35,12 @@ struct Box2
     }
 };
 
-/// Boxes over things along a loop, in runs of eight and pairs of runs above: a loop is coherent, so its own order is a
-/// good tree.
+/// Boxes over items along a loop, in runs of eight and pairs of runs above: neighbours in a loop are close, so its own
+/// order is a good tree.
 class RunBoxes
 {
 public:
-    /// `add_to(i, box)` adds thing i, or nothing, to a box. O(count).
+    /// `add_to(i, box)` adds item i, or nothing, to a box. O(count).
     template <class AddTo>
     void build(std::size_t count, AddTo add_to)
     {
@@ -58,7 +58,7 @@ public:
         for (std::size_t i = first_leaf_ - 1; i > 0; --i) boxes_[i] = boxes_[2 * i].joined(boxes_[2 * i + 1]);
     }
 
-    /// Calls visit(i) for all things of the runs whose box overlaps `box`, until it returns true; whether it did.
+    /// Calls visit(i) for all items of runs whose box overlaps `box` until it returns true. Returns whether it did.
     template <class Visit>
     bool any(const Box2& box, Visit visit) const
     {

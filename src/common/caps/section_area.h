@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// Adds up numbers below a bound: the sum has the same bits in whatever order they come. They are rounded to 2^-90 of
-/// the bound and added as integers, so that up to 2^36 of them lose no more than a double does for one.
+/// Adds up numbers below a bound; the sum has the same bits in any order. Numbers are rounded to 2^-90 of the bound and
+/// added as integers, so up to 2^36 of them lose no more than a double does for one.
 class OrderlessSum
 {
 public:
@@ -33,9 +33,9 @@ private:
     Integer sum_ = 0;
 };
 
-/// Signed area of closed loops in a plane, mesh units squared: positive where they run counter-clockwise seen from the
-/// positive side. The same bits whatever the order of the edges. `for_each_edge(visit)` calls visit(p, q) for the two
-/// ends of each edge of all loops; it is called twice. O(k).
+/// Signed area of closed loops in a plane, in mesh units squared: positive if they run counter-clockwise seen from the
+/// positive side. The bits do not depend on the order of the edges. `for_each_edge(visit)` calls visit(p, q) for the
+/// two ends of each edge of all loops; it is called twice. O(k).
 template <class ForEachEdge>
 double section_area(const Plane& plane, ForEachEdge for_each_edge)
 {

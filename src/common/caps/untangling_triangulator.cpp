@@ -18,26 +18,26 @@
 #include "common/mesh/tolerances.h"
 
 // Cut points are rounded to float, so a section that comes near to itself may touch or cross itself by a unit in the
-// last place: a point lies in another edge, two edges cross beside a point. Such an edge is led over the point: a
-// triangle without (much) area is put on it, and its two other edges take its place in the outline. What is left has no
-// point inside an edge and no crossings. The idea is that of snap
-// rounding (Hobby 1999, "Practical segment intersection with finite precision output"), with the outline's own points
-// in the place of pixels: only edges that do meet are touched, and no point is added.
+// last place: a point lies in another edge, or two edges cross beside a point. Such an edge is led over the point: a
+// triangle with (almost) no area is put on it, and its two other edges replace it in the outline. The remaining outline
+// has no point inside an edge and no crossings. The idea is that of snap rounding (Hobby 1999, "Practical segment
+// intersection with finite precision output"), with the outline's own points in the place of pixels: only edges that do
+// meet are touched, and no point is added.
 //
-// Where a surface runs through itself edges cross far from all points, and a triangle over one of those would cover
-// what it should not. There a point is added where they cross, and both edges are led over it: the outline keeps its
-// edges, the triangles on them have no more area than rounding that point gives them, and what lies behind them is free
-// of crossings.
+// If a surface runs through itself, edges cross far from all points, and a triangle over one of these would cover too
+// much. There a point is added at the crossing, and both edges are led over it: the outline keeps its edges, the
+// triangles on them have no more area than rounding that point gives them, and the outline behind them is free of
+// crossings.
 //
-// Where a plane passes a tip by less than floats tell apart, thousands of points lie within rounding of one another,
+// If a plane passes a tip by less than floats can tell apart, thousands of points lie within rounding of one another,
 // and edges cross as often as there are pairs of them: leading each over the nearest end makes new crossings for those
-// that are gone. There all crossings are found at once, in a triangulation whose constraints may cross, and edges are
-// led over just those; of large outlines each crowd is led over one of its points first, and edges over the points that
+// it removes. There all crossings are found at once, in a triangulation whose constraints may cross, and edges are led
+// over just those. In large outlines each crowd is first led over one of its points, and edges over the points that
 // they pass by within rounding (snap rounding again, of points as well).
 //
-// A loop that comes back to a point falls apart there. If all parts run counter-clockwise each is covered on its own,
+// A loop that comes back to a point falls apart there. If all parts run counter-clockwise, each is covered on its own,
 // which is quick; holes need the constrained triangulation. That covers a place as often as it is wound around,
-// triangle upon triangle; where that were too many, parts are covered on their own after all, holes turned over.
+// triangle upon triangle; if that takes too many, parts are covered on their own after all, with holes turned over.
 
 namespace kerf {
 
@@ -48,14 +48,14 @@ constexpr int kMostRounds = 32;
 constexpr double kAnyShare = std::numeric_limits<double>::infinity();
 /// Work that an outline of n points may cost before it is given up, per round and in all.
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
-/// Points within rounding of one that are a crowd.
+/// This many points within rounding of one are a crowd.
 constexpr std::size_t kCrowd = 8;
-/// Points of a crowded outline whose crossings, which grow with their square, are few.
+/// Crowded outlines of up to so many points have few crossings, though these grow with the square of the points.
 constexpr std::size_t kFewPoints = 1024;
-/// Edges that crossings may make in all, over those: some tens of milliseconds.
+/// Edges that crossings may add in all, beyond kMostEdges a point: some tens of milliseconds.
 constexpr std::size_t kMostCrossed = 32768;
-/// Points of an outline for each that rounding may move away from an edge. One in forty thousand was seen where
-/// sections were capped rightly, one in ten where they were not.
+/// One point may be moved away from an edge by rounding for so many points of the outline. One in forty thousand was
+/// seen in sections that were capped rightly, one in ten in those that were not.
 constexpr std::size_t kPointsForMoved = 100;
 
 class UntanglingTriangulator final : public CapTriangulator
@@ -80,7 +80,7 @@ private:
     struct Edge
     {
         Index from, to;  ///< the first of the points at that position
-        CapLink link;    ///< what it is: an edge of the outline, or of a triangle that was put on one
+        CapLink link;    ///< an edge of the outline, or of a triangle that was put on one
     };
 
     bool untangle(const CapOutline& outline, CapMesh& cap)
@@ -89,15 +89,15 @@ private:
         is_crowded_.reset();
         if (const std::optional<bool> closed = lead_over_ends(cap)) return *closed;
         start_anew(outline, cap);
-        // It costs the least area to lead edges over crossings alone, if they are few.
+        // Leading edges over crossings alone costs the least area, if crossings are few.
         if (outline.points.size() <= kFewPoints || !is_crowded()) {
             const std::size_t most_crossings = is_crowded() ? outline.points.size() : most_edges();
             if (lead_along_routes(most_crossings, 0, cap)) return cover_routes(cap);
             start_anew(outline, cap);
         }
         if (!collapse_crowds(cap)) start_anew(outline, cap);
-        if (edges_.empty()) return true;  // all of it is folded together
-        // Where many have moved points crowd at every scale, and each round would make as many edges again.
+        if (edges_.empty()) return true;  // the whole outline is folded together
+        // If many have moved, points crowd at every scale, and each round would add as many edges again.
         const std::size_t most_moved = outline.points.size() / kPointsForMoved;
         return lead_along_routes(most_edges(), most_moved, cap) && cover_routes(cap);
     }
@@ -108,8 +108,8 @@ private:
         start(outline);
     }
 
-    /// Where crossing points were rounded or left out edges may meet once more. That is looked for only if they can't
-    /// be covered.
+    /// Edges may meet again near crossing points that were rounded or left out. That is looked for only if the edges
+    /// cannot be covered.
     bool cover_routes(CapMesh& cap)
     {
         for (int round = 0; round < kMostRounds; ++round) {
@@ -122,13 +122,13 @@ private:
         return cover_parts(cap, kAnyShare) && drop_triangles_between_equals(cap);
     }
 
-    /// Rounds in which edges are led over ends of others and over where they cross. Nothing when points are too crowded
-    /// for that.
+    /// Rounds in which edges are led over ends of others and over points where they cross. Empty if points are too
+    /// crowded for that.
     std::optional<bool> lead_over_ends(CapMesh& cap)
     {
         for (int round = 0; round < kMostRounds; ++round) {
             const bool found_all = find_meetings();
-            // Many edges side by side are no reason to touch them as long as none has been seen to meet another.
+            // Many edges side by side are no reason to change them as long as none has been seen to meet another.
             if (!found_all && round == 0 && crossings_.empty() && leads_.empty()) {
                 name_points(cap);
                 if (cover_with(*constrained_, cap)) return true;
@@ -142,11 +142,11 @@ private:
         return std::nullopt;
     }
 
-    /// Leads edges over all that they meet at once, but for points that rounding has moved away from an edge. False if
-    /// those or crossings are too many.
+    /// Leads edges over all that they meet at once, except points that rounding has moved away from an edge. False if
+    /// those or the crossings are too many.
     bool lead_along_routes(std::size_t most_crossings, std::size_t most_moved, CapMesh& cap)
     {
-        // Only what edges end at counts: crowds are behind other points.
+        // Only points where edges end count: crowds are behind other points.
         used_.clear();
         for (const Edge& e : edges_) used_.push_back(e.from);
         std::sort(used_.begin(), used_.end());
@@ -159,7 +159,7 @@ private:
         std::vector<std::array<Index, 2>> ends;
         for (const Edge& e : edges_) ends.push_back({number(e.from), number(e.to)});
         routes_.steps = 0;
-        // Each edge has two ends on its route; as many edges to and fro over as many crossings would be their product.
+        // Each edge has two ends on its route; the limit keeps the routes below the product of edges and crossings.
         const std::size_t most_points = ends.size() + 2 * most_edges();
         const bool found = finder_->find(places, ends, most_crossings, most_points, routes_);
         inner_.steps += routes_.steps;
@@ -195,9 +195,9 @@ private:
         return true;
     }
 
-    /// Leaves out of `route_` what lies between two visits to one point: rounding moves a point where edges cross past
-    /// others, and an edge that runs over it leads back over itself then. A triangle there would have two corners in
-    /// one point. `on_path_` holds kNone for all points, before and after.
+    /// Removes from `route_` everything between two visits to one point. Rounding moves a crossing point past others,
+    /// and an edge that runs over it then leads back over itself; a triangle there would have two corners in one point.
+    /// `on_path_` holds kNone for all points, before and after.
     void straighten_route()
     {
         std::size_t kept = 0;
@@ -213,8 +213,8 @@ private:
         for (const Index point : route_) on_path_[point] = kNone;
     }
 
-    /// Whether rounding could move a point onto an edge: where two edges are as good as parallel it may have moved the
-    /// point at which they cross to anywhere.
+    /// Whether rounding could move a point onto an edge: if two edges are practically parallel, it may have moved their
+    /// crossing point anywhere.
     bool is_beside(Index point, const Edge& edge) const
     {
         const glm::dvec2 &a = places_[edge.from], &b = places_[edge.to], &p = places_[point];
@@ -224,7 +224,7 @@ private:
         return std::abs(turn(a, b, p)) <= noise_ * length && along >= -noise_ && along <= length + noise_;
     }
 
-    /// Gives a crossing point its place in space: that of an edge that runs over it.
+    /// Gives a crossing point its position in space, on an edge that runs over it.
     void place_crossing(const Edge& edge, Index point)
     {
         const glm::dvec2 &a = places_[edge.from], &b = places_[edge.to], &p = places_[point];
@@ -236,8 +236,8 @@ private:
                                  edge.from < n ? edge.from : crossings_[edge.from - n].edge};
     }
 
-    /// Takes out triangles that have two corners at one position, once crossing points are rounded to float, and joins
-    /// what lies at their other two edges. The edge between such corners has another such triangle behind it.
+    /// Once crossing points are rounded to float, removes triangles that have two corners at one position and joins
+    /// their other two edges. Behind the edge between such corners lies another such triangle.
     bool drop_triangles_between_equals(CapMesh& cap)
     {
         const std::size_t n = outline_.points.size();
@@ -275,11 +275,11 @@ private:
     bool cover(CapMesh& cap)
     {
         name_points(cap);
-        // Holes turned over are the last resort: what they cover is covered twice too often.
+        // Holes turned over are the last resort: they cover twice too often.
         return cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap) || cover_parts(cap, kAnyShare);
     }
 
-    /// Many points within rounding of one.
+    /// Whether many points lie within rounding of one.
     bool is_crowded()
     {
         if (is_crowded_) return *is_crowded_;
@@ -291,8 +291,8 @@ private:
         return *is_crowded_;
     }
 
-    /// Leads all edges over the points that stand for their ends and over those that they pass by within rounding; what
-    /// then runs to a point and back is folded together. False when that makes too many edges.
+    /// Leads all edges over the points that stand for their ends and over those that they pass by within rounding;
+    /// edges that then run to a point and back are folded together. False if that makes too many edges.
     bool collapse_crowds(CapMesh& cap)
     {
         const std::vector<Index> standing = stand_ins(places_, order_, noise_);
@@ -304,7 +304,7 @@ private:
         std::vector<Index> starts;
         for (std::size_t loop = 0; loop + 1 < starts_.size(); ++loop) {
             const std::size_t first = edges.size();
-            // Edges to a point and from it: of the loop's first point, and of the one that the next edge starts at.
+            // Edges to a point and from it (spikes): at the loop's first point, and at the start of the next edge.
             std::optional<CapLink> first_spike, last_spike;
             for (Index e = starts_[loop]; e < starts_[loop + 1]; ++e) {
                 const auto [from, to, link] = edges_[e];
@@ -337,8 +337,8 @@ private:
         return true;
     }
 
-    /// Fills `route_` with an edge's start, what stands for it, what lies beside the edge between, what stands for its
-    /// end, and that.
+    /// Fills `route_` with an edge's start, the start's stand-in, the places beside the edge, the end's stand-in, and
+    /// the end.
     void find_route(Index from, Index to, std::span<const Index> standing)
     {
         const Index first = standing[from], last = standing[to];
@@ -357,8 +357,8 @@ private:
     struct Lead
     {
         Index edge;
-        /// Where the point is, along the longer side of the edge's box and then the other: orders the points of an edge
-        /// without rounding.
+        /// Position of the point along the longer side of the edge's box, then along the other: orders the points of an
+        /// edge without rounding.
         std::array<double, 2> along;
         Index point;
 
@@ -388,7 +388,7 @@ private:
         };
         std::stable_sort(order_.begin(), order_.end(), [&](Index a, Index b) { return key(a) < key(b); });
 
-        // Points that differ only along the dropped axis are set apart by less than a float can tell.
+        // Points that differ only along the dropped axis are moved apart by less than a float can tell.
         double largest = 0.0;
         for (const glm::dvec2& p : places_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
         const double nudge = std::ldexp(largest, -48);
@@ -418,7 +418,7 @@ private:
 
     std::size_t most_edges() const { return kMostEdges * outline_.points.size() + kMostCrossed; }
 
-    /// Fills `leads_`; false when there are too many pairs to look at, or too many crossings. O(k log k) for outlines
+    /// Fills `leads_`; false if there are too many pairs to look at, or too many crossings. O(k log k) for outlines
     /// that are near to none.
     bool find_meetings()
     {
@@ -481,8 +481,8 @@ private:
         }
     }
 
-    /// The point in `edge`, at that share of its length: one that is there already, or a new one. It is farther from
-    /// all ends than rounding moves it.
+    /// The point in `edge` at that share of its length: an existing one, or a new one. It is farther from all ends than
+    /// rounding moves it.
     Index crossing_point(Index edge, double share)
     {
         const auto [from, to, link] = edges_[edge];
@@ -515,7 +515,7 @@ private:
         return std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? 0 : 1;
     }
 
-    /// Of a point on the line of an edge: whether it lies between its ends.
+    /// Whether a point on the line of an edge lies between its ends.
     bool is_between(Index p, Index edge) const
     {
         const glm::dvec2 &a = places_[edges_[edge].from], &b = places_[edges_[edge].to], &q = places_[p];
@@ -551,8 +551,8 @@ private:
         edges_.swap(next_edges_);
     }
 
-    /// Fills what lies between an edge and the points of `route_` with triangles, by halving it: they are as short as
-    /// can be, and so have as little area as can be.
+    /// Fills the space between an edge and the points of `route_` with triangles, by halving it: their edges are as
+    /// short as possible, and so is their area.
     void lead_along_route(CapLink link, CapMesh& cap)
     {
         struct Span
@@ -587,9 +587,9 @@ private:
             if (visits_[first_at_[i]] > 1) cap.shared_points.push_back(i);
     }
 
-    /// Covers each part of the outline on its own, those that run clockwise by triangles that are turned over. False,
-    /// and nothing is covered, when those have more than such a share, or one part is too difficult. O(k log k),
-    /// however often a place is wound around.
+    /// Covers each part of the outline on its own, clockwise parts by triangles that are turned over. False, with
+    /// nothing covered, if the clockwise parts have more than such a share of the area, or if one part is too
+    /// difficult. O(k log k), however often a place is wound around.
     bool cover_parts(CapMesh& cap, double turned_share)
     {
         split_into_parts();
@@ -605,7 +605,7 @@ private:
                                               part_starts_[part + 1] - part_starts_[part]);
             const std::array<Index, 2> ends{0, static_cast<Index>(edges.size())};
             set_points(edges);
-            // A mirrored loop runs the other way round, and the cover's edges run as the loop's all the same.
+            // A mirrored loop runs the other way round; the cover's edges run as the loop's do all the same.
             if (area_of_part(part) < 0.0)
                 for (glm::dvec2& p : points_) std::swap(p.x, p.y);
             const CapOutline loop{points_, positions_, ends};
@@ -621,8 +621,8 @@ private:
         return true;
     }
 
-    /// Fills `parts_` with the loops that the outline falls into where it comes back to a point, and `folds_` with the
-    /// edges that run forth and straight back.
+    /// Fills `parts_` with the loops into which the outline falls at points that it comes back to, and `folds_` with
+    /// the edges that run forth and straight back.
     void split_into_parts()
     {
         parts_.clear();
@@ -648,7 +648,7 @@ private:
         }
     }
 
-    /// Positive where it runs counter-clockwise.
+    /// Positive if the part runs counter-clockwise.
     double area_of_part(std::size_t part) const
     {
         const glm::dvec2 origin = places_[parts_[part_starts_[part]].from];
@@ -706,9 +706,9 @@ private:
     std::vector<Index> used_;
     CapOutline outline_;
     std::optional<bool> is_crowded_;
-    double noise_ = 0.0;                               ///< what rounding can do to points, mesh units
+    double noise_ = 0.0;                               ///< how far rounding can move points, mesh units
     std::vector<CrossingPoint> crossings_;             ///< numbered behind the points of the outline
-    std::map<std::array<double, 2>, Index> point_at_;  ///< by place; filled when edges cross in earnest
+    std::map<std::array<double, 2>, Index> point_at_;  ///< by place; filled if edges cross far from all ends
     std::vector<glm::dvec2> places_;                   ///< of the points; no two positions at one place
     std::vector<Index> first_at_;                      ///< the first point at the position of each
     std::vector<Index> order_;
@@ -719,11 +719,11 @@ private:
     RunBoxes boxes_;
     std::vector<Edge> path_, parts_;
     std::vector<Index> part_starts_, visits_;
-    std::vector<Index> on_path_;                 ///< by point: where it is on the way under way
-    std::vector<std::array<CapLink, 2>> folds_;  ///< what the edges are
+    std::vector<Index> on_path_;                 ///< by point: its place on the current path
+    std::vector<std::array<CapLink, 2>> folds_;  ///< links of the two edges
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
-    CapMesh inner_;  ///< of what is covered within; counts all steps
+    CapMesh inner_;  ///< the cover of a part; counts all steps
 };
 
 }  // namespace
