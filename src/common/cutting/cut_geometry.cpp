@@ -34,7 +34,7 @@ Side coplanar_side(const Plane& plane, const glm::vec3& a, const glm::vec3& b, c
     const glm::dvec3 n{e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
     const double along = (plane.normal.x * n.x + plane.normal.y * n.y) + plane.normal.z * n.z;
     if (along != 0.0) return along > 0.0 ? Side::negative : Side::positive;
-    // A needle has no behind. It goes to the side of larger x (or y, or z), from whichever side the plane is seen.
+    // A needle has no back. It goes to the side of larger x (or y, or z), whichever way the plane's normal points.
     const double leading =
         plane.normal.x != 0.0 ? plane.normal.x : (plane.normal.y != 0.0 ? plane.normal.y : plane.normal.z);
     return leading > 0.0 ? Side::positive : Side::negative;
@@ -123,9 +123,9 @@ TriangleSplit split_triangle(const std::array<glm::vec3, 3>& p, const std::array
     };
     add(split.lone_side, lone, n, q);
 
-    // The four-sided piece N, next, previous, P. Where N is `next` (or P is `previous`, or N is P) one of the two
-    // triangles below vanishes whichever diagonal is taken; where opposite corners coincide the outline runs forth and
-    // back over itself and bounds nothing.
+    // The quadrilateral N, next, previous, P. If N is `next` (or P is `previous`, or N is P), one of the two triangles
+    // below vanishes with either diagonal; if opposite corners coincide, the outline runs forth and back over itself
+    // and bounds nothing.
     const Side far_side = opposite(split.lone_side);
     if (n != previous && q != next) {
         const auto position = [&](std::uint8_t code) -> const glm::vec3& {
@@ -154,7 +154,7 @@ TriangleSplit split_triangle(const std::array<glm::vec3, 3>& p, const std::array
         }
     }
 
-    // The lone piece holds the directed edge N -> P.
+    // The lone triangle holds the directed edge N -> P.
     split.section_from = split.lone_side == Side::positive ? n : q;
     split.section_to = split.lone_side == Side::positive ? q : n;
     return split;

@@ -34,8 +34,8 @@ inline TriangleClass classify(double da, double db, double dc)
 }
 
 /// The side of the solid that a triangle in the plane bounds: behind the triangle. A triangle of zero area, or one
-/// whose normal is perpendicular to the plane's, goes to the side of larger x (then y, z): the same place when the
-/// plane is flipped. Independent of the corner that comes first.
+/// whose normal is perpendicular to the plane's, goes to the side of larger x (then y, z), and stays there if the plane
+/// is flipped. The result does not depend on the corner that comes first.
 Side coplanar_side(const Plane& plane, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 /// The point where an edge meets the plane.
@@ -47,9 +47,9 @@ struct CutPoint
 };
 
 /// Cuts the edge from `a` to `b`, whose signed distances da and db are on different sides. Both orders of the end
-/// points, and both triangles at the edge, get the same bits: the end points are ordered by position, not by index, so
-/// that both copies of a seam edge agree too. A + t (B - A) in double with t = dA / (dA - dB), clamped to the end
-/// points' box, rounded to float once; an end point at distance 0 is returned itself.
+/// points, and both triangles at the edge, get the same bits: end points are ordered by position, not by index, so both
+/// copies of a seam edge agree too. The point is A + t (B - A) in double with t = dA / (dA - dB), clamped to the end
+/// points' box and rounded to float once; an end point at distance 0 is returned itself.
 CutPoint cut_edge(const glm::vec3& a, double da, const glm::vec3& b, double db);
 
 /// The attributes at a cut point of the edge from vertex `a` to vertex `b`, with the same t and the same order as the
@@ -59,7 +59,7 @@ Vertex interpolate(const CutPoint& point, const Vertex& a, const Vertex& b);
 /// The same for a float stream: `width` values each.
 void interpolate(const CutPoint& point, const float* a, const float* b, float* result, std::uint32_t width);
 
-/// A triangle of what a crossing triangle falls into. Its corners are codes, as TriangleSplit says.
+/// One of the triangles that a crossing triangle falls into. Its corners are codes (see TriangleSplit).
 struct SubTriangle
 {
     Side side;
@@ -70,10 +70,10 @@ struct SubTriangle
 /// on the edge from the lone corner to the next one, kCutPrevious for that on the edge from the previous corner to the
 /// lone one.
 ///
-///              lone                    On one side lies (lone, N, P), on the other the four-sided N, next, previous, P,
-///              /  \                    divided by its shorter diagonal. Cut points that coincide bit for bit with a
-///          N  /____\  P                corner, or with each other, are that corner, or N. Triangles that have no three
-///            /      \                  different corners left are not made.
+///              lone                    On one side lies (lone, N, P), on the other the quadrilateral N, next,
+///              /  \                    previous, P, divided by its shorter diagonal. Cut points that coincide bit for
+///          N  /____\  P                bit with a corner, or with each other, are that corner, or N. Triangles without
+///            /      \                  three different corners are not made.
 ///        next ------ previous
 struct TriangleSplit
 {
@@ -83,15 +83,15 @@ struct TriangleSplit
     Side lone_side = Side::positive;
     CutPoint cut_next;                          ///< of the edge lone -> next, in this order
     CutPoint cut_previous;                      ///< of the edge previous -> lone, in this order
-    std::uint8_t next_code = kCutNext;          ///< what cut_next is after coincidences: a corner, or kCutNext
+    std::uint8_t next_code = kCutNext;          ///< cut_next after coincidences: a corner, or kCutNext
     std::uint8_t previous_code = kCutPrevious;  ///< likewise: a corner, kCutNext or kCutPrevious
     std::uint8_t sub_triangle_count = 0;
     std::array<SubTriangle, 3> sub_triangle{};
-    /// What the triangle falls into, that with the lone corner first.
+    /// The triangles of the split, the one with the lone corner first.
     std::span<const SubTriangle> sub_triangles() const { return {sub_triangle.data(), sub_triangle_count}; }
 
     /// The directed section edge as it runs in the surface of the positive side (so a cap of the negative side contains
-    /// it, and one of the positive side its reverse). No edge when both ends are the same code.
+    /// it, and one of the positive side its reverse). There is no edge if both ends are the same code.
     std::uint8_t section_from = 0, section_to = 0;
     bool has_section_edge() const { return section_from != section_to; }
 };

@@ -20,7 +20,7 @@ void for_each_edge(const FlatLoop& loop, Visit&& visit)
         visit(loop.points[i], loop.points[i + 1 < loop.points.size() ? i + 1 : 0]);
 }
 
-/// The middle of the longest way through the inside of the loop at height v; false when there is none.
+/// Finds the middle of the longest stretch of inside of the loop at height v. False if there is none.
 bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
 {
     std::vector<std::pair<double, int>> hits;  // u, winding
@@ -42,8 +42,8 @@ bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
     return longest > 0.0;
 }
 
-/// Three points in a loop, each at a height where no point of the loop is near: loops may touch one another in points
-/// and edges, but hardly there.
+/// Adds three interior points of a loop, each at a height where no point of the loop is near: loops may touch one
+/// another in points and edges, but hardly there.
 void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<NestingSample>& samples)
 {
     constexpr std::size_t kSamples = 3;  // odd, so that they always have a majority

@@ -15,7 +15,7 @@
 
 namespace kerf {
 
-/// The section as edges between points; what runs forth and back is gone.
+/// The section as edges between points, without edges that run forth and back.
 class SectionOutline
 {
 public:
@@ -48,13 +48,13 @@ struct FlatLoop
     std::vector<PlanarPoint> points;
 };
 
-/// A loop of the outline, which bounds `part`, without the coordinate along `axis`. Neither its size nor its points depend
-/// on where the path begins.
+/// Projects a loop of the outline, which bounds `part`, along `axis`. Neither its size nor its points depend on where
+/// the path begins.
 FlatLoop flatten(const SectionOutline& outline, std::span<const std::uint32_t> path, std::uint32_t part, int axis);
 
-/// Joins each hole of one solid with the smallest outer loop around it, and with all around it that are as small: those
-/// cannot be told apart, and no order of theirs is the same for every back end. A hole lies in an outer loop if most of
-/// three points of its inside do. O(e log e) for e edges.
+/// Joins each hole of one solid with the smallest outer loop around it, and with all others around it that are as
+/// small: they cannot be told apart, and back ends may order them differently. A hole lies in an outer loop if at least
+/// two of three interior sample points do. O(e log e) for e edges.
 void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces);
 
 }  // namespace kerf

@@ -62,7 +62,7 @@ public:
         }
     }
 
-    /// Some solid has been cut into several parts, so that the outline matters.
+    /// Whether a solid has been cut into several parts; only then does the outline matter.
     bool has_come_apart() const
     {
         return std::any_of(solids_.begin(), solids_.end(),
@@ -87,8 +87,8 @@ public:
         for (const auto& loops : flat) join_holes(loops, pieces);
     }
 
-    /// Finds in each solid the first piece that has volume: the one that alone has the outline's first edge of those
-    /// that one piece alone has. Which way an edge runs does not matter.
+    /// Finds in each solid the first piece that has volume: the piece at the first outline edge that one piece alone
+    /// has, or else at the first edge. The direction of an edge does not matter.
     void find_first_pieces(const SectionOutline& outline)
     {
         struct Claim
@@ -147,7 +147,7 @@ public:
         }
     }
 
-    /// `outline` is null where no solid has come apart.
+    /// `outline` is null if no solid has come apart.
     void join_the_rest(const AxisRay& away, const SectionOutline* outline)
     {
         join_cavities(away, outline);
@@ -164,7 +164,7 @@ public:
     DisjointSets pieces;
 
 private:
-    /// A cavity, and the piece that it lies in: named by its first part.
+    /// A cavity and the piece that it lies in, named by its first part.
     struct Home
     {
         std::uint32_t cavity, piece;
@@ -179,11 +179,11 @@ private:
         return has_volume;
     }
 
-    /// Joins each cavity of a cut solid with the piece it lies in: the one whose winding number around it is not 0.
-    /// Where pieces overlap there may be several, which are one then.
+    /// Joins each cavity of a cut solid with the piece it lies in: the one whose winding number around it is not 0. If
+    /// pieces overlap, there may be several; they become one.
     void join_cavities(const AxisRay& direction, const SectionOutline* outline)
     {
-        // Joining a cavity changes the names of pieces: first all are looked for, then joined.
+        // Joining a cavity changes the names of pieces, so all homes are found before any is joined.
         std::vector<Home> homes, sought;
         for (const SolidParts& solid : solids_) {
             if (!solid.is_cut || solid.cavities.empty() || solid.shown.empty()) continue;
@@ -197,7 +197,7 @@ private:
             for (const std::uint32_t cavity : solid.cavities) (is_one ? homes : sought).push_back({cavity, first});
         }
         if (!sought.empty()) {
-            // A cavity that no count claims - it touches the surface around it - must be somewhere: in the first piece.
+            // A cavity that no count claims, because it touches the surface around it, goes to the first piece.
             if (outline != nullptr) find_first_pieces(*outline);
             for (Home& home : sought)
                 if (outline != nullptr && first_piece_[solid_of_[home.cavity]] != kNoContainer)
@@ -207,7 +207,7 @@ private:
         for (const Home& home : homes) pieces.unite(home.cavity, home.piece);
     }
 
-    /// Adds all homes that counting finds, or else the one that is sought.
+    /// Adds all homes that counting finds, and the home in `sought` for each cavity without one.
     void look_for_homes(const std::vector<Home>& sought, const AxisRay& direction, std::vector<Home>& homes)
     {
         std::vector<AxisRay> rays(sought.size(), direction);
@@ -222,7 +222,7 @@ private:
             int term;
         };
         std::vector<Term> terms;
-        // Cavities in rows would cross one another's rays, and nothing else.
+        // Cavities are not counted: in rows they would cross one another's rays, and nothing else.
         side_.count_crossings(rays, is_shown, [&](std::uint32_t part, std::uint32_t ray, int term) {
             if (solid_of_[part] == solid_of_[sought[ray].cavity]) terms.push_back({ray, pieces.find(part), term});
         });
@@ -249,8 +249,8 @@ private:
     std::vector<std::uint32_t> first_piece_;  ///< of each solid, as find_first_pieces() found it
 };
 
-/// Where edges of a pair of pieces, one a side, arrive at a point but do not leave it, no loops keep to these pieces:
-/// then the pieces at that point become one. They stay apart if the outline itself ends there.
+/// If edges of a pair of pieces, one on each side, arrive at a point but do not leave it, no loops keep to these
+/// pieces, and the pieces at that point become one. They stay apart if the outline itself ends there.
 void join_where_loops_need_it(const SectionOutline& outline, const BySide<SideParts>& sides,
                               BySide<SideGrouping>& grouping)
 {
@@ -260,7 +260,7 @@ void join_where_loops_need_it(const SectionOutline& outline, const BySide<SidePa
         BySide<std::uint32_t> piece;
         std::int32_t leaves;  // +1 or -1
     };
-    // Nearly everywhere one edge arrives and one leaves, between the same pieces: those are left out.
+    // At nearly every point one edge arrives and one leaves, between the same pieces: such points are left out.
     std::vector<End> first_at(outline.points().size(), End{kNoContainer, 0, {}, 0}), ends;
     std::vector<bool> is_plain(outline.points().size(), false);
     const auto visit_ends = [&](auto visit) {
@@ -278,7 +278,7 @@ void join_where_loops_need_it(const SectionOutline& outline, const BySide<SidePa
         if (first.point == kNoContainer) {
             first = end;
         } else {
-            // The second one; any further makes the point one to look at.
+            // The second end; any further one makes the point one to look at.
             is_plain[end.point] = first.leaves + end.leaves == 0 && first.piece == end.piece;
             first.leaves = 2;
         }

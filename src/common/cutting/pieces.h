@@ -14,12 +14,12 @@
 #include "common/mesh/side.h"
 
 // Which parts of the sides of a cut are one piece: docs/cutting-rules.md, "Pieces". One function decides it for both
-// back ends; they differ in how they find its input. What it gets is the same for both up to the order, and the result
-// does not depend on the order: neither on where loops begin nor on how a cap is triangulated.
+// back ends; they differ in how they find its input. The input is the same for both up to the order, and the result
+// does not depend on the order, nor on where loops begin, nor on how a cap is triangulated.
 
 namespace kerf {
 
-/// A part of one side's surface: triangles that hang together by edges, caps of this cut not counted.
+/// A part of one side's surface: triangles that are connected by edges, without caps of this cut.
 struct SurfacePart
 {
     std::uint32_t solid = 0;  ///< TriangleGroup::solid of its triangles
@@ -29,9 +29,9 @@ struct SurfacePart
     double volume6 = 0.0;     ///< whole shells: MassMoments::volume6; negative for a cavity
 };
 
-/// A point of a shell that does not depend on the order of its triangles: the middle of the first one by the x, y, z of
-/// its corners. A corner would do, but a ray from it runs along the faces that meet there, caps of earlier cuts among
-/// them, and has to be tested with all their triangles.
+/// A sample point of a shell that does not depend on the order of its triangles: the middle of the first one by the x,
+/// y, z of its corners. A corner would do, but a ray from it runs along the faces that meet there, caps of earlier cuts
+/// among them, and must be tested against all their triangles.
 class ShellSample
 {
 public:
@@ -44,14 +44,14 @@ private:
     std::array<glm::vec3, 3> first_{glm::vec3(std::numeric_limits<float>::infinity()), {}, {}};
 };
 
-/// Calls add(part, ray, term) for each crossing of a ray with a triangle of a part that is wanted: the term is
-/// ray_crossing()'s, +1 from behind a triangle to its front, -1 for the other way round. Rays are asked for all at
-/// once; they point away from the plane in one direction, so that caps of this cut do not matter.
+/// Calls add(part, ray, term) for each crossing of a ray with a triangle of a wanted part; `term` is that of
+/// ray_crossing(), +1 from behind a triangle to its front, -1 the other way round. It gets all rays at once; they point
+/// away from the plane in one direction, so caps of this cut do not matter.
 using AddCrossing = std::function<void(std::uint32_t part, std::uint32_t ray, int term)>;
 using CountCrossings =
     std::function<void(std::span<const AxisRay> rays, const std::vector<bool>& is_wanted, const AddCrossing& add)>;
 
-/// What lies on one side.
+/// The parts on one side.
 struct SideParts
 {
     std::span<const SurfacePart> parts;
@@ -62,14 +62,14 @@ struct SideParts
 /// numbered in the order of their first part.
 ///
 /// A solid that is not cut stays one piece. In a solid that is cut, a hole (clockwise loop) joins the smallest outer
-/// loop around it; a flat part joins the first piece that is not; a whole shell of negative volume joins the piece it
-/// lies in; a whole shell of positive volume is a piece of its own. A hole lies in an outer loop if the middle of its
-/// inside does, measured on three lines: loops may touch and share points and edges. Where the outline can't be divided
-/// into loops that keep to one piece on either side, the pieces that meet there are one.
+/// loop around it; a flat part joins the first piece that is not flat; a whole shell of negative volume joins the piece
+/// it lies in; a whole shell of positive volume is a piece of its own. A hole lies in an outer loop if at least two of
+/// three interior sample points do: loops may touch and share points and edges. If the outline cannot be divided into
+/// loops that keep to one piece on either side, the pieces that meet there become one.
 ///
-/// O(p) for p parts where each solid is in one part; otherwise O(p + e log e) for e outline edges, without a quadratic
-/// step for many loops, side by side or nested. Crossings are asked for once a side, for whole cavities only, and only
-/// where a solid has come apart; each one found costs O(log).
+/// O(p) for p parts if each solid is in one part; otherwise O(p + e log e) for e outline edges, without a quadratic
+/// step for many loops, side by side or nested. Crossings are counted once per side, for whole cavities only, and only
+/// if a solid has come apart; each one found costs O(log).
 BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide<SideParts>& sides,
                                                 std::span<const glm::vec3> points,
                                                 std::span<const OutlineEdge> outline);
