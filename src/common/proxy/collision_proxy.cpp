@@ -18,8 +18,7 @@ constexpr std::size_t kLines = kSupportDirections / 2;  // directions come in op
 constexpr std::size_t kAxes = 3;                        // the first of them
 
 // Found by a search that minimised the largest angle between any direction in space and the nearest of these: 24.54
-// degrees. (The corners of an icosahedron and a dodecahedron together, which
-// leave the axes out, reach 22.7.)
+// degrees. (The corners of an icosahedron and a dodecahedron together, which leave the axes out, reach 22.7.)
 constexpr std::array<glm::vec3, kLines> kLineDirections{{
     {1.0f, 0.0f, 0.0f},
     {0.0f, 1.0f, 0.0f},
@@ -43,7 +42,7 @@ constexpr std::array<glm::vec3, kLines> kLineDirections{{
 using Four = float __attribute__((vector_size(16)));
 constexpr std::size_t kLanes = 4;
 
-// Written so that it is one instruction: for numbers it is the larger, the smaller.
+// Written to compile to one instruction, which for numbers gives the larger, below the smaller.
 Four larger(Four a, Four b)
 {
     return a > b ? a : b;
@@ -58,8 +57,8 @@ float least_of(Four a)
     return std::min(std::min(a[0], a[1]), std::min(a[2], a[3]));
 }
 
-// Positions coordinate by coordinate. 128 of them: the sums over a block stay in registers, and looking a block through
-// for the vertex that made the maximum is cheap.
+// 128 positions, coordinate by coordinate: the sums over a block stay in registers, and a search of a block for the
+// vertex that made the maximum is cheap.
 struct Block
 {
     static constexpr std::size_t kVertices = 128, kGroups = kVertices / kLanes;
@@ -75,7 +74,7 @@ struct Block
             y[i / kLanes] = Four{a.y, b.y, c.y, d.y};
             z[i / kLanes] = Four{a.z, b.z, c.z, d.z};
         }
-        // The last vertex again and again: it changes no maximum.
+        // Fill up with the last vertex: it changes no maximum.
         for (; i < kVertices; ++i) {
             const glm::vec3& p = vertices[std::min(i, vertices.size() - 1)].position;
             x[i / kLanes][i % kLanes] = p.x;
@@ -107,7 +106,7 @@ struct Extreme
     float value = -std::numeric_limits<float>::infinity();
     glm::vec3 position{0.0f};
 
-    // Looks through a block whose largest `value_of(group)` is `block_value`. Among the vertices that reach it the
+    // Searches a block whose largest `value_of(group)` is `block_value`. Among the vertices that reach it, the
     // lexicographically smallest is found coordinate by coordinate, without a branch that depends on one vertex: on a
     // flat side thousands of vertices reach the same value.
     template <class Value>

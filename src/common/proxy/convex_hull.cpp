@@ -51,7 +51,7 @@ std::vector<std::uint32_t> flat_hull(std::span<const glm::vec3> points)
         for (const std::uint32_t i : order) extend(i, 1);
         const std::size_t lower = chain.size();
         for (auto i = order.rbegin(); i != order.rend(); ++i) extend(*i, lower);
-        // The upper chain ends where the lower one began, under the index of a duplicate perhaps.
+        // The upper chain ends where the lower one began, perhaps with the index of a duplicate.
         if (chain.size() > 1 && project(chain.back()) == project(chain.front())) chain.pop_back();
 
         double area = 0.0;
@@ -68,8 +68,8 @@ std::vector<std::uint32_t> flat_hull(std::span<const glm::vec3> points)
     return best;
 }
 
-// True when the hull has no inside that the lattice could tell from rounding. Judged with all extents made equal, as
-// the lattice does.
+// True if the lattice cannot tell the hull's inside from rounding. All extents are made equal first, as the lattice
+// does.
 bool is_flat(const ConvexHull& hull, std::span<const glm::vec3> points, const Box& box)
 {
     if (hull.corners.size() < 4 || hull.faces.size() < 4) return true;
@@ -89,8 +89,8 @@ bool is_flat(const ConvexHull& hull, std::span<const glm::vec3> points, const Bo
     return !(2.0 * volume6 / area2 > kThinnestInParts / kHullLattice);
 }
 
-// The points by a power of two, which takes the largest coordinate to between 1 and 2: Bullet knows no coordinates over
-// 1e30. Exact but for coordinates that are less than 2^-126 of the largest one.
+// Scales the points by a power of two, which takes the largest coordinate to between 1 and 2: Bullet accepts no
+// coordinates over 1e30. Exact except for coordinates that are less than 2^-126 of the largest one.
 std::vector<glm::vec3> to_common_size(std::span<const glm::vec3> points, const Box& box)
 {
     float largest = 0.0f;
@@ -107,7 +107,7 @@ bool is_finite(const glm::vec3& p)
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-// Where some points are nowhere: the hull of the others.
+// The hull of the finite points, if some are not.
 ConvexHull hull_of_finite(std::span<const glm::vec3> points)
 {
     std::vector<glm::vec3> finite;

@@ -13,15 +13,15 @@ namespace kerf {
 struct ConvexHull
 {
     std::vector<std::uint32_t> corners;  ///< indices of input points, each once, at different positions
-    std::vector<Triangle> faces;         ///< index into `corners`, counter-clockwise seen from outside; empty when flat
+    std::vector<Triangle> faces;         ///< index into `corners`, counter-clockwise seen from outside; empty if flat
 };
 
 /// Along each axis the hull is computed on a lattice that divides the points' extent into so many parts. A point can
 /// stand out of the hull by about one part, and a set thinner than a few parts counts as flat.
 inline constexpr double kHullLattice = 10216.0;
 
-/// Convex hull of those points that are finite. A flat set (no points, one, collinear, coplanar) gives its extreme
-/// points, in order around it, and no faces. Points scaled by a power of two give the same hull. O(n log n).
+/// Convex hull of the finite points. A flat set (no points, one, collinear, coplanar) gives its extreme points, in
+/// order around it, and no faces. Points scaled by a power of two give the same hull. O(n log n).
 ///
 /// Method: Preparata and Hong, "Convex hulls of finite sets of points in two and three dimensions", 1977, exact on the
 /// lattice, as in Bullet's btConvexHullComputer; flat sets by Andrew's monotone chain, 1979.
