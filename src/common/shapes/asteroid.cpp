@@ -57,8 +57,8 @@ private:
     std::uint64_t seed_;
 };
 
-// Cells of a box whose grid has about `triangles` triangles: as equal as they can be within 1 %, where that is
-// possible.
+// Cells of a box whose grid has about `triangles` triangles: the most equal counts that are within 1 %, if there are
+// any.
 glm::uvec3 cells_for(std::uint64_t triangles)
 {
     const auto middle = std::int64_t(std::sqrt(double(triangles) / 12.0));

@@ -1,4 +1,4 @@
-// Shapes by name, and what is done to whole shapes.
+// Shapes by name, and operations on whole shapes.
 
 #include <algorithm>
 #include <array>

@@ -188,7 +188,7 @@ HardSection toothed_tip(std::uint32_t n)
             *Plane::through({0, 0, kPastTheTip}, {1.0, 0.001, 0.01})};
 }
 
-/// A comb along x, a beam above its teeth; the lower right corner of each tooth is folded over by less than the
+/// A comb along x, a beam above its teeth. The lower right corner of each tooth is folded over by less than the
 /// difference of two of its coordinates can tell in double.
 HardSection touches(std::uint32_t n)
 {
@@ -278,7 +278,7 @@ HardSection flat_rough(std::uint32_t n)
     HardSection section{ridged_plate(n), across(2, 0.5)};
     for (Vertex& v : section.soup.vertices) {
         if (v.position.z != kTop) continue;
-        // By position, so that vertices at one place stay there.
+        // By position, so that vertices at one place stay together.
         const auto bits = std::uint64_t(std::bit_cast<std::uint32_t>(v.position.x)) << 32 |
                           std::bit_cast<std::uint32_t>(v.position.y);
         v.position.z += kUnit * float(int(Random::mix(bits) % 7) - 3);

@@ -9,11 +9,11 @@
 #include "common/mesh/plane.h"
 #include "common/mesh/triangle_soup.h"
 
-// Where a method that is quadratic in something takes minutes: for tests and benchmarks of what cuts cost at worst.
+// Sections on which a quadratic method takes minutes: for tests and benchmarks of the worst cost of cuts.
 
 namespace kerf::shapes {
 
-/// A closed mesh, and a plane whose section is hard on a cutter.
+/// A closed mesh, and a plane whose section is hard for a cutter.
 struct HardSection
 {
     TriangleSoup soup;
@@ -30,14 +30,14 @@ struct HardSection
 ///   hidden_pores   a comb that falls into n teeth, with a cavity in each that the plane does not reach
 ///   leaning_comb   as comb, with teeth that lean over half of the others: all bounds overlap
 ///   loose_parts    n boxes side by side: n loops of as many solids
-///   nested_shells  n spheres in one another, by turns solids and cavities
+///   nested_shells  n spheres in one another, alternately solids and cavities
 ///   pores          a block with n cavities: as many holes in one cap
 ///   rosette        n loops that have one point in common
 ///   spiral         one loop of n points that winds fifty times
 ///   stack          n tetrahedra in one another with a corner and three edges in common: cut points in three lines
 ///   teeth          a comb that falls into n teeth: n loops of one shell
 ///   tip            a double cone of 2n triangles and a plane that passes its tip by a unit in the last place:
-///                  thousands of cut points as good as in one place
+///                  thousands of cut points practically in one place
 ///   toothed_tip    the same with a rim of teeth: long edges side by side between thousands of points at the tip
 ///   touches        a comb of n points, each tooth of which has a corner that is folded over by 1e-20
 ///   wedges         n tetrahedra around one edge: as many cut points in one place

@@ -10,7 +10,7 @@
 
 #include "common/mesh/triangle_soup.h"
 
-// What the generators are made of. Positions are computed in double and rounded once; vertices that share a place get
+// Building blocks of the generators. Positions are computed in double and rounded once; vertices that share a place get
 // it from the same expression on the same numbers, so that they are equal bit for bit.
 
 namespace kerf::shapes {

@@ -1,4 +1,4 @@
-// Spheres, and what else a lathe makes.
+// Spheres, and the other shapes that a lathe makes.
 
 #include <algorithm>
 #include <cmath>

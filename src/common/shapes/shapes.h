@@ -15,13 +15,13 @@
 //
 // Equal arguments give equal bytes on one machine; round shapes take sin and cos from the C library, so their last bits
 // may differ between libraries. Counts below what a shape needs (no cell, two slices, ...) are raised to it; a shape of
-// more than 2^32 corners is a std::length_error. Any size is taken: one that is 0 or not finite gives triangles that
-// repair() has something to say about.
-// `asteroid`, `shuffled` and all random numbers use nothing but exactly rounded operations and are the same everywhere.
+// more than 2^32 corners throws std::length_error. Any size is accepted: 0, or a size that is not finite, gives
+// triangles that repair() drops or refuses.
+// `asteroid`, `shuffled` and all random numbers use exactly rounded operations only and are the same everywhere.
 
 namespace kerf::shapes {
 
-/// No generator is asked for more by make(), asteroid() included: 16 million triangles.
+/// The most triangles that make() asks a generator for, and the most of asteroid(): 16 million.
 inline constexpr std::uint64_t kMostTriangles = 16'000'000;
 
 /// Sphere from an icosahedron whose faces are divided into frequency^2 triangles: 20 * frequency^2 triangles.
@@ -75,8 +75,8 @@ TriangleSoup spiral_wall(float turns, std::uint32_t segments_per_turn);
 /// 4 * 20^level + 8 * 8^level triangles.
 TriangleSoup menger_sponge(std::uint32_t level);
 
-/// Concentric spheres, the largest first, by turns outside out and inside out: with two radii a hollow ball, with three
-/// a ball inside a hollow one. 20 * frequency^2 triangles each.
+/// Concentric spheres, the largest first, alternately outside out and inside out: with two radii a hollow ball, with
+/// three a ball inside a hollow one. 20 * frequency^2 triangles each.
 TriangleSoup nested_spheres(std::span<const float> radii, std::uint32_t frequency);
 
 /// A sphere with a concentric spherical cavity (an inner shell that is inside out): 40 * frequency^2 triangles.
@@ -94,8 +94,8 @@ TriangleSoup overlapping_spheres(float radius, float distance, std::uint32_t fre
 /// vertices are numbered by first use. O(n).
 TriangleSoup asteroid(std::uint64_t triangles, std::uint64_t seed);
 
-/// The same triangles in a random order with randomly numbered vertices: what a linear cutter's caches dislike. A soup
-/// with indices out of range, or lists that are not as long as they must be, comes back as it is. O(n).
+/// The same triangles in a random order with randomly numbered vertices: a bad case for the caches of a linear cutter.
+/// A soup with indices out of range, or with lists of the wrong length, comes back unchanged. O(n).
 TriangleSoup shuffled(TriangleSoup soup, std::uint64_t seed);
 
 /// Names that make() knows, sorted, for help texts and for tests over all shapes.

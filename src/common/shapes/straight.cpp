@@ -1,4 +1,4 @@
-// Shapes with flat faces and sharp edges: the box, what is built of blocks, and the spiral wall.
+// Shapes with flat faces and sharp edges: the box, shapes built of blocks, and the spiral wall.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ std::vector<double> even_planes(double size, std::uint32_t cells)
 }
 
 // The surface of the blocks for which `filled(cell)` holds: two triangles for each face between a filled and an empty
-// cell, so faces of neighbours meet edge to edge. Corners of faces that look the same way share their vertices. The
+// cell, so faces of neighbours meet edge to edge. Corners of faces with the same direction share their vertices. The
 // surface is manifold if no two blocks touch in a mere edge or corner.
 template <class Filled>
 TriangleSoup surface_of_blocks(const Lattice& planes, Filled filled)
