@@ -28,7 +28,7 @@ const std::vector<RegisteredBackend>& back_ends();
 /// The entry of that name; "baseline" means "baseline/hash". Null for a name that this build does not have.
 const RegisteredBackend* find_back_end(std::string_view name);
 
-/// Null for a name that this build does not have.
+/// Makes the back end of that name. Null for a name that this build does not have.
 std::unique_ptr<Backend> make_back_end(std::string_view name);
 
 }  // namespace kerf

@@ -5,7 +5,7 @@
 namespace kerf {
 
 /// Time that the calling thread has spent on a processor, its page faults included, in seconds since construction or
-/// the last lap. What is timed here runs in one thread and waits for nothing; on a shared machine wall-clock time would
+/// the last lap. The timed work runs in one thread and waits for nothing; on a shared machine wall-clock time would
 /// measure the neighbours.
 class CpuStopwatch
 {

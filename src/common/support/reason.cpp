@@ -8,7 +8,7 @@ std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t kLongest = 40;
     std::size_t length = std::min(text.size(), kLongest);
-    // Not in the middle of a letter, which takes four bytes at most.
+    // Do not cut inside a UTF-8 character, which takes four bytes at most.
     const auto is_inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u; };
     for (int i = 0; i < 3 && length < text.size() && length > 0 && is_inside(length); ++i) --length;
     std::string result = "'";
