@@ -20,7 +20,7 @@ std::string_view name_of(VertexLookup lookup);
 
 /// The report's method (section 3): a loop over every triangle of an indexed mesh and a fan over the section's mean
 /// point. `rewrite_pivots`: also run the report's loop that rewrites every vertex around the fragment's new pivot; its
-/// result goes to scratch memory, because coordinates never change (a fragment's pivot belongs into its transform). A
+/// result goes to scratch memory, because coordinates never change (a fragment's pivot belongs in its transform). A
 /// lookup that does not exist means `hash`.
 std::unique_ptr<Backend> make_backend(VertexLookup lookup = VertexLookup::hash, bool rewrite_pivots = false);
 

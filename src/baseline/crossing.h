@@ -19,7 +19,7 @@ struct CrossingTriangle
     TriangleSplit split;
 };
 
-/// All of a mesh that crosses the plane, with cut points identified across edges.
+/// All triangles of a mesh that cross the plane, with cut points identified across edges.
 struct Crossings
 {
     std::vector<CrossingTriangle> triangles;  ///< in mesh order
@@ -39,7 +39,7 @@ Vertex corner_vertex(const IndexedMesh& mesh, const CrossingTriangle& crossing, 
 void corner_stream(const IndexedMesh& mesh, const VertexStream& stream, const CrossingTriangle& crossing,
                    std::uint8_t code, float* result);
 
-/// Splits the triangles named in `crossings` (index and group filled in) and finds out which cut points are one. O(k).
+/// Splits the triangles named in `crossings` (index and group filled in) and identifies cut points that are one. O(k).
 void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Crossings& crossings);
 
 }  // namespace kerf::baseline

@@ -10,8 +10,8 @@
 namespace kerf {
 
 /// Which cut points of one cut are the same point of the surface. split_triangle() says so for one triangle at a time;
-/// this is the transitive closure over all of them, and over points that existed before the cut: cut points that are
-/// one can lie on several of those, which are one then. Union-find with path halving; amortised nearly O(1) an
+/// this is the transitive closure over all of them, and over points that existed before the cut: if cut points of one
+/// class lie on several existing points, these become one. Union-find with path halving; amortised nearly O(1) per
 /// operation.
 class CutPointClasses
 {
@@ -33,7 +33,7 @@ public:
         return id;
     }
 
-    /// Cut points `a` and `b` are one.
+    /// Declares cut points `a` and `b` to be one.
     void merge(std::uint32_t a, std::uint32_t b)
     {
         a = find(a);
@@ -44,7 +44,7 @@ public:
         if (nodes_[b].existing != kNone) attach(a, nodes_[b].existing);
     }
 
-    /// Cut point `id` is the existing point `point`.
+    /// Declares cut point `id` to be the existing point `point`.
     void attach(std::uint32_t id, std::uint32_t point)
     {
         std::uint32_t& existing = nodes_[find(id)].existing;
@@ -54,7 +54,7 @@ public:
             join_existing(existing, point);
     }
 
-    /// The existing point in the class of `id`, or kNone; where there are several, the one that stands for them.
+    /// The existing point in the class of `id`, or kNone; if there are several, the one that stands for them.
     std::uint32_t existing(std::uint32_t id)
     {
         const std::uint32_t point = nodes_[find(id)].existing;
@@ -68,7 +68,7 @@ public:
         return point;
     }
 
-    /// Existing points that others stand for, with the next one on the way to those.
+    /// Existing points that others stand for, each with the next one on the way to its stand-in.
     const std::map<std::uint32_t, std::uint32_t>& joined() const { return joined_; }
 
     std::size_t size() const { return nodes_.size(); }

@@ -42,12 +42,12 @@ bool has_point_at(const Section& section, const SectionPath& path, const glm::ve
     });
 }
 
-/// The place near `centre` where no point of the path is: within the plane, as far as `step`, the unit in the last
+/// A place near `centre` where no point of the path lies: within the plane, as far as `step`, the unit in the last
 /// place of the mesh's largest coordinate, allows.
 glm::vec3 clear_of_rim(const Section& section, const SectionPath& path, const glm::vec3& centre, const Plane& plane,
                        double step)
 {
-    // Along the two axes that the normal is least inclined to, in growing squares.
+    // Search in growing squares, along the two axes that the normal is least inclined to.
     const int across = dominant_axis(plane.normal);
     const int u = (across + 1) % 3, v = (across + 2) % 3;
     glm::vec3 place = centre;
@@ -110,8 +110,8 @@ std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& cross
 
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t from = first + i, to = first + (i + 1) % count;
-            // The negative side's cap holds the edge as the positive side's surface does, the positive side's its
-            // reverse.
+            // The cap of the negative side holds the edge as the surface of the positive side does; the cap of the
+            // positive side holds its reverse.
             if (builder.side() == Side::negative)
                 builder.add_triangle({apex, from, to}, kNoSource);
             else

@@ -15,13 +15,12 @@ struct Fragment
     std::uint32_t cap_material = kDefaultCapMaterial;
     double noise = 0.0;  ///< plane_noise of the mesh that prepare() got; the same for all its fragments
     std::vector<std::uint32_t>
-        fan_centres;                   ///< vertices that fans added: rounded, so they may stick out by a last place
+        fan_centres;                   ///< added by fans: rounded, so they may stick out by a unit in the last place
     std::vector<SectionLoop> section;  ///< outline of the last cut
     Box bounds;                        ///< smallest box around the vertices
 
-    /// A cut makes room for all of the object on either side. Gives that back where it is more than kSpare times what
-    /// is used: a small piece is cheap to copy and must not hold on to the memory of what it was cut from; a large one
-    /// wastes little.
+    /// Gives back room of more than kSpare times the size in use. A cut makes room for all of the object on either
+    /// side; a small piece is cheap to copy and must not hold on to the memory of the whole, a large one wastes little.
     void release_spare_room()
     {
         constexpr std::size_t kSpare = 4;

@@ -8,7 +8,7 @@
 
 namespace kerf::baseline {
 
-/// Open-addressing hash table from a pair of ids to an id, for what the plane crosses: O(1) a look-up, no removal.
+/// Open-addressing hash table from a pair of ids to an id, for crossed elements: O(1) per look-up, no removal.
 class PairTable
 {
 public:
@@ -22,7 +22,7 @@ public:
         size_ = 0;
     }
 
-    /// The value stored for (a, b); kNone where there is none yet: the caller stores one.
+    /// The value stored for (a, b). If there is none yet it is kNone, and the caller stores one.
     std::uint32_t& operator()(std::uint32_t a, std::uint32_t b)
     {
         const std::uint64_t key = (std::uint64_t(a) << 32) | b;

@@ -12,7 +12,7 @@ namespace kerf::baseline {
 
 namespace {
 
-/// Crossings of rays with the parts of a side: one loop over all triangles.
+/// Counts crossings of rays with the parts of a side, in one loop over all triangles.
 class RayCounter
 {
 public:
@@ -37,12 +37,12 @@ private:
     std::span<const std::uint32_t> part_of_triangle_;
 };
 
-/// Fills in what decides to which piece a part belongs: its solid, a sample, its volume, whether it is flat.
+/// Fills in the data that decide a part's piece: its solid, a sample, its volume, whether it is flat.
 void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& plane, double noise)
 {
     const IndexedMesh& mesh = builder.mesh;
     const std::size_t count = side.parts.size();
-    // What whole shells need and what cut parts need: for the others it does no harm.
+    // Data of whole shells and data of cut parts: computing both for all does no harm.
     std::vector<Box> boxes(count);
     std::vector<ShellSample> samples(count);
     std::vector<bool> is_far(count, false);
@@ -90,7 +90,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     for (std::size_t t = 0; t < triangle_count; ++t)
         for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
 
-    // All triangles at an edge hang together. Where more run one way than the other the edge bounds the side.
+    // All triangles at an edge are connected. If more run one way than the other, the edge bounds the side.
     const EdgeRuns runs(mesh.point_count, corners);
     DisjointSets joined(triangle_count);
     PairTable triangle_at;  // by the points of edges, the smaller one first
@@ -129,8 +129,8 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         const std::uint32_t a = point_of(edge.from), b = point_of(edge.to);
         return triangle_at.find(std::min(a, b), std::max(a, b));
     };
-    // On open meshes a triangle may lie on the back of another, so that the edge of the section between them bounds
-    // neither: then all edges between its points are looked at.
+    // On open meshes a triangle may lie on the back of another, so that the section edge between them bounds neither;
+    // then all edges between its points are looked at.
     if (std::any_of(section.edges.begin(), section.edges.end(),
                     [&](const SectionEdge& edge) { return triangle_of(edge) == kNone; })) {
         std::vector<bool> is_on_section(mesh.point_count, false);
@@ -150,8 +150,8 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         side.part_of_edge[i] = part;
         if (part != kNoPart) side.parts[part].is_cut = true;
     }
-    // A side that hangs together has nothing to be grouped with: the usual case, in which one more loop over all
-    // triangles would cost as much as the flood.
+    // A connected side needs no grouping. That is the usual case, in which one more loop over all triangles would cost
+    // as much as the flood.
     if (count > 1 || !side.parts.front().is_cut) measure_parts(side, builder, plane, noise);
     return side;
 }

@@ -20,12 +20,12 @@ struct PartsOfSide
     std::vector<SurfacePart> parts;
 };
 
-/// Floods the triangles collected so far: those that share two points, however many, hang together. O(n).
+/// Floods the triangles collected so far: all triangles that share two points are connected. O(n).
 PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
                        double noise);
 
-/// The piece of each part. O(n), and for each whole cavity of a solid that falls apart a loop over the side's
-/// triangles.
+/// The piece of each part: group_pieces(). O(n); if a solid falls apart, one more loop over the side's triangles for
+/// the rays of its whole cavities.
 BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builders, const Section& section,
                                                const BySide<PartsOfSide>& parts, const Plane& plane);
 

@@ -59,7 +59,7 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> of_existing_;
 };
 
-/// Removes pairs of opposite edges, whatever they were found in.
+/// Removes pairs of opposite edges, wherever they were found.
 void cancel_opposite_edges(Section& section)
 {
     for (const auto& pair : opposite_edges(section.points.size(), outline_of(section)))
@@ -81,9 +81,9 @@ std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane&
     return {t[edge.corner], t[(edge.corner + 1u) % 3]};
 }
 
-/// The edges, as they run on the positive side, that have a triangle of either side. By count: pieces of earlier cuts
-/// can touch along an edge, so that more than two triangles meet there. Edges that run forth and back on one side bound
-/// nothing there; each of the rest pairs with one reverse on the other side.
+/// The edges in the plane that have a triangle of either side, as they run on the positive side. They are counted,
+/// because pieces of earlier cuts can touch along an edge, so that more than two triangles meet there. Edges that run
+/// forth and back on one side bound nothing there; each of the rest pairs with one reverse on the other side.
 std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
                                                        std::span<const EdgeInPlane> positive)
 {

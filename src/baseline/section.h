@@ -17,7 +17,7 @@ struct SectionPoint
 {
     glm::vec3 position;
     std::uint32_t existing;   ///< point id in the mesh before the cut, or kNone
-    std::uint32_t cut_point;  ///< when not existing: the id of its class of cut points
+    std::uint32_t cut_point;  ///< if not existing: the id of its class of cut points
 };
 
 /// An edge of the outline, directed as it runs in the surface of the positive side.
@@ -55,7 +55,7 @@ struct EdgeInPlane
     std::uint8_t corner;
 };
 
-/// The section as common code takes it, but for the parts that it bounds.
+/// The section in the form of the common code, without the parts that it bounds.
 std::vector<OutlineEdge> outline_of(const Section& section);
 
 /// The positions of the section's points.
@@ -67,13 +67,13 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
                      std::span<const EdgeInPlane> in_plane_of_positive);
 
 /// Links edges into simple loops and chains, as divide_outline() does; only edges of equal tag follow one another.
-/// `tags` has one entry an edge. O(k log k).
+/// `tags` has one entry per edge. O(k log k).
 std::vector<SectionPath> link_paths(const Plane& plane, const Section& section, std::span<const std::uint64_t> tags);
 
-/// The area of the closed ones among the paths, as section_area() has it.
+/// The area of the closed paths among these, by section_area().
 double area_of(const Section& section, std::span<const SectionPath> paths, const Plane& plane);
 
-/// The path as the contract shows it.
+/// The path in the form of the contract.
 SectionLoop to_loop(const Section& section, const SectionPath& path);
 
 }  // namespace kerf::baseline

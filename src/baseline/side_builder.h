@@ -13,8 +13,8 @@
 
 namespace kerf::baseline {
 
-/// Collects the triangles and vertices of one side of a cut. How a vertex is found that is there already is not its
-/// business: that is the VertexLookup's (vertex_lookup.h).
+/// Collects the triangles and vertices of one side of a cut. Whether a vertex is there already is decided by the
+/// VertexLookup (vertex_lookup.h), not here.
 class SideBuilder
 {
 public:
@@ -40,8 +40,8 @@ public:
 
     void set_cut_point_count(std::size_t count) { point_of_cut_.assign(count, kNone); }
 
-    /// Declares that vertices and points have been filled in bulk with `vertices` vertices of `points` points: those of
-    /// class `own`, in source order, and lie in `box`. Their streams follow here.
+    /// Declares that the vertices of class `own` have been filled in bulk, in source order: `vertices` vertices of
+    /// `points` points, which lie in `box`. Appends their streams.
     void set_copied(std::span<const std::uint8_t> classes, std::uint8_t own, std::uint32_t vertices,
                     std::uint32_t points, const VertexBox& box)
     {
@@ -81,7 +81,7 @@ public:
         return id;
     }
 
-    /// Makes points one that coincide. O(n) if there are any.
+    /// Unites points that coincide. O(n) if there are any.
     void join_points(const CutPointClasses& cut_points)
     {
         if (cut_points.joined().empty()) return;
@@ -95,7 +95,7 @@ public:
         for (std::uint32_t& point : mesh.points) point = id[point];
     }
 
-    /// A point that nothing but the caller knows of.
+    /// A point known to the caller alone.
     std::uint32_t new_point() { return mesh.point_count++; }
 
     /// Appends a copy of a vertex of the source and returns its index.
@@ -139,7 +139,7 @@ public:
         for (std::size_t s = 0; s < mesh.streams.size(); ++s) append_stream_values(s, vertex);
     }
 
-    /// Takes the last vertex away again. An equal one is there: the bounds stay.
+    /// Removes the last vertex. The bounds stay, because an equal vertex is there.
     void remove_last()
     {
         mesh.vertices.pop_back();

@@ -8,8 +8,8 @@
 
 namespace kerf::baseline {
 
-/// The box around vertices that are shown one at a time, in a few instructions each: four floats are compared at once,
-/// the three of the position and one more that nobody looks at.
+/// The box around vertices that are added one at a time, in a few instructions each: four floats are compared at once,
+/// the three of the position and one more that is ignored.
 class VertexBox
 {
 public:

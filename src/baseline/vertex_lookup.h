@@ -18,8 +18,8 @@
 // cut and answers
 //   existing(vertex)           index in the fragment of a vertex of the source
 //   cut(crossings, c, code)    index in the fragment of the vertex at a cut corner
-// and adds what is not there. The first three compare what the vertices are, as the report does; `remap` compares where
-// they come from, which gives the same fragments in a fraction of the time.
+// and adds a vertex that is missing. The first three compare what the vertices are, as the report does; `remap`
+// compares where they come from, which gives the same fragments in a fraction of the time.
 
 namespace kerf::baseline {
 
@@ -79,7 +79,7 @@ public:
     }
 };
 
-/// Hashes all that same_vertex() compares: where many vertices lie in one place, position alone would put them all into
+/// Hashes all that same_vertex() compares: if many vertices lie in one place, position alone would put them all into
 /// one chain.
 struct ProperHash
 {
@@ -103,8 +103,8 @@ private:
     }
 };
 
-/// Combines the hashes of the coordinates with a logical or, as the report's program did: true or false are all the
-/// values there are.
+/// Combines the hashes of the coordinates with a logical or, as the report's program did: it has two values, true and
+/// false.
 struct TwoValuedHash
 {
     static std::size_t of(const IndexedMesh& mesh, std::uint32_t i)
