@@ -16,8 +16,8 @@ namespace kerf::halfedge {
 /// page costs more than the work of a cut on it. Elements beyond size() may be written up to capacity(); they become
 /// part of the array by extend(), which can't fail. Elements are trivial.
 ///
-/// Behind the touched memory lies as much again that is only asked for and costs addresses, not memory. When room runs
-/// out it is touched bit by bit, so that growing costs what is needed and not what is there.
+/// Behind the touched memory lies as much again that is only asked for: it costs addresses, not memory. When room runs
+/// out it is touched bit by bit, so that the cost of growth depends on what is added, not on what is there.
 template <class T>
 class AppendBuffer
 {
@@ -67,7 +67,7 @@ public:
         if (capacity > asked_ && !ask_for(kAskedFor * capacity) && !ask_for(capacity)) throw std::bad_alloc();
         T* const fresh = data_ + capacity_;
         prefer_huge_pages(static_cast<void*>(fresh), (capacity - capacity_) * sizeof(T));
-        // Not 0: memory that is to be 0 the compiler asks the system for, and it comes untouched.
+        // Not 0: the compiler would ask the system for zeroed memory, which comes untouched.
         std::memset(static_cast<void*>(fresh), 0xff, (capacity - capacity_) * sizeof(T));
         capacity_ = capacity;
     }
@@ -88,10 +88,10 @@ public:
     /// Sets the size within the capacity; new elements keep whatever bytes are there.
     void set_size(std::size_t size) { size_ = size; }
 
-    /// Needs room for one more.
+    /// Appends an element, for which there must be room.
     void push(const T& value) { data_[size_++] = value; }
 
-    /// That are held in memory.
+    /// Bytes of touched memory.
     std::size_t bytes_reserved() const { return capacity_ * sizeof(T); }
 
 private:

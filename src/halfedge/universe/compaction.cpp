@@ -10,7 +10,7 @@ namespace kerf::halfedge {
 
 namespace {
 
-/// New numbers for old ones, in the order in which they are asked for. A table, or a hash table where few of many are.
+/// New numbers for old ones, in the order of first request. A table, or a hash table if few of many are requested.
 class Renumbering
 {
 public:
@@ -83,7 +83,7 @@ private:
     std::vector<Segment> list_;
 };
 
-/// Those of one group lie side by side, groups as they are drawn.
+/// Segments in drawing order: those of one group lie side by side.
 std::vector<Segment*> in_drawing_order(const Universe& u, std::vector<Segment>& segments)
 {
     std::vector<Segment*> order;
@@ -105,7 +105,7 @@ Index join_all(TriangleTree& tree, std::span<const Segment> segments)
     return tree.join(left, join_all(tree, segments.subspan(half)));
 }
 
-/// New numbers of what the triangles of the copy use, in the order in which export_mesh() visits it.
+/// New numbers of the elements that the copy's triangles use, in the order in which export_mesh() visits them.
 struct Copied
 {
     Renumbering vertices, points, edges;

@@ -12,7 +12,7 @@ constexpr std::size_t kEdges = 6;     // the other half of its edge, a diagonal,
 constexpr std::size_t kFaces = 4;     // two beside the one that it is already, and one cap triangle a side
 constexpr std::size_t kVertices = 3;  // one for its edge, seldom two, and one of a cap a side
 constexpr std::size_t kSlots = 18;    // leaves that the plane meets are written anew: an estimate
-constexpr std::size_t kNodesShift = 2;       // new leaves and what joins them: a node, and a quarter for caps
+constexpr std::size_t kNodesShift = 2;       // new leaves and their parents: a node, and a quarter for caps
 constexpr std::size_t kNodesInAnyCase = 64;  // the way up to the root
 
 }  // namespace

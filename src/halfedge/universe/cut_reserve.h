@@ -8,21 +8,21 @@
 
 namespace kerf::halfedge {
 
-/// How much of everything a universe has. A triangle is a face and a slot when a universe is new.
+/// Sizes of a universe's arrays. In a new universe each triangle is one face and one slot.
 struct UniverseSize
 {
     std::size_t points = 0, edges = 0, triangles = 0, vertices = 0, nodes = 0;
 };
 
-/// Room that a new universe has for cuts, in crossing triangles: about eight cuts through the middle of a surface, whose
-/// section crosses some 3 sqrt(n) triangles.
+/// Room that a new universe has for cuts, in crossing triangles: about eight cuts through the middle of a surface, each
+/// of which crosses some 3 sqrt(n) triangles.
 std::size_t reserved_crossings(std::size_t triangles);
 
 /// The crossing triangles of one cut through the middle, with some to spare: room for planning one such cut.
 std::size_t crossings_of_one_cut(std::size_t triangles);
 
-/// Makes room in all arrays for so much, and for cuts that cross `crossings` triangles in all, as an estimate; touches
-/// it. Throws std::bad_alloc.
+/// Makes room in all arrays for `size` and, by an estimate, for cuts that cross `crossings` triangles in all; touches
+/// the room. Throws std::bad_alloc.
 void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings);
 
 }  // namespace kerf::halfedge

@@ -5,9 +5,9 @@
 
 namespace kerf::halfedge {
 
-/// Many readers or one writer, as std::shared_mutex, for std::unique_lock and std::shared_lock; but in turn: readers
-/// that come after a waiting writer wait for it, so that a stream of them can't hold it up for ever. (glibc's lock lets
-/// readers pass.) A thread that reads must not lock again.
+/// A std::shared_mutex (many readers or one writer) that takes turns: readers that come after a waiting writer wait for
+/// it, so that a stream of them cannot hold it up for ever. (glibc's lock lets readers pass.) Works with
+/// std::unique_lock and std::shared_lock. A thread that reads must not lock again.
 class FairSharedMutex
 {
 public:

@@ -92,7 +92,7 @@ std::vector<Index> spatial_order(const IndexedMesh& mesh, const std::vector<Inde
     return order;
 }
 
-/// Connectivity without searching: faces, edges in the order of their first half-edge, boundary linked at its vertices.
+/// Builds connectivity without a search: faces, edges in the order of their first half-edge, the linked boundary.
 void build_connectivity(Universe& u, const std::vector<Triangle>& points, std::span<const Index> opposite)
 {
     SurfaceMesh& mesh = u.mesh;
@@ -157,7 +157,7 @@ Numbering number_by_first_use(const IndexedMesh& mesh, std::span<const Index> or
     return numbering;
 }
 
-/// Vertices with their streams; there is room for them.
+/// Copies vertices with their streams; there is room for them.
 void copy_vertices(const IndexedMesh& mesh, std::span<const Index> old_vertex, Universe& u)
 {
     u.vertices.set_size(old_vertex.size());
@@ -173,7 +173,7 @@ void copy_vertices(const IndexedMesh& mesh, std::span<const Index> old_vertex, U
     }
 }
 
-/// What is known of faces, and the positions of points; there is room for them.
+/// Copies the data of faces and the positions of points; there is room for them.
 void copy_faces(const IndexedMesh& mesh, std::span<const Index> order, std::span<const Triangle> corner_points,
                 Universe& u)
 {

@@ -31,7 +31,7 @@ void SurfaceMesh::reserve(std::size_t vertices, std::size_t edges, std::size_t f
     const std::size_t v = mesh_.n_vertices(), e = mesh_.n_edges(), f = mesh_.n_faces();
     if (wanted.vertices > asked_.vertices || wanted.edges > asked_.edges || wanted.faces > asked_.faces) {
         ask_for(wanted);
-        // An address inside the block is all that OpenMesh gives away.
+        // OpenMesh tells no address but that of an element, so one edge must exist.
         mesh_.resize(v, std::max<std::size_t>(e, 1), f);
         prefer_huge_pages(&mesh_.edge(OpenMesh::EdgeHandle(0)), wanted.edges * kEdgeBytes);
     }

@@ -72,14 +72,14 @@ public:
     std::size_t edges() const { return mesh_.n_edges(); }
     std::size_t faces() const { return mesh_.n_faces(); }
 
-    /// Sets the sizes; within reserved room this can't fail, and it costs what is added.
+    /// Sets the sizes. Within reserved room it cannot fail and costs O(added elements).
     void resize(std::size_t vertices, std::size_t edges, std::size_t faces) { mesh_.resize(vertices, edges, faces); }
 
-    /// Makes room for elements in all and touches it. As in AppendBuffer, memory for as much again is asked for but not
-    /// touched. Throws std::bad_alloc.
+    /// Makes room for so many elements in all and touches it. As in AppendBuffer, memory for as much again is asked for
+    /// but not touched. Throws std::bad_alloc.
     void reserve(std::size_t vertices, std::size_t edges, std::size_t faces);
 
-    /// Makes room for more elements; returns the bytes by which the arrays grew. Costs what is added, unless the memory
+    /// Makes room for more elements; returns the bytes by which the arrays grew. O(added elements), unless the memory
     /// that was asked for is used up.
     std::size_t make_room(std::size_t vertices, std::size_t edges, std::size_t faces);
 

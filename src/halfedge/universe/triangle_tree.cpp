@@ -51,7 +51,7 @@ void store(float* p, const Four& four)
     std::memcpy(p, &four, sizeof four);
 }
 
-// Written so that it is one instruction.
+// Written to compile to one instruction.
 Four larger(Four a, Four b)
 {
     return a > b ? a : b;

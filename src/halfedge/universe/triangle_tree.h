@@ -17,7 +17,7 @@
 
 namespace kerf::halfedge {
 
-/// Triangles per leaf: more make less tree, fewer make less to rewrite around the section. The optimum is flat.
+/// Triangles per leaf: more make a smaller tree, fewer leave less to rewrite around the section. The optimum is flat.
 inline constexpr std::uint32_t kLeafTriangles = 32;
 /// A rewritten leaf is divided from here on, and small rewritten neighbours are joined up to here.
 inline constexpr std::uint32_t kMaxLeafTriangles = 48;
@@ -29,7 +29,7 @@ struct Node
 {
     Box box;
     Index left = kNone, right = kNone;  ///< kNone: a leaf
-    std::uint32_t first = 0;            ///< first slot of the run; meaningless when mixed
+    std::uint32_t first = 0;            ///< first slot of the run; meaningless if mixed
     std::uint32_t count = 0;            ///< triangles in the subtree
     Index group = kMixed;               ///< the group of all triangles, if they lie in one run of slots
 
@@ -49,12 +49,12 @@ struct alignas(16) Support
     Box box() const;
 };
 
-/// What a leaf is computed from: the universe's arrays.
+/// The universe's arrays, from which leaves are computed.
 struct TreeGeometry
 {
     std::span<const Vertex> vertices;
     std::span<const Triangle> slots;
-    glm::dvec3 reference{0.0};  ///< what mass moments are summed about
+    glm::dvec3 reference{0.0};  ///< the point that mass moments are summed about
 };
 
 /// The pool of nodes of a universe.
@@ -104,7 +104,7 @@ struct TriangleTree
     void append_runs(Index root, std::vector<Run>& runs) const;
 };
 
-/// True when some vertex under `root` has a signed distance > `limit` (sign = +1) or < -limit (sign = -1). O(log n) on
+/// True if some vertex under `root` has a signed distance > `limit` (sign = +1) or < -limit (sign = -1). O(log n) on
 /// ordinary shapes: the side that reaches farther is searched first. Adds the nodes that it looks at to `visited`.
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
                     double limit, int sign, std::uint64_t& visited);

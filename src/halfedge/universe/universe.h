@@ -14,7 +14,7 @@
 
 namespace kerf::halfedge {
 
-/// What triangles have in common that are drawn and solved together.
+/// The material, solid and kind of triangles that are drawn together.
 struct DrawGroup
 {
     std::uint32_t material = 0;
@@ -43,7 +43,7 @@ struct Stream
 /// A *face* is a triangle of the half-edge mesh. A *slot* is its place in the index buffer: a cut writes the triangles
 /// around the section to new slots at the end, and the old ones are dead.
 ///
-/// Fragments may be used by different threads: who reads the arrays holds `mutex` shared, who cuts holds it alone.
+/// Fragments may be used by different threads: a reader of the arrays holds `mutex` shared, a cut holds it alone.
 struct Universe
 {
     mutable FairSharedMutex mutex;
@@ -60,16 +60,16 @@ struct Universe
     std::vector<DrawGroup> groups;
     std::vector<Material> materials;
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< the one that was added for caps, if one was
-    glm::dvec3 reference{0.0};  ///< what mass moments are summed about: the centre of the prepared mesh
+    glm::dvec3 reference{0.0};  ///< mass moments are summed about it: the centre of the prepared mesh
     double noise = 0.0;         ///< plane_noise() of the prepared mesh
     bool has_boundary = false;  ///< some fragment may be open: the prepared mesh was, or a section was not closed
 
-    std::size_t uploaded_vertices = 0, uploaded_slots = 0;  ///< what the GPU has
+    std::size_t uploaded_vertices = 0, uploaded_slots = 0;  ///< counts that the GPU has
 
-    std::atomic<std::size_t> live_slots = 0;  ///< that some fragment draws; fragments end without the lock
+    std::atomic<std::size_t> live_slots = 0;  ///< slots that some fragment draws; fragments end without the lock
 
     Universe() = default;
-    /// With a lock of its own. Call it with `other` locked.
+    /// The copy has a lock of its own. Call it with `other` locked.
     Universe(const Universe& other);
     Universe& operator=(const Universe&) = delete;
 
