@@ -19,7 +19,7 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr unsigned kFloat = 5126, kUnsignedInt = 5125;
 constexpr unsigned kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
-/// A path as a relative reference: blanks and what has a meaning in references are escaped.
+/// A path as a relative reference: blanks and characters with a meaning in references are escaped.
 std::string uri_of(std::string_view path)
 {
     constexpr std::string_view kDigits = "0123456789ABCDEF";
@@ -81,8 +81,8 @@ private:
         }
     }
 
-    /// One primitive for each material, with its own vertices in order of use. Takes what the groups of this kind take,
-    /// and not all vertices anew for each of many materials.
+    /// One primitive for each material, with its own vertices in order of use. The cost depends on the groups of this
+    /// kind, not on all vertices for each material.
     OrderedJson primitives_of(TriangleKind kind)
     {
         std::vector<std::vector<const TriangleGroup*>> groups(mesh_.materials.size());

@@ -11,13 +11,13 @@ namespace kerf::io {
 
 namespace {
 
-/// A buffer may promise so many bytes more than there are, which is how far lengths are rounded up.
+/// A buffer may claim this many bytes more than there are: lengths are rounded up by so much.
 constexpr std::uint64_t kPadding = 3;
 
 constexpr std::uint64_t kWidest = 16;
 
-/// Sparse accessors may share their bytes, but not without end: they may have as many values in all as the file has
-/// bytes, or this many.
+/// Sparse accessors may share bytes, but not without limit: all together may have as many values as the file has bytes,
+/// or this many.
 constexpr std::uint64_t kSparseAllowed = 1 << 20;
 
 /// 0 for a type that glTF does not know.
@@ -75,7 +75,7 @@ double largest(GltfComponent type)
     return 1.0;
 }
 
-/// Of a buffer view: its data are also there compressed. Of a buffer: it is the place of such uncompressed copies.
+/// Of a buffer view: whether its data exist compressed, too. Of a buffer: whether it holds such uncompressed copies.
 bool is_compressed(const GltfDocument& document, const GltfJson& source)
 {
     return document.extension(source, "EXT_meshopt_compression") != nullptr ||
@@ -179,7 +179,7 @@ void GltfAccessors::place_sparse(GltfAccessor& accessor, const GltfJson& source,
             document_.refuse("a sparse index of " + where + " is out of range");
         accessor.sparse_.emplace_back(static_cast<std::uint64_t>(element), values.place_of(i));
     }
-    // What is given twice has its last value, as if one were written after the other.
+    // A value that is given twice is the last one, as if they were written one after the other.
     const auto is_before = [](const auto& a, const auto& b) { return a.first < b.first; };
     std::stable_sort(accessor.sparse_.begin(), accessor.sparse_.end(), is_before);
     const auto last = std::unique(accessor.sparse_.rbegin(), accessor.sparse_.rend(),

@@ -35,19 +35,19 @@ public:
 
     bool is_integer() const { return component != GltfComponent::float32; }
 
-    /// Whether anything in the file stands for it; otherwise it is zeros.
+    /// Whether the file holds data for it; otherwise it is zeros.
     bool has_data() const { return first_ != nullptr || !sparse_.empty(); }
 
-    /// A number of an element as it is stored. O(1), of a sparse accessor O(log of its values).
+    /// A number of an element as it is stored. O(1); for a sparse accessor O(log) of its values.
     double stored(std::uint64_t element, std::uint64_t k) const;
 
-    /// The same as what it means: integers that are normalized are fractions of the largest one, not below -1.
+    /// The meaning of that number: normalized integers are fractions of the largest one, not below -1.
     double value(std::uint64_t element, std::uint64_t k) const
     {
         return is_normalized ? fraction(element, k) : stored(element, k);
     }
 
-    /// Integers as fractions, whether they are said to be or not.
+    /// The number as a fraction, whether or not it is normalized.
     double fraction(std::uint64_t element, std::uint64_t k) const;
 
 private:
@@ -57,11 +57,11 @@ private:
 
     const char* first_ = nullptr;  ///< nullptr: zeros
     std::uint64_t stride_ = 0;
-    std::vector<std::pair<std::uint64_t, const char*>> sparse_;  ///< by element, each once: these are elsewhere
+    std::vector<std::pair<std::uint64_t, const char*>> sparse_;  ///< by element, each once: stored elsewhere
 };
 
-/// The accessors of a document, made and checked when somebody asks for them: every length is held against the bytes
-/// that are there. Sparse ones are read; those without a buffer view are zeros.
+/// The accessors of a document, made and checked on first use: every length is checked against the bytes that are
+/// there. Sparse ones are read; those without a buffer view are zeros.
 class GltfAccessors
 {
 public:
@@ -70,7 +70,7 @@ public:
     {
     }
 
-    /// @param where  names who asks
+    /// @param where  names the asker in messages
     /// @throws FileError
     const GltfAccessor& at(std::uint64_t index, const std::string& where);
 
@@ -78,7 +78,7 @@ public:
     std::uint64_t bytes_beside() const { return files_.bytes_beside(); }
 
 private:
-    /// Things that are made when they are first asked for. What fails is not tried again, for decoration may ask for it
+    /// Objects that are made on first use. One that failed is not tried again, because decoration may ask for it
     /// thousands of times; it fails with the same words.
     template <class T>
     class Once

@@ -10,13 +10,13 @@
 
 namespace kerf::io {
 
-/// Whether a reference has its data in itself. Schemes are the same in either case.
+/// Whether a reference holds its data itself. Schemes are the same in either case.
 bool is_data_uri(std::string_view uri);
 
 /// The bytes that the buffers of a glTF file name: base64 inside the file, or files beside it.
 ///
-/// A buffer may only lie in the folder of the glTF file or below it: no absolute path, no "..", no address of another
-/// kind. A file from somewhere else must not make us read what its sender cannot. Backslashes are taken as slashes.
+/// A buffer may only lie in the folder of the glTF file or below it: no absolute path, no "..", no other kind of
+/// address. A file from elsewhere must not make us read files that its sender cannot. Backslashes are taken as slashes.
 class GltfBuffers
 {
 public:

@@ -42,7 +42,7 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
         const std::string_view name = name_at(at);
         if (at == kContainerHeader && name != kJsonChunk)
             fail(path, std::string("its first chunk is not JSON") + kAgain);
-        // Behind the length that the header gives there may be anything.
+        // Beyond the length that the header gives there may be anything.
         const bool is_ours = name == kJsonChunk || name == kBinaryChunk || at < number(8);
         if (size > end - first) {
             if (!is_ours) break;
@@ -62,7 +62,7 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
         at = is_unpadded ? behind : padded;
         end_of_chunks = std::min(at, end);
     }
-    // Chunks say themselves how long they are; but only a file that has its data has all of them.
+    // Chunks give their own lengths, but only a file with a binary chunk is sure to have all of them.
     const bool is_too_long = number(8) > end;
     if (is_too_long && (end_of_chunks != end || parts.binary.empty())) fail_as_truncated();
     notes.add("a length in the header that is larger than the file, whose chunks are whole", is_too_long ? 1 : 0);

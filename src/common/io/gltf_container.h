@@ -15,10 +15,10 @@ struct GltfParts
     bool is_container = false;
 };
 
-/// Takes a GLB file apart; every length is held against the bytes that are there. Views into `bytes`. O(chunks).
+/// Splits a GLB file; every length is checked against the bytes that are there. Views into `bytes`. O(chunks).
 ///
-/// Chunks begin at multiples of four. Where a length is none, some programs fill up to the next one and others don't:
-/// the next chunk is where its name stands.
+/// Chunks begin at multiples of four. If a length is no multiple, some programs pad it and others do not: the next
+/// chunk begins where its name stands.
 /// @throws FileError  another version; the file, or one of its first two kinds of chunks, is shorter than it says
 GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
 

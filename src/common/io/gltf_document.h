@@ -15,9 +15,9 @@ namespace kerf::io {
 
 using GltfJson = nlohmann::json;
 
-/// The JSON of a glTF file, and how its members are read. Nothing is checked before somebody asks for it, so that what
-/// the surface does not use cannot refuse a file. What is plain although the format does not allow it is noted: a
-/// member that is null is not there, a whole number may be written as 8.0, and -1 refers to nothing.
+/// The JSON of a glTF file, and access to its members. Nothing is checked before it is asked for, so parts that the
+/// surface does not use cannot refuse a file. Members that break the format but have a plain meaning are noted: one
+/// that is null is not there, a whole number may be written as 8.0, and -1 refers to nothing.
 ///
 /// `where` names an object in messages: "accessor 3".
 class GltfDocument

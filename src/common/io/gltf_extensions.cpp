@@ -13,8 +13,8 @@ namespace {
 constexpr std::array<std::string_view, 3> kRead{"KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
                                                 "KHR_texture_transform"};
 
-/// These hang on meshes, primitives, accessors, buffer views or buffers and leave the triangles as they are; of Draco
-/// and the two kinds of meshopt compression, the uncompressed copy is read, and who reads it refuses if there is none.
+/// These belong to meshes, primitives, accessors, buffer views or buffers and do not change the triangles. Of Draco and
+/// both kinds of meshopt compression the uncompressed copy is read; its reader refuses a file without one.
 constexpr std::array<std::string_view, 11> kHarmless{"KHR_draco_mesh_compression",
                                                      "KHR_materials_variants",
                                                      "KHR_xmp",

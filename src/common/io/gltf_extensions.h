@@ -9,11 +9,11 @@ namespace kerf::io {
 
 /// The extensions that a file requires of its readers, and whether its surface can be read without them.
 ///
-/// KHR_mesh_quantization, EXT_mesh_gpu_instancing and KHR_texture_transform are read. Most others say something about
-/// materials, textures, animations or behaviour: they are noted and passed over, known or not. An extension that
-/// changes the surface has to hang on what the surface is read from - a mesh, primitive, accessor, buffer view or
-/// buffer; one that does, is required and is not known to be decoration refuses the file. Compression is no reason if
-/// the file has an uncompressed copy, or if the scene shows nothing that is compressed.
+/// KHR_mesh_quantization, EXT_mesh_gpu_instancing and KHR_texture_transform are read. Most others are about materials,
+/// textures, animations or behaviour: they are noted and passed over, known or not. An extension that changes the
+/// surface belongs to an object that the surface is read from: a mesh, primitive, accessor, buffer view or buffer. If
+/// it is required there and not known to be decoration, the file is refused. Compression is no reason if the file has
+/// an uncompressed copy, or if the scene shows nothing that is compressed.
 class GltfExtensions
 {
 public:

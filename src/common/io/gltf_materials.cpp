@@ -20,7 +20,7 @@ const GltfJson& any_list(const GltfJson& object, const char* name)
     return found != object.end() && found->is_array() ? *found : kEmpty;
 }
 
-/// The number of this name; the other one for anything else.
+/// The number of this name; `otherwise` for anything else.
 double any_number(const GltfJson& object, const char* name, double otherwise)
 {
     const auto found = object.find(name);
@@ -35,7 +35,7 @@ glm::dvec2 any_pair(const GltfJson& object, const char* name, const glm::dvec2& 
                : otherwise;
 }
 
-/// What `object` refers to by a member; nullptr if there is no such thing.
+/// The object that a member of `object` refers to; nullptr if there is none.
 const GltfJson* referred(const GltfDocument& document, const GltfJson& object, const char* name, const char* target)
 {
     const GltfJson& targets = any_list(document.root(), target);
@@ -44,7 +44,7 @@ const GltfJson* referred(const GltfDocument& document, const GltfJson& object, c
                                                                        : nullptr;
 }
 
-/// Path of the picture; empty for none and for one inside the file, which has no name that would mean anything outside.
+/// Path of the picture; empty for none and for one inside the file, whose name means nothing outside.
 std::string picture_of(const GltfDocument& document, const GltfJson& use)
 {
     const GltfJson* texture = referred(document, use, "index", "textures");
@@ -54,7 +54,7 @@ std::string picture_of(const GltfDocument& document, const GltfJson& use)
     return is_data_uri(uri) ? std::string() : uri;
 }
 
-/// Angles run against the clock as one sees the picture, in which v runs down.
+/// Angles run counter-clockwise as one sees the picture, in which v runs down.
 void read_texture_transform(const GltfJson& source, GltfMaterial& material)
 {
     const double angle = any_number(source, "rotation", 0.0), c = std::cos(angle), s = std::sin(angle);

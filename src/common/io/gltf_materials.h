@@ -13,7 +13,7 @@ namespace kerf::io {
 struct GltfMaterial
 {
     Material material;
-    std::uint64_t uv_set = 0;  ///< texture coordinates that the texture goes by
+    std::uint64_t uv_set = 0;  ///< the texture coordinates that the texture uses
 
     /// KHR_texture_transform, in glTF's coordinates: the matrix times uv, plus the offset.
     glm::dvec2 row_u{1.0, 0.0}, row_v{0.0, 1.0}, offset{0.0, 0.0};
@@ -22,7 +22,7 @@ struct GltfMaterial
     glm::dvec2 place(const glm::dvec2& uv) const;
 };
 
-/// The materials of a document. They are decoration: what makes no sense is left out, and none of it is refused.
+/// The materials of a document. They are decoration: invalid members are left out and never refuse a file.
 std::vector<GltfMaterial> gltf_materials(const GltfDocument& document);
 
 }  // namespace kerf::io

@@ -32,14 +32,14 @@ constexpr std::uint64_t kTriangles = 4, kFan = 6;
 /// TEXCOORD_0 is the vertices' uv; the others, if there are any, become streams.
 constexpr std::size_t kMostUvSets = 8;
 
-/// Every node copies the vertices of its mesh, and accessors may be zeros that no byte stands for: this many times the
-/// file's own size are allowed, so that a small file cannot ask for all memory.
+/// Every node copies the vertices of its mesh, and accessors may be zeros without bytes in the file: this many times
+/// the file's own size are allowed, so that a small file cannot ask for all memory.
 constexpr std::uint64_t kMostCopies = 64, kCopiesAllowed = 1 << 20;
 
 /// More work than any file may ask for, and small enough that sums of it don't overflow.
 constexpr std::uint64_t kUnbounded = std::uint64_t{1} << 60;
 
-/// A checked primitive that is triangles. Its attributes may be shorter than its positions.
+/// A checked primitive of triangles. Its attributes may be shorter than its positions.
 struct Primitive
 {
     std::uint64_t mode = kTriangles, corners = 0;
@@ -97,7 +97,7 @@ private:
         return mesh;
     }
 
-    /// Adds a primitive to the mesh if it is triangles.
+    /// Adds a primitive to the mesh if it consists of triangles.
     void check_primitive(const GltfJson& source, const std::string& where, Mesh& mesh)
     {
         if (!source.is_object()) document_.refuse("a primitive of " + where + " is not an object");
@@ -193,13 +193,13 @@ private:
             if (!index) return none;
             if (*index < materials_.size()) return static_cast<std::uint32_t>(*index);
         } catch (const FileError&) {
-            // What is no number names no material either.
+            // A value that is no number names no material either.
         }
         notes_.add("materials that are not there taken as none");
         return none;
     }
 
-    /// Holds what the file asks for against its size before anything is copied.
+    /// Checks the work that the file asks for against its size before anything is copied.
     void check_work(const std::vector<GltfPlacement>& placements) const
     {
         const std::uint64_t most = std::max(kCopiesAllowed, kMostCopies * (size_ + accessors_.bytes_beside()));
@@ -216,7 +216,7 @@ private:
         }
     }
 
-    /// One stream for everything that some mesh of the scene has; others get white and 0.
+    /// One stream for each attribute that some mesh of the scene has; others get white and 0.
     void plan_streams()
     {
         for (const auto& [number, mesh] : meshes_)
@@ -302,7 +302,7 @@ private:
         const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
         for (std::uint64_t i = 0; i < p.positions->count; ++i) {
             if (index[i] == kUnused) {
-                // Where another primitive uses it the file is refused.
+                // If another primitive uses it, the file is refused.
                 if (is_first && !is_finite(vector_at(*p.positions, i))) notes_.add(kUnusedVertices);
                 continue;
             }
@@ -334,7 +334,7 @@ private:
         return length == 0.0 ? kNoNormal : glm::vec3(n / length);
     }
 
-    /// Texture coordinates as the material's texture goes by them. The origin of glTF's is the upper left corner.
+    /// Texture coordinates as the material's texture uses them. glTF's origin is the upper left corner.
     glm::vec2 uv_at(const Primitive& p, std::size_t set, std::uint64_t i) const
     {
         const GltfAccessor* uvs = p.uvs[set];

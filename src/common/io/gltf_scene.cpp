@@ -21,7 +21,7 @@ std::string name_of(std::size_t node)
     return "node " + std::to_string(node);
 }
 
-/// Scaled, turned, moved.
+/// The transform that scales, then turns, then moves.
 glm::dmat4 compose(const glm::dvec3& translation, const std::array<double, 4>& rotation, const glm::dvec3& scale)
 {
     glm::dmat4 matrix(1.0);
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// Nodes that are there, each once, in the order in which they are named. O(n log n).
+    /// The nodes that exist, each once, in the order in which they are named. O(n log n).
     std::vector<std::size_t> named(const std::vector<std::uint64_t>& indices, const std::string& where) const
     {
         std::vector<std::pair<std::size_t, std::size_t>> order;  // node, and where it is named
@@ -130,7 +130,7 @@ private:
         }
     }
 
-    /// How many of these nodes are below others, in the scene or not. What is no reference counts for nothing here.
+    /// The number of these nodes that are below others, in the scene or not. Invalid references are ignored here.
     std::uint64_t count_children(const std::vector<std::size_t>& starts) const
     {
         std::vector<bool> is_child(nodes_.size(), false);
@@ -145,7 +145,7 @@ private:
             std::count_if(starts.begin(), starts.end(), [&](std::size_t node) { return is_child[node]; }));
     }
 
-    /// Of a node in the scene; those above it are kept.
+    /// The transform of a node in the scene; those of the nodes above it are kept.
     const glm::dmat4& transform_of(std::size_t node)
     {
         std::vector<std::size_t> path{node};

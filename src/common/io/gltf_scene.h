@@ -20,7 +20,7 @@ struct GltfInstances
     glm::dmat4 transform(std::uint64_t i) const;
 };
 
-/// A mesh where a node of the scene puts it.
+/// A mesh as placed by a node of the scene.
 struct GltfPlacement
 {
     std::uint64_t mesh = 0;
@@ -32,9 +32,9 @@ struct GltfPlacement
 /// nodes. If there is no scene, or one that shows no mesh: those of all nodes; if these show none, each mesh once.
 ///
 /// Each node stands in one place: a node that the scene or its parent names twice is there once, and one that both name
-/// is there below its parent. A scene may begin at nodes that are below others, whose transforms don't count then.
-/// Transforms of nodes are looked at only above meshes. O(nodes).
-/// @throws FileError  a reference out of range, a node with two parents or below itself, a transform that is none
+/// is there below its parent. A scene may begin at nodes below others; the transforms of those others are ignored. Only
+/// transforms of nodes above meshes are looked at. O(nodes).
+/// @throws FileError  a reference out of range, a node with two parents or below itself, an invalid transform
 std::vector<GltfPlacement> placements_of(const GltfDocument& document, GltfAccessors& accessors);
 
 }  // namespace kerf::io

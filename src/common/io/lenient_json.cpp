@@ -11,7 +11,7 @@ namespace kerf::io {
 
 namespace {
 
-/// Text that strict parsers take, and what was done for it.
+/// Text that strict parsers accept, and a record of what was changed for it.
 struct Mended
 {
     std::string text;
@@ -25,8 +25,8 @@ bool is_word(char c)
            c == '.' || c == '#' || c == '_' || c == '(' || c == ')';
 }
 
-/// "NaN", "-nan(ind)", "inf", "Infinity", "1.#QNAN", "-1.#IND", 1e400: the ways in which programs write what is not a
-/// finite number.
+/// "NaN", "-nan(ind)", "inf", "Infinity", "1.#QNAN", "-1.#IND", 1e400: the ways in which programs write numbers that
+/// are not finite.
 bool is_no_finite_number(std::string_view word)
 {
     std::string lower(word.substr(0, 16));
@@ -38,7 +38,7 @@ bool is_no_finite_number(std::string_view word)
         return true;
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    // Too small is out of range as well, and is no fault: parsers take it for 0.
+    // A number that is too small is out of range as well, and is no fault: parsers read it as 0.
     const std::size_t exponent = word.find_first_of("eE");
     return error == std::errc::result_out_of_range && end == word.data() + word.size() &&
            (exponent == std::string_view::npos || word[exponent + 1] != '-');
@@ -126,7 +126,7 @@ std::optional<std::size_t> parse(std::string_view text, nlohmann::json& document
 nlohmann::json parse_lenient_json(std::string_view text, ReadingNotes& notes)
 {
     nlohmann::json document;
-    // A byte of 0 outside of texts is the end for the parser.
+    // The parser takes a zero byte outside of strings for the end.
     const auto note_end = [&](std::string_view parsed) {
         const std::size_t end = std::min(parsed.find('\0'), parsed.size());
         notes.add(kBytesBehind, parsed.size() - end);

@@ -19,11 +19,11 @@ public:
     std::size_t byte;  ///< where, in the text as it was given
 };
 
-/// Parses JSON. What is not JSON is put right where programs write it and its meaning is plain, and noted:
-/// * control characters inside texts (a raw TAB or line end) become spaces,
-/// * bytes inside texts that are not UTF-8 are taken as Latin-1,
-/// * NaN, infinities and numbers too large for a double become an empty text, so that whoever needs the number refuses
-/// it.
+/// Parses JSON. Faults that programs write and that have a plain meaning are put right and noted:
+/// * control characters inside strings (a raw TAB or line end) become spaces,
+/// * bytes inside strings that are not UTF-8 are taken as Latin-1,
+/// * NaN, infinities and numbers too large for a double become an empty string, so that whoever needs the number
+///   refuses it.
 ///
 /// Strict text is parsed once, other text twice. O(n), whatever the depth.
 /// @throws JsonError

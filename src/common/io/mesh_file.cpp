@@ -55,7 +55,7 @@ ReadRecord::~ReadRecord()
 
 void fail(const fs::path& path, const std::string& reason)
 {
-    // A name may hold line ends and what terminals obey; a message is one line.
+    // A name may hold line ends and control characters; a message is one line.
     std::string name = path.string();
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
@@ -81,7 +81,7 @@ std::string read_bytes(const fs::path& path)
     if (has_zero || status.type() == fs::file_type::not_found)
         fail(path, "there is no such file; look at its name and folder");
     if (error) fail(path, "it cannot be read (" + error.message() + "); look at its name and folder");
-    // A device or a pipe has no size to hold a claim against, and may never end.
+    // A device or a pipe has no size to check a claim against, and may never end.
     if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name one that is");
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) fail(path, "it cannot be read (" + error.message() + ")");
@@ -174,7 +174,7 @@ void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
     const std::string extension = extension_of(path);
     const std::size_t before = impl_->files.size();
     try {
-        // Writers follow every index.
+        // Writers use indices without a check.
         if (const std::string fault = check(mesh); !fault.empty()) fail(path, "it cannot be written: " + fault);
         if (extension == "obj") {
             // The materials first: the OBJ file that names them appears last.

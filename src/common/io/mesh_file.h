@@ -21,30 +21,30 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A mesh file as it is: triangles (n-gons triangulated without a new vertex), several meshes and materials joined,
-/// node transforms applied. OBJ, PLY, STL, OFF, glTF and GLB, by file name extension in either case.
+/// Reads a mesh file without repair: triangles (n-gons triangulated without a new vertex), several meshes and materials
+/// joined, node transforms applied. OBJ, PLY, STL, OFF, glTF and GLB, by file name extension in either case.
 ///
 /// * Text numbers are read correctly rounded. -0 becomes +0 in coordinates.
 /// * Vertices are counted as the format stores them (OBJ: different v/vt/vn triples that a face uses).
 /// * uv have their origin in the lower left corner of the image, as in OBJ and OpenGL; glTF is converted.
-/// * Normals farther than 1e-6 from unit length are normalised. Where only some vertices have one, the others get the
-///   mean of their triangles' normals, weighted by area. Where a file gives none, and for STL, `has_normals` is false.
+/// * Normals farther than 1e-6 from unit length are normalised. If only some vertices have one, the others get the mean
+///   of their triangles' normals, weighted by area. If a file gives none, and for STL, `has_normals` is false.
 /// * Of glTF, what the scene shows, with EXT_mesh_gpu_instancing, KHR_mesh_quantization and KHR_texture_transform; no
 ///   Draco, no skins, no morph targets.
 /// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices have streams as well.
 ///
-/// What does not matter for the surface never refuses a file: it is put right or passed over, and noted. So are
-/// spellings of it that other programs write and that have one meaning; docs/robustness.md, "Files", lists them. Text
-/// may be UTF-8, with its mark or without; but for the JSON of glTF it may be UTF-16 as well, told by its mark or by
-/// its first two letters.
+/// A fault that does not matter for the surface never refuses a file: it is put right or passed over, and noted. So are
+/// other programs' spellings that have one meaning; docs/robustness.md, "Files", lists them. Text may be UTF-8, with or
+/// without a byte order mark; except for the JSON of glTF it may also be UTF-16, told by its mark or by its first two
+/// letters.
 ///
 /// Time and memory are O(file size), whatever counts the file claims.
-/// @param notes  what the reader was lenient about is added to it, if given
+/// @param notes  receives what the reader was lenient about, if given
 /// @throws FileError  unreadable, empty, truncated or malformed file; no triangles; a vertex index out of range; a face
 ///                    with a coordinate that is not finite
 TriangleSoup read_soup(const std::filesystem::path& path, ReadingNotes* notes = nullptr);
 
-/// A file made ready for cutting, with what was found and what was repaired.
+/// A file made ready for cutting, with its facts and repairs.
 struct LoadedMesh
 {
     ProvenMesh mesh;
@@ -53,8 +53,8 @@ struct LoadedMesh
     Repairs repairs;
     ReadingNotes notes;  ///< what the reader was lenient about
 
-    /// Whether the mesh as it was repaired has no boundary: the surface of solids, of which one never sees the back.
-    /// O(n log n) if something was repaired, otherwise O(1).
+    /// Whether the repaired mesh has no boundary: it is the surface of solids, whose back one never sees. O(n log n) if
+    /// something was repaired, otherwise O(1).
     bool is_closed() const { return repairs.none() ? facts.closed() : measure(*mesh).closed(); }
 };
 
@@ -62,12 +62,11 @@ struct LoadedMesh
 /// @throws FileError
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY, STL or GLB, by extension. What is written as OBJ or PLY reads back bit for bit: positions, uv,
-/// normals of length 1, and in PLY finite values of streams that have a name without blanks; points by equal positions.
-/// OBJ and GLB keep materials, OBJ in an .mtl file beside it if they say more than a name; OBJ has the groups `surface`
-/// and `cap`. The file appears complete or not at all: it is written beside its place and renamed. Where a symbolic
-/// link has the name, the file that it leads to is replaced.
-/// Any mesh that check() accepts is written, be it proven or not.
+/// Writes OBJ, PLY, STL or GLB, by extension. OBJ and PLY read back bit for bit: positions, uv, normals of length 1,
+/// and in PLY finite values of streams that have a name without blanks; points by equal positions. OBJ and GLB keep
+/// materials, OBJ in an .mtl file beside it if they say more than a name; OBJ has the groups `surface` and `cap`. The
+/// file appears complete or not at all: it is written beside its place and renamed. If the name is a symbolic link, the
+/// file that it leads to is replaced. Any mesh that check() accepts is written, proven or not.
 /// @throws FileError
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 
@@ -77,12 +76,12 @@ void refuse_to_replace(const std::filesystem::path& output, std::span<const std:
 /// @throws FileError  `output` is written to the place of one of `others`
 void refuse_same_place(const std::filesystem::path& output, std::span<const std::filesystem::path> others);
 
-/// Several mesh files that appear together or not at all, also when the program is interrupted
+/// Several mesh files that appear together or not at all, even if the program is interrupted
 /// (common/io/unfinished_files.h).
 class MeshFileSet
 {
 public:
-    /// @param inputs  files that stay as they are: LoadedMesh::files of what is written in parts
+    /// @param inputs  files that must not be replaced: LoadedMesh::files of a mesh written in parts
     explicit MeshFileSet(std::vector<std::filesystem::path> inputs = {});
     ~MeshFileSet();  ///< removes what was not committed
     MeshFileSet(const MeshFileSet&) = delete;
@@ -93,7 +92,7 @@ public:
     /// @throws FileError
     void add(const std::filesystem::path& path, const IndexedMesh& mesh);
 
-    /// Gives all files their names. When one cannot have its name, the ones renamed before are removed again.
+    /// Gives all files their names. If one cannot have its name, the ones renamed before are removed again.
     /// @throws FileError
     void commit();
 

@@ -12,7 +12,7 @@ namespace kerf::io {
 
 namespace {
 
-/// Number of arguments at most of a texture option, as the MTL description lists them; all but these are words.
+/// The most arguments that a texture option has, by the MTL description: one unless named here.
 std::size_t option_arguments(std::string_view option)
 {
     if (option == "-o" || option == "-s" || option == "-t") return 3;

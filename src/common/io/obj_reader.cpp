@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::int64_t kAbsent = -1;
 
-/// What a corner of a face names: positions in the lists of v, vt and vn, or kAbsent.
+/// The entries that a corner of a face names: positions in the lists of v, vt and vn, or kAbsent.
 struct Corner
 {
     std::int64_t v = kAbsent, vt = kAbsent, vn = kAbsent;
@@ -39,7 +39,7 @@ struct CornerHash
     }
 };
 
-/// Statements of grouping, smoothing and display: nothing of a mesh is lost without them.
+/// Statements of grouping, smoothing and display: the mesh loses nothing without them.
 bool is_about_grouping(std::string_view keyword)
 {
     constexpr std::array<std::string_view, 12> kKeywords{
@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    /// How many v, vt and vn the walk has passed.
+    /// The numbers of v, vt and vn that the walk has passed.
     struct Passed
     {
         std::size_t v = 0, vt = 0, vn = 0;
@@ -123,8 +123,8 @@ private:
         return true;
     }
 
-    /// Faces may stand before what they name: reads the lists to their ends. The walk goes on from where it was,
-    /// because negative indices count from there.
+    /// Reads the lists to their ends, because faces may come before the entries they name. The walk goes on from where
+    /// it was, because negative indices count from there.
     void read_ahead()
     {
         if (std::exchange(is_read_ahead_, true)) return;
@@ -139,7 +139,7 @@ private:
         glm::vec3 position;
         for (int i = 0; i < 3; ++i) {
             const std::string_view word = line.word();
-            // What is no number, or is missing, matters only if a face uses it: the line is one vertex all the same.
+            // A missing or invalid coordinate matters only if a face uses it: the line is one vertex all the same.
             position[i] = TextScanner::to_attribute(word);
             if (!std::isfinite(position[i])) unfit_.push_back({positions_.size(), line.line(), word});
         }
@@ -209,7 +209,7 @@ private:
                    "; mend the face or take it out");
     }
 
-    /// The same for what the surface does not need: kAbsent for what is not there.
+    /// The same for attributes, which the surface does not need: kAbsent for one that is not there.
     template <class List>
     std::int64_t read_attribute_index(std::string_view word, std::size_t passed, const List& list)
     {
@@ -269,7 +269,7 @@ private:
         }
     }
 
-    /// Each file once, however often and under however many names it is called for.
+    /// Reads each file once, however often and by however many names it is requested.
     void read_library(const std::filesystem::path& file)
     {
         std::error_code error;
@@ -300,7 +300,7 @@ private:
         return count;
     }
 
-    /// Positions without a colour are white where others have one.
+    /// Positions without a colour are white if others have one.
     void add_colours()
     {
         if (colours_.empty()) return;

@@ -86,8 +86,8 @@ std::string_view group_name(TriangleKind kind)
     return kind == TriangleKind::surface ? "surface" : "cap";
 }
 
-/// Names for usemtl: one line each, none empty, no two equal. An unnamed material is called like the group that has it.
-/// Time O(n), however many share a name.
+/// Names for usemtl: one line each, none empty, no two equal. An unnamed material gets the name of the group that has
+/// it. O(n), however many share a name.
 std::vector<std::string> material_names(const IndexedMesh& mesh)
 {
     std::vector<std::string> names;
@@ -103,7 +103,7 @@ std::vector<std::string> material_names(const IndexedMesh& mesh)
         if (group.material < names.size() && names[group.material].empty())
             names[group.material] = group_name(group.kind);
     std::unordered_set<std::string> used;
-    // By name: the number that is tried next. Those before it are taken, and stay so.
+    // For each name the number to try next. Those before it are taken, and stay so.
     std::unordered_map<std::string, std::uint32_t> next_number;
     for (std::string& name : names) {
         if (name.empty()) name = "material";

@@ -15,9 +15,9 @@ namespace {
 
 /// Reads OFF as Geomview describes it: [ST][C][N]OFF, the counts of vertices, faces and edges, then
 ///   vertex: x y z [normal] [r g b [a]] [s t]        face: n i1 ... in [colour]
-/// Each vertex and each face begins on a line of its own; what is behind it on the line is not looked at. If there are
-/// fewer lines than that, they follow one another, and colours have four numbers. The letters may come in any order and
-/// case; who writes N before C (vcglib) writes colours before normals.
+/// Each vertex and each face begins on a line of its own; the rest of the line is ignored. If there are fewer lines
+/// than that, they follow one another, and colours have four numbers. The letters may come in any order and case; a
+/// program that writes N before C (vcglib) writes colours before normals.
 class OffReader
 {
 public:
@@ -31,7 +31,7 @@ public:
         read_header();
         for (std::uint64_t i = 0; i < vertex_count_; ++i) read_vertex(i);
         line_.next_record(face_count_);
-        // What is behind faces are their colours.
+        // The numbers behind faces are their colours.
         notes_.add(kLongLines, line_.lines_passed_over());
         line_.new_records();
         for (std::uint64_t i = 0; i < face_count_; ++i) read_face(i);
@@ -61,7 +61,7 @@ private:
         else if (has_line_of_its_own())
             line_.word_of_any_line();
 
-        // A number takes two bytes with its separator, but the last.
+        // Each number but the last takes two bytes, with its separator.
         const std::uint64_t room = (line_.bytes_left() + 1) / 2;
         if (vertex_count_ > room / 3 || face_count_ > room)
             line_.fail(std::to_string(vertex_count_) + " vertices and " + std::to_string(face_count_) +
@@ -92,7 +92,7 @@ private:
         const std::string_view letters = std::string_view(lower).substr(0, off);
         const std::string_view behind = word.substr(std::min(off + 3, word.size()));
         const bool is_off = off < lower.size() && (behind.empty() || std::isdigit(to_unsigned(behind[0])) != 0);
-        // Four coordinates, or as many as a number says, which is read if it is 3; nOFF is not NOFF.
+        // 4 means four coordinates, n as many as a number says: only 3 is read. nOFF is not NOFF.
         const bool has_dimension = is_off && word.substr(0, off + 3).ends_with("nOFF");
         const std::string_view known = letters.substr(0, letters.size() - (has_dimension ? 1 : 0));
         if (is_off && (known.ends_with("4") || known.ends_with("4n"))) fail_of_dimension(word);

@@ -28,7 +28,7 @@ fs::path temporary_beside(const fs::path& path)
 
 fs::path behind_links(const fs::path& path)
 {
-    constexpr int kMostLinks = 40;  // what Linux follows in one name
+    constexpr int kMostLinks = 40;  // as many as Linux follows in one name
     fs::path place = path;
     std::error_code error;
     for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
@@ -90,7 +90,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       file_(std::move(other.file_)),
       state_(std::exchange(other.state_, State::gone))
 {
-    // What a path is after it was moved away is not said.
+    // A path that was moved from is in an unspecified state.
     for (fs::path* path : {&other.path_, &other.place_, &other.temporary_, &other.previous_}) path->clear();
 }
 

@@ -10,39 +10,39 @@
 
 namespace kerf::io {
 
-/// The file that a name stands for: where symbolic links lead, whether there is something or not; otherwise the name.
+/// The file that a name stands for: where symbolic links lead, existing or not; without links the name itself.
 /// @throws FileError  they lead in a circle
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
-/// The same for every name of one place, be it relative, another spelling or a link: its folder without links, and the
+/// The same path for every name of one place (relative, another spelling, a link): its folder without links, and the
 /// name there. Neither need exist.
 /// @throws FileError  links lead in a circle
 std::filesystem::path place_of(const std::filesystem::path& path);
 
 /// A file that appears complete or not at all: it is written under a temporary name beside its place, and renamed. A
-/// symbolic link of its name stays; what it leads to is replaced, or made.
+/// symbolic link of its name stays; the file that it leads to is replaced, or made.
 ///
-/// It is written, finished and committed, once each and in this order. What comes too late or too early is a FileError
-/// and changes nothing: writing what is finished, naming what is not, anything after a failure of write() or finish(),
-/// and anything of a file that was moved away. So a file that is not complete never gets its name.
+/// It is written, finished and committed, once each and in this order. A call out of order throws FileError and changes
+/// nothing: writing a finished file, committing an unfinished one, any call after a failure of write() or finish(), and
+/// any call on a file that was moved from. So a file that is not complete never gets its name.
 class OutputFile
 {
 public:
     /// @throws FileError  the folder cannot be written to, or something that is not a regular file has the name
     explicit OutputFile(std::filesystem::path path);
     ~OutputFile();  ///< removes the temporary file
-    /// The other one has no file any more, and no path.
+    /// Leaves the other one without a file and without a path.
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// Where it appears: behind the links of its name.
+    /// The place where it appears: behind the links of its name.
     const std::filesystem::path& place() const { return place_; }
 
     /// Appends bytes. @throws FileError  for example: the disk is full; it is finished
     void write(std::string_view bytes);
 
-    /// Waits until the disk holds what was written so far, so that not even a power cut after commit() leaves less.
+    /// Waits until the disk holds what was written so far, so that not even a power cut after commit() loses any of it.
     /// Takes milliseconds. @throws FileError  for example: the disk is full; it is finished
     void synchronise();
 
@@ -54,7 +54,7 @@ public:
     void commit();
 
     /// If commit() of this object has named it, gives the name back to the file that had it before, or to none;
-    /// does nothing otherwise, nor a second time. File systems without hard links keep no file that is replaced.
+    /// otherwise, and the second time, does nothing. File systems without hard links keep no file that is replaced.
     void withdraw() noexcept;
 
 private:
@@ -73,7 +73,7 @@ private:
     };
 
     bool has_temporary() const noexcept;
-    /// Gives the file that has the name, if there is one, a hidden one besides.
+    /// Gives the file that has the name, if there is one, a second, hidden name.
     void keep_previous();
     /// @throws FileError  it is in another state
     void expect(State state) const;
@@ -83,7 +83,7 @@ private:
     std::filesystem::path path_;
     std::filesystem::path place_;  ///< behind links
     std::filesystem::path temporary_;
-    std::filesystem::path previous_;  ///< what had the name before, until this object ends; empty: nothing
+    std::filesystem::path previous_;  ///< the file that had the name before, until this object ends; empty: nothing
     UnfinishedFile unfinished_, previous_unfinished_;
     std::unique_ptr<std::FILE, Close> file_;  ///< while it is open; after a failure perhaps
     State state_ = State::open;

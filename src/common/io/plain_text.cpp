@@ -44,7 +44,7 @@ void append_utf8(std::string& text, std::uint32_t code)
     }
 }
 
-/// Without the mark, if there is one. What is left over of a last unit is cut off.
+/// Converts without the byte order mark, if there is one. An incomplete last unit is cut off.
 std::string utf8_of_utf16(std::string_view bytes, Endian order)
 {
     constexpr std::size_t kUnit = 2;

@@ -8,8 +8,8 @@
 namespace kerf::io {
 
 /// The text of a file in UTF-8: converted, and noted, if the file is UTF-16, which some shells make of redirected
-/// output; otherwise a view of the bytes. Without a byte order mark it is told by its first two characters, which are
-/// ASCII in every format. Time and memory O(size).
+/// output; otherwise a view of the bytes. Without a byte order mark UTF-16 is told by the first two characters, which
+/// are ASCII in every format. Time and memory O(size).
 class PlainText
 {
 public:
@@ -25,7 +25,7 @@ private:
     std::string_view text_;
 };
 
-/// A text without what fills up a block at its end: bytes of 0, and the end-of-file character of DOS. Noted.
+/// A text without the padding of a block at its end: zero bytes, and the end-of-file character of DOS. Noted.
 std::string_view without_padding(std::string_view text, ReadingNotes& notes);
 
 }  // namespace kerf::io

@@ -41,7 +41,7 @@ std::optional<PlyType> find_type(std::string_view word)
     return std::nullopt;
 }
 
-/// A number of a text says what it is by itself, whatever its type is called; in a binary file nobody knows its size.
+/// In a text a number can be read whatever its type is called; in a binary file an unknown type has an unknown size.
 PlyType to_type(const TextScanner& line, std::string_view word, bool is_ascii, ReadingNotes& notes)
 {
     if (const std::optional<PlyType> type = find_type(word)) return *type;
@@ -121,8 +121,8 @@ std::size_t size_of(PlyType type)
     return 0;
 }
 
-/// Bytes of the header that ends where `line` is. A header of lines that end with CR leaves a LF behind its last one to
-/// the numbers of a binary file.
+/// Bytes of the header that ends where `line` is. In a binary file whose header lines end with CR, a LF behind the last
+/// one belongs to the numbers.
 std::size_t header_size(std::string_view bytes, const TextScanner& line)
 {
     const std::size_t size = bytes.size() - line.bytes_left();
@@ -168,8 +168,8 @@ PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& te
             const bool is_ascii = has_format && header.format == PlyFormat::ascii;
             header.elements.back().properties.push_back(read_property(line, is_ascii, notes));
         } else if (keyword != "comment" && keyword != "obj_info") {
-            // Before the elements it is a remark. Behind one it may be a property, and its data would be taken for
-            // others.
+            // Before the elements an unknown keyword is a remark. Behind one it may be a property, whose data would be
+            // taken for others.
             if (!header.elements.empty())
                 line.fail(in_quotes(keyword) +
                           " is not a keyword of PLY headers; take the line out or export the file again");

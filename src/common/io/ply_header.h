@@ -37,7 +37,7 @@ struct PlyProperty
     std::string name;
     PlyType type = PlyType::float32;
     bool is_list = false;
-    PlyType count_type = PlyType::uint8;  ///< lists: of the number in front of the items
+    PlyType count_type = PlyType::uint8;  ///< lists: type of the number in front of the items
 };
 
 struct PlyElement
@@ -51,11 +51,11 @@ struct PlyHeader
 {
     PlyFormat format = PlyFormat::ascii;
     std::vector<PlyElement> elements;
-    std::size_t size = 0;   ///< bytes up to and with the end of its last line
+    std::size_t size = 0;   ///< bytes up to and including the end of its last line
     std::size_t lines = 0;  ///< lines of the header
 };
 
-/// Reads "ply ... end_header", and holds the counts that it claims against the size of the file.
+/// Reads "ply ... end_header", and checks the counts that it claims against the size of the file.
 /// @throws FileError
 PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& text, ReadingNotes& notes);
 

@@ -23,7 +23,7 @@ bool has_property(const PlyElement& element, std::string_view name)
                        [&](const PlyProperty& p) { return !p.is_list && p.name == name; });
 }
 
-/// Largest value of an integer type: what stands for a full colour.
+/// Largest value of an integer type: it stands for a full colour.
 float full(PlyType type)
 {
     switch (type) {
@@ -127,7 +127,7 @@ private:
     PlyVertexLayout layout_;
 };
 
-/// True when a property of this name would not become a stream of this name and width 1.
+/// True if a property of this name would not become a stream of this name and width 1.
 bool is_taken(std::string_view name)
 {
     const auto is_name = [&](std::string_view other) { return name == other; };

@@ -9,7 +9,7 @@
 #include "common/io/ply_header.h"
 #include "common/mesh/indexed_mesh.h"
 
-// Which number of a PLY vertex is what. Reader and writer share the names, so that streams come back as they went:
+// The meaning of a PLY vertex's numbers. Reader and writer share the names, so that streams read back as written:
 //   x y z, nx ny nz, s t (reading: also u v, texture_u texture_v, texture_s texture_t)
 //   red green blue [alpha]   stream "color"; integers are divided by their largest value
 //   NAME_0 NAME_1 ...        stream NAME of that width
@@ -24,7 +24,7 @@ struct PlyStream
     std::uint32_t width = 1;
 };
 
-/// Where the value of one property goes.
+/// The destination of a property's value.
 struct PlyDestination
 {
     static constexpr std::size_t kCore = std::numeric_limits<std::size_t>::max();

@@ -46,7 +46,7 @@ public:
     {
         return builder.read_coordinate(words_, words_.word_of_record_lines());
     }
-    /// What does not matter for the surface: not a number if it is none, or if a line that is one element ends before.
+    /// A number that does not matter for the surface: NaN if it is none, or if a line that is one element ends before.
     float attribute(PlyType)
     {
         const std::string_view word = words_.word_of_record_lines();
@@ -140,7 +140,7 @@ public:
             case PlyType::int64:
                 return load<std::int64_t>(take(8), order_);
             case PlyType::uint64:
-                // Beyond the largest it is no index and no length either.
+                // A number beyond the largest is no index and no length either.
                 return static_cast<std::int64_t>(std::min(load<std::uint64_t>(take(8), order_),
                                                           std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
             case PlyType::float32:
@@ -227,7 +227,7 @@ public:
         }
         source_.finish(notes_);
         if (face_sizes_.empty()) check_list_names();
-        // Faces may stand before their vertices.
+        // Faces may come before their vertices.
         for (std::size_t i = 0, first = 0; i < face_sizes_.size(); first += face_sizes_[i], ++i)
             builder_.add_face(std::span(corners_).subspan(first, face_sizes_[i]));
         return builder_.finish();
@@ -332,7 +332,7 @@ private:
         }
     }
 
-    /// Appends a list of indices to `corners_`; those down to `least` that are no vertex become kRestart.
+    /// Appends a list of indices to `corners_`; negative ones, down to `least`, become kRestart.
     void read_indices(const PlyProperty& property, std::int64_t least)
     {
         const std::int64_t count = source_.integer(property.count_type, kLength);
@@ -369,7 +369,7 @@ private:
         source_.skip(property.type, static_cast<std::uint64_t>(count));
     }
 
-    /// Where there are faces but none has corners, the name of their list may be to blame.
+    /// If there are faces but none has corners, the name of their list may be to blame.
     void check_list_names() const
     {
         for (const PlyElement& element : header_.elements)
@@ -391,8 +391,8 @@ private:
     std::vector<std::size_t> face_sizes_;
 };
 
-/// The lines and elements of a text are counted to tell how they go together. Where some elements share lines and
-/// others take several, the counts say nothing: then it is read as elements in order, if it has exactly their numbers.
+/// The lines and elements of a text are counted to find out how they match. If some elements share lines and others
+/// take several, the counts tell nothing: then it is read as elements in order, if it has exactly their numbers.
 TriangleSoup read_text(const std::filesystem::path& path, const PlyHeader& header, std::string_view body,
                        ReadingNotes& notes)
 {

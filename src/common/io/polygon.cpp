@@ -16,7 +16,7 @@ struct Point2
     double x = 0.0, y = 0.0;
 };
 
-/// Twice the signed area of a triangle; positive when counter-clockwise.
+/// Twice the signed area of a triangle; positive if counter-clockwise.
 double area2(const Point2& a, const Point2& b, const Point2& c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -55,7 +55,7 @@ std::vector<Point2> project(std::span<const std::uint32_t> indices, std::span<co
     return points;
 }
 
-/// True when no corner turns right and the outline goes around once: every triangle of the fan then has its right side
+/// True if no corner turns right and the outline goes around once: every triangle of the fan then has its right side
 /// up. The fan's own triangles must not be flat either; a flat one would leave a better diagonal unused.
 bool is_convex(const std::vector<Point2>& p)
 {
@@ -79,7 +79,7 @@ bool is_convex(const std::vector<Point2>& p)
     return true;
 }
 
-/// Clips ears off an outline, each corner's state kept until one of its neighbours goes.
+/// Clips ears off an outline; the state of a corner is kept until one of its neighbours is clipped.
 class EarClipper
 {
 public:

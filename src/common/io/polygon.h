@@ -11,11 +11,11 @@ namespace kerf::io {
 /// The most corners of a face that is not convex: triangulating it takes quadratic time, here about a second.
 inline constexpr std::size_t kMostConcaveCorners = 1 << 14;
 
-/// What faces that are not convex may cost in all, of one file: as much as four that are as long as can be.
+/// Limit on what all faces of a file that are not convex may cost: as much as four of the largest ones.
 class ConcaveBudget
 {
 public:
-    /// Whether there is enough left for such a face; takes it. Short faces are free: they cost what reading them costs.
+    /// Whether there is enough left for such a face; takes it. Short faces are free: they cost as much as reading them.
     bool spend(std::size_t corners)
     {
         if (corners <= kFreeCorners) return true;

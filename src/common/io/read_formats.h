@@ -9,8 +9,8 @@
 #include "common/io/reading_notes.h"
 #include "common/mesh/triangle_soup.h"
 
-// One reader a format. Each gets the whole file as bytes and returns its triangles; SoupBuilder checks and completes
-// what all formats have in common. What does not matter for the surface is put right and noted. All throw FileError.
+// One reader per format. Each gets the whole file as bytes and returns its triangles; SoupBuilder checks and completes
+// what all formats have in common. Harmless faults are put right and noted. All throw FileError.
 
 namespace kerf::io {
 
@@ -20,7 +20,7 @@ namespace kerf::io {
 /// All bytes of a regular file.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// While this lives, what read_bytes() reads in this thread is noted: a mesh file names others, and only its reader
+/// While it lives, it records what read_bytes() reads in this thread: a mesh file names others, and only its reader
 /// knows which.
 class ReadRecord
 {
@@ -35,7 +35,7 @@ private:
 };
 
 /// The file of this name in the folder of `path` or below it; nothing for an absolute path, one with "..", one of
-/// another system or an address. A file from somewhere else must not make us read what its sender cannot.
+/// another system or an address. A file from elsewhere must not make us read files that its sender cannot.
 std::optional<std::filesystem::path> file_beside(const std::filesystem::path& path, const std::string& name);
 
 TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);

@@ -17,7 +17,7 @@ struct ReadingNote
 /// "3 normals that are not finite made anew".
 std::string describe(const ReadingNote& note);
 
-// What several readers put right, in the same words for all.
+// Faults that several readers put right, in the same words for all.
 inline constexpr std::string_view kBadNormals = "normals that are not finite numbers made anew";
 inline constexpr std::string_view kBadUvs = "texture coordinates that are not finite numbers set to 0";
 inline constexpr std::string_view kBadValues = "values of further attributes that are not finite numbers set to 0";

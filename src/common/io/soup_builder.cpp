@@ -95,7 +95,7 @@ void SoupBuilder::finish_positions()
         for (const Triangle& triangle : soup.triangles)
             for (const std::uint32_t i : triangle)
                 if (is_bad(soup.vertices[i])) fail_at_unfit(i);
-        // What no face uses may lie anywhere; on a vertex that one uses it does not widen the bounds.
+        // A vertex that no face uses may lie anywhere; at the place of a used one it does not widen the bounds.
         const glm::vec3 place = soup.vertices[soup.triangles[0][0]].position;
         std::uint64_t unused = 0;
         for (Vertex& v : soup.vertices)

@@ -31,8 +31,8 @@ public:
     /// Adds a vertex and returns its index. Streams are the caller's.
     std::uint32_t add_vertex(const Vertex& vertex);
 
-    /// A coordinate of the vertex that is added next, from a text. One that is not finite is kept in mind: what
-    /// finish() says of it names the line.
+    /// A coordinate of the vertex that is added next, from a text. One that is not finite is remembered, so that the
+    /// message of finish() names its line.
     float read_coordinate(const TextScanner& text, std::string_view word)
     {
         const float value = text.to_float(word, "a coordinate");
@@ -40,7 +40,7 @@ public:
         return value;
     }
 
-    /// Says that this vertex has a coordinate that is not finite, and as which word on which line of a text.
+    /// Records that this vertex has a coordinate that is not finite, with its word and its line in the text.
     void add_unfit(std::uint32_t vertex, std::size_t line, std::string_view word)
     {
         unfit_.push_back({vertex, line, word});
@@ -50,15 +50,15 @@ public:
     /// passed over. @throws FileError  an index out of range, or an outline that takes too long to triangulate
     void add_face(std::span<const std::uint32_t> corners);
 
-    /// Following faces have the material of this name, which is made when it is new.
+    /// Following faces have the material of this name, which is made if it is new.
     void use_material(const std::string& name);
 
     /// Following faces have this material of `soup.materials`.
     void use_material(std::uint32_t index) { material_ = index; }
 
-    /// Checks coordinates, turns -0 into +0, makes normals unit vectors and fills in those that are missing. Notes what
-    /// is not finite and does not matter for the surface, and gives it a value: a normal is made anew, other attributes
-    /// are 0, and a vertex without faces moves to one that has some.
+    /// Checks coordinates, turns -0 into +0, makes normals unit vectors and fills in those that are missing. Values
+    /// that are not finite and do not matter for the surface are noted and replaced: a normal is made anew, other
+    /// attributes are 0, and a vertex without faces moves to one that has some.
     /// @throws FileError  no triangle; a coordinate of a face that is not finite
     TriangleSoup finish();
 

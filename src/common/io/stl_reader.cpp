@@ -41,7 +41,7 @@ bool is_control(char c)
     return (c >= '\0' && c < ' ' && (c < '\t' || c > '\r')) || c == '\x7F';
 }
 
-/// A text as it is read, be it to look at or to read it: without its mark, and without comments.
+/// The scanner with which a text is tested and read: without byte order mark and comments.
 TextScanner scanner_of(const std::filesystem::path& path, std::string_view text)
 {
     return {path, text, {.comment = ';', .continuations = false}};
@@ -80,9 +80,9 @@ bool has_outer_loop(const std::filesystem::path& path, std::string_view bytes)
     return false;
 }
 
-/// Binary files begin with anything, "solid" too. But they have bytes that no text has: the number of triangles ends
-/// with a 0 below 2^24. A text may have some of them in a name or a remark, but has facets in words, which no binary
-/// file has. Both are looked for as the text is read, so that no leniency of its reader is missing here.
+/// Binary files may begin with anything, even "solid". But they have bytes that no text has: the number of triangles
+/// ends with a 0 below 2^24. A text may have some of them in a name or a remark, but it has facets in words, which no
+/// binary file has. Both are looked for as the text is read, so that this test is as lenient as the reader.
 bool is_text(const std::filesystem::path& path, std::string_view bytes)
 {
     const std::string_view beginning = bytes.substr(0, 1024);
@@ -103,8 +103,8 @@ TriangleSoup read_binary(const std::filesystem::path& path, std::string_view byt
                                    : "") +
                        "it is truncated: its header promises " + std::to_string(count) +
                        " triangles, but there is room for " + std::to_string(room) + "; export it again");
-    // Exporters that write as they go leave the count at 0 when they are stopped. Zeros, and less than a triangle, are
-    // what fills up a block.
+    // Exporters that write as they go leave the count at 0 if they are stopped. Zeros, and less than a triangle, are
+    // the padding of a block.
     if (room > count && bytes.substr(kHeaderBytes + count * kTriangleBytes).find_first_not_of('\0') != bytes.npos)
         fail(path, "its header promises " + std::to_string(count) + " triangles, but there are bytes for " +
                        std::to_string(room) + "; mend the number or export it again");
@@ -194,7 +194,7 @@ public:
     }
 
 private:
-    /// What a file begins with must be known: anything else is another format.
+    /// A file must begin with a known keyword: anything else is another format.
     Keyword first_keyword()
     {
         word_ = first_word(words_, unknown_);
@@ -225,7 +225,7 @@ private:
         return Keyword::none;
     }
 
-    /// Lines that begin with no keyword are passed over, and so is what stands behind a statement on its line.
+    /// Passes over lines that begin with no keyword, and over words behind a statement on its line.
     Keyword next_keyword()
     {
         for (;;) {
@@ -250,7 +250,7 @@ private:
         return false;
     }
 
-    /// Returns the keyword behind it.
+    /// Reads a facet and returns the keyword behind it.
     Keyword read_facet()
     {
         // "normal" and three numbers, whatever they are, and what else stands there.
@@ -276,7 +276,7 @@ private:
                 v.position[axis] = builder_.read_coordinate(words_, words_.word_of_any_line());
             corners_.push_back(builder_.add_vertex(v));
         }
-        // Where the end of a whole triangle is missing the next keyword says the same.
+        // If the end of a whole triangle is missing, the next keyword says the same.
         const bool ends_loop = keyword == Keyword::endloop;
         if (!ends_loop && (corners_.size() < 3 || !ends_facet(keyword)))
             fail_at(corners_.size() < 3 ? "vertex" : "endloop");
@@ -301,7 +301,7 @@ private:
     TextScanner words_;
     ReadingNotes& notes_;
     SoupBuilder builder_;
-    std::string_view word_;  ///< that a keyword was made of
+    std::string_view word_;  ///< of which a keyword was made
     std::vector<std::uint32_t> corners_;
     std::uint64_t unended_ = 0, outside_ = 0, divided_ = 0, joined_ = 0, unended_facets_ = 0, unknown_ = 0, long_ = 0;
 };

@@ -8,7 +8,7 @@ namespace kerf::io {
 
 namespace {
 
-/// Unit normal of a triangle; zero when it has no area, as the format asks for.
+/// Unit normal of a triangle; zero if it has no area, as the format asks for.
 glm::vec3 facet_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     const glm::dvec3 e = glm::dvec3(b) - glm::dvec3(a), f = glm::dvec3(c) - glm::dvec3(a);

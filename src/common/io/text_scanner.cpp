@@ -18,7 +18,7 @@ bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-/// What a number is that std::from_chars calls out of range for a float: 0, or too large.
+/// Decides about a number that std::from_chars calls out of range for a float: it is 0, or too large.
 NumberError resolve_out_of_range(std::string_view text, float& value)
 {
     double wide = 0.0;
@@ -40,14 +40,14 @@ NumberError resolve_out_of_range(std::string_view text, float& value)
     return NumberError::none;
 }
 
-/// How Microsoft's runtimes before 2015 write what is not finite, behind a sign and a digit: 1.#IND, -1.#INF00.
+/// How Microsoft's runtimes before 2015 write non-finite numbers, behind a sign and a digit: 1.#IND, -1.#INF00.
 bool is_word_of_old_runtime(std::string_view text)
 {
     return text.starts_with("#IND") || text.starts_with("#INF") || text.starts_with("#QNAN") ||
            text.starts_with("#SNAN");
 }
 
-/// What is no number in the spelling of std::from_chars.
+/// Parses spellings that std::from_chars does not know.
 NumberError parse_unusual(std::string_view text, float& value)
 {
     if (const std::size_t mark = text.find(".#"); mark != std::string_view::npos && mark > 0)
@@ -163,7 +163,7 @@ std::string_view TextScanner::word()
 {
     skip_blanks();
     const std::size_t first = at_, size = text_.size();
-    // In a local variable: bytes may alias the members, and this is the loop that reading takes its time in.
+    // In a local variable: bytes may alias the members, and reading spends its time in this loop.
     std::size_t at = first;
     for (; at < size; ++at) {
         const char c = text_[at];

@@ -21,10 +21,9 @@ enum class NumberError : std::uint8_t
     too_large
 };
 
-/// The float nearest to a decimal number, ties to even; a number too small for a float is 0. `text` is all number. The
-/// exponent may be Fortran's (1.0D+02). What is not finite may be a word (nan, -inf) or as old Windows programs write
-/// it
-/// (-1.#IND).
+/// The float nearest to a decimal number, ties to even; a number too small for a float is 0. All of `text` is the
+/// number. The exponent may be Fortran's (1.0D+02). A number that is not finite may be a word (nan, -inf) or spelt as
+/// by old Windows programs (-1.#IND).
 NumberError parse_float(std::string_view text, float& value);
 
 /// A sentence about a number that parse_float() refused, with the remedy. `what` names it: "a coordinate".
@@ -41,7 +40,7 @@ public:
         bool continuations = false;  ///< a backslash at the end of a line joins the next one to it
     };
 
-    /// @param notes  what is put right here is added to it, if given
+    /// @param notes  receives what is put right here, if given
     TextScanner(const std::filesystem::path& path, std::string_view text, Syntax syntax, ReadingNotes* notes = nullptr);
 
     /// Moves to the start of the next line that has a word. False at the end of the file.
@@ -57,20 +56,18 @@ public:
     std::string_view rest();
 
     /// Moves to the next of `left` records. Each begins on a line of its own and may have more words on it than are
-    /// needed, which are passed over. But where there are fewer lines than records, records share lines, and have no
-    /// word too many. That is looked up when a record is the first with words behind it; the lines are counted once,
-    /// in O(n).
+    /// needed, which are passed over. But if there are fewer lines than records, records share lines, and have no words
+    /// too many. That is decided at the first record with words behind it; the lines are counted once, in O(n).
     /// @throws FileError  the last record went on in a later line, and has words behind it all the same: its first line
     ///                    is too short
     void next_record(std::uint64_t left);
 
     /// Lines are not counted from here on: records follow one another up to the last word of the text. One that goes on
     /// in a later line must begin and end with a line, or the numbers of a line that is too short would come from the
-    /// next one. Before the first record.
+    /// next one. Call it before the first record.
     void take_records_in_order();
 
-    /// Records of another kind follow: whether they share lines is looked up again, but where the line goes on with
-    /// them.
+    /// Records of another kind follow: whether they share lines is decided again, unless the line goes on with them.
     void new_records();
 
     /// Notes lines behind the last record.
@@ -80,7 +77,7 @@ public:
     /// The next word of this record: of this line, or of any if records share lines.
     std::string_view record_word() { return records_have_lines_.value_or(true) ? word() : word_of_any_line(); }
 
-    /// The same where records may also take several lines, which they do if there are more lines than records. Empty at
+    /// The same if records may also take several lines, which they do if there are more lines than records. Empty at
     /// the end of the file, and of a line that is one record.
     std::string_view word_of_record_lines();
 
@@ -90,7 +87,7 @@ public:
     /// Lines whose last words next_record() passed over.
     std::uint64_t lines_passed_over() const { return lines_passed_over_; }
 
-    /// Lines that were counted to tell whether records share them: not more than there are. Tests hold the cost to it.
+    /// Lines counted to tell whether records share them, at most as many as there are. Tests bound the cost by it.
     std::uint64_t lines_counted() const { return lines_counted_; }
 
     /// A word as a finite number; an empty word is the end of the line or file. `what` names it in the error: "a
@@ -106,11 +103,10 @@ public:
     /// A word as a number that the surface does not need: NaN if it is not a finite number.
     static float to_attribute(std::string_view text);
 
-    /// A word as a number of which it is not known yet whether the surface needs it: NaN if it is not finite in single
-    /// precision.
+    /// A word as a number that the surface may or may not need: NaN if it is not finite in single precision.
     float to_float(std::string_view text, std::string_view what) const;
 
-    /// Leaves the line: everything up to and with its end is behind us.
+    /// Leaves the line: moves behind its end.
     void end_line();
 
     /// Number of the line, counted from 1; readers that start in the middle of a file say where.

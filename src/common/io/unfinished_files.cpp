@@ -51,8 +51,8 @@ void publish(UnfinishedPlace* place) noexcept
     }
 }
 
-/// All that end a program unless it says otherwise and are no fault of the program itself, whose memory a handler could
-/// not trust. Those for real time follow.
+/// All signals that end a program by default, except those for a fault of the program itself, whose memory a handler
+/// could not trust. Those for real time follow.
 constexpr int kEndingSignals[] = {SIGINT,  SIGTERM, SIGHUP, SIGQUIT,   SIGPIPE, SIGALRM, SIGXCPU,  SIGABRT,
                                   SIGUSR1, SIGUSR2, SIGIO,  SIGVTALRM, SIGPROF, SIGPWR,  SIGSTKFLT};
 
@@ -116,7 +116,7 @@ void remove_unfinished_files_on_signals() noexcept
     for_ending_signals([&](int signal_number) {
         struct sigaction before = {};
         const bool is_default = ::sigaction(signal_number, nullptr, &before) == 0 && before.sa_handler == SIG_DFL;
-        // Shells ignore SIGINT for what they start in the background: whoever sends it all the same means it.
+        // Shells ignore SIGINT for programs that they start in the background; whoever sends it all the same means it.
         const bool is_always_taken = signal_number == SIGINT || signal_number == SIGTERM;
         if (is_default || is_always_taken) ::sigaction(signal_number, &action, nullptr);
     });

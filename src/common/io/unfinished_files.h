@@ -6,17 +6,17 @@
 
 namespace kerf::io {
 
-/// What a signal handler must know of a temporary file.
+/// The record of a temporary file for a signal handler.
 struct UnfinishedPlace;
 struct ForgetUnfinished
 {
     void operator()(UnfinishedPlace* place) const noexcept;
 };
 
-/// While this lives, remove_unfinished_files() removes a temporary file. As many as memory has room for.
+/// While this lives, remove_unfinished_files() removes a temporary file. Only memory limits their number.
 using UnfinishedFile = std::unique_ptr<UnfinishedPlace, ForgetUnfinished>;
 
-/// Call it before the file is made, with a name that is nobody else's, so that no moment is without it. O(1).
+/// Call it before the file is made, with a name that is nobody else's, so that the file is always recorded. O(1).
 /// @throws std::bad_alloc
 [[nodiscard]] UnfinishedFile remember_unfinished(const std::filesystem::path& path);
 
@@ -30,8 +30,8 @@ void remove_unfinished_files() noexcept;
 /// fails as on a full disk.
 void remove_unfinished_files_on_signals() noexcept;
 
-/// While this lives, the signals of remove_unfinished_files_on_signals() wait if they come to this thread: what takes
-/// its names in several steps takes all or none.
+/// While this lives, the signals of remove_unfinished_files_on_signals() wait if they come to this thread: files that
+/// get their names in several steps get all or none.
 class SignalsWait
 {
 public:

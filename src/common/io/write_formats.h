@@ -5,7 +5,7 @@
 #include "common/io/output_file.h"
 #include "common/mesh/indexed_mesh.h"
 
-// One writer a format. Each writes the whole file; the caller finishes and commits it. All throw FileError.
+// One writer per format. Each writes the whole file; the caller finishes and commits it. All throw FileError.
 
 namespace kerf::io {
 
