@@ -7,6 +7,7 @@
 
 #include "common/caps/section_area.h"
 #include "common/geometry/containment.h"
+#include "common/geometry/line_hits.h"
 
 namespace kerf {
 
@@ -23,23 +24,15 @@ void for_each_edge(const FlatLoop& loop, Visit&& visit)
 /// Finds the middle of the longest stretch of inside of the loop at height v. False if there is none.
 bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
 {
-    std::vector<std::pair<double, int>> hits;  // u, winding
+    std::vector<LineHit> hits;
     for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
         if ((p.v <= v) == (q.v <= v)) return;
         const double t = (double(v) - double(p.v)) / (double(q.v) - double(p.v));
-        hits.emplace_back(double(p.u) + t * (double(q.u) - double(p.u)), p.v <= v ? 1 : -1);
+        hits.push_back({double(p.u) + t * (double(q.u) - double(p.u)), p.v <= v ? 1 : -1});
     });
-    std::sort(hits.begin(), hits.end());
-    int winding = 0;
-    double longest = 0.0;
-    for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
-        winding += hits[i].second;
-        const double length = hits[i + 1].first - hits[i].first;
-        if (winding == 0 || length <= longest) continue;
-        longest = length;
-        middle = {static_cast<float>(hits[i].first + length / 2), v, 0.0f};
-    }
-    return longest > 0.0;
+    const std::optional<double> u = middle_of_longest_inside(hits);
+    if (u) middle = {static_cast<float>(*u), v, 0.0f};
+    return u.has_value();
 }
 
 /// Adds three interior points of a loop, each at a height where no point of the loop is near: loops may touch one

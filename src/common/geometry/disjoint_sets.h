@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -14,6 +15,18 @@ class DisjointSets
 {
 public:
     explicit DisjointSets(std::uint32_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    /// Adds a set of one element, whose number it returns.
+    std::uint32_t add()
+    {
+        parent_.push_back(size());
+        return size() - 1;
+    }
+
+    void clear() { parent_.clear(); }
+    void reserve(std::size_t count) { parent_.reserve(count); }
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(parent_.size()); }
 
     std::uint32_t find(std::uint32_t i)
     {

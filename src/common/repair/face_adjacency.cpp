@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "common/mesh/tolerances.h"
-#include "common/repair/sheets.h"
+#include "common/repair/turned_sheets.h"
 
 namespace kerf {
 

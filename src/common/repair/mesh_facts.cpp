@@ -8,7 +8,7 @@
 #include "common/repair/edge_runs.h"
 #include "common/repair/face_adjacency.h"
 #include "common/repair/triangle_faults.h"
-#include "common/repair/umbrellas.h"
+#include "common/repair/vertex_fans.h"
 #include "common/repair/weld.h"
 
 namespace kerf {

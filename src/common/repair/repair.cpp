@@ -7,11 +7,14 @@
 #include "common/repair/shells.h"
 #include "common/repair/solids.h"
 #include "common/repair/triangle_faults.h"
-#include "common/repair/umbrellas.h"
 #include "common/repair/vertex_builder.h"
 #include "common/repair/vertex_fans.h"
 #include "common/repair/weld.h"
 #include "common/support/reason.h"
+
+// Triangles that face the wrong way are turned over in three steps: sheets of triangles over the same points
+// (turned_sheets.h, if triangle_faults.h finds edges that need it), patches that are connected by edges of two triangles
+// (face_adjacency.h), and whole shells (solids.h).
 
 namespace kerf {
 

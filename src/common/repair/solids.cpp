@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/geometry/containment.h"
+#include "common/geometry/line_hits.h"
 #include "common/geometry/ray_crossing.h"
 #include "common/mesh/index.h"
 #include "common/mesh/mass_properties.h"
@@ -127,25 +128,18 @@ private:
         }
         if (best == 0.0) return;
 
-        std::vector<std::pair<double, int>> hits;  // x, winding
+        std::vector<LineHit> hits;
         const PlanarPoint o{origin.y, origin.z};
         for (const std::uint32_t t : triangles) {
             const auto [a, b, c] = corners_of(t);
             const int turns = edge_crossing(o, {a.y, a.z}, {b.y, b.z}) + edge_crossing(o, {b.y, b.z}, {c.y, c.z}) +
                               edge_crossing(o, {c.y, c.z}, {a.y, a.z});
-            if (turns != 0) hits.emplace_back(x_on_plane(origin, a, b, c), turns);
+            if (turns != 0) hits.push_back({x_on_plane(origin, a, b, c), turns});
         }
-        std::sort(hits.begin(), hits.end());
-        int winding = 0;
-        double longest = 0.0;
-        for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
-            winding += hits[i].second;
-            const double length = hits[i + 1].first - hits[i].first;
-            if (winding == 0 || length <= longest) continue;
-            longest = length;
-            origin.x = static_cast<float>(hits[i].first + length / 2);
+        if (const std::optional<double> x = middle_of_longest_inside(hits)) {
+            origin.x = static_cast<float>(*x);
+            samples.push_back(origin);
         }
-        if (longest > 0.0) samples.push_back(origin);
     }
 
     static double normal_along_x(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)

@@ -8,7 +8,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/index.h"
 #include "common/repair/edge_runs.h"
-#include "common/repair/sheets.h"
+#include "common/repair/turned_sheets.h"
 
 namespace kerf {
 

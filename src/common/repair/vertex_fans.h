@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/repair/edge_runs.h"
 #include "common/repair/face_adjacency.h"
 
 namespace kerf {
@@ -23,5 +24,11 @@ struct Fans
 /// part with the first of a pair gets a new number. O(n), and O(k log^2 k) for k corners of fans that are divided again
 /// and again.
 Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved);
+
+/// The number of points whose triangles form more than one umbrella, if two triangles that share any edge at the point
+/// count as neighbours, however many meet there. `corners` holds three different point ids for each triangle and
+/// `edges` their edges. O(n) up to the inverse Ackermann function.
+std::uint64_t count_umbrella_points(std::uint32_t point_count, std::span<const Triangle> corners,
+                                    const EdgeRuns& edges);
 
 }  // namespace kerf

@@ -37,6 +37,20 @@ TEST(DisjointSets, UnitingTwiceOrWithItselfChangesNothing)
     EXPECT_EQ(sets.find(2), 1u);
 }
 
+TEST(DisjointSets, GrowByOneSetAtATime)
+{
+    DisjointSets sets(2);
+    sets.unite(0, 1);
+    EXPECT_EQ(sets.add(), 2u);
+    EXPECT_EQ(sets.find(2), 2u);
+    sets.unite(2, 1);
+    EXPECT_EQ(sets.find(2), 0u);
+    EXPECT_EQ(sets.size(), 3u);
+    sets.clear();
+    EXPECT_EQ(sets.size(), 0u);
+    EXPECT_EQ(sets.add(), 0u);
+}
+
 /// Colours all elements anew for each union: slow, and obviously right.
 std::vector<std::uint32_t> coloured(std::uint32_t n, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& unions)
 {

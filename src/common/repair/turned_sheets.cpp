@@ -1,4 +1,4 @@
-#include "common/repair/sheets.h"
+#include "common/repair/turned_sheets.h"
 
 #include <algorithm>
 #include <cstdlib>
