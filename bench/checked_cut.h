@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/cutting/cut.h"
+#include "common/proxy/collision_proxy.h"
 
 namespace kerf::bench {
 

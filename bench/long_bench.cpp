@@ -16,6 +16,7 @@
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/timed_shapes.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
@@ -81,7 +82,7 @@ void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t s
                     CpuStopwatch rest_watch;
                     const std::size_t own = fragment->draw_view().ranges.size();
                     const MassProperties mass = fragment->mass_properties();
-                    benchmark::DoNotOptimize(fragment->collision_proxy(ProxyKind::bounded_hull).points.data());
+                    benchmark::DoNotOptimize(collision_proxy(*fragment, ProxyKind::bounded_hull).points.data());
                     rest += rest_watch.lap();
                     ranges += own;
                     most_ranges = std::max(most_ranges, own);
@@ -156,7 +157,7 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
                 for (const auto* side : {&result.positive, &result.negative})
                     for (const auto& fragment : *side) {
                         volume += fragment->mass_properties().volume;
-                        benchmark::DoNotOptimize(fragment->collision_proxy(ProxyKind::bounded_hull).points.data());
+                        benchmark::DoNotOptimize(collision_proxy(*fragment, ProxyKind::bounded_hull).points.data());
                         benchmark::DoNotOptimize(fragment->draw_view().ranges.data());
                     }
                 run = watch.lap();

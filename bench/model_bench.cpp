@@ -13,6 +13,7 @@
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/models.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
@@ -78,11 +79,11 @@ void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind ki
 
     for (const CutResult& result : cuts)
         for (const auto* side : {&result.positive, &result.negative}) {
-            const CollisionProxy proxy = side->front()->collision_proxy(kind);
+            const CollisionProxy proxy = collision_proxy(*side->front(), kind);
             const std::string error = check_proxy(proxy, side->front()->to_indexed_mesh().vertices);
             if (!error.empty()) return state.SkipWithError(error.c_str());
             volume += proxy_volume(proxy);
-            full_volume += proxy_volume(side->front()->collision_proxy(ProxyKind::full_hull));
+            full_volume += proxy_volume(collision_proxy(*side->front(), ProxyKind::full_hull));
         }
 
     double seconds = 0.0;
@@ -92,7 +93,7 @@ void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind ki
         CpuStopwatch watch;
         for (const CutResult& result : cuts)
             for (const auto* side : {&result.positive, &result.negative}) {
-                const CollisionProxy proxy = side->front()->collision_proxy(kind);
+                const CollisionProxy proxy = collision_proxy(*side->front(), kind);
                 benchmark::DoNotOptimize(proxy.points.data());
                 points += proxy.points.size();
             }

@@ -12,6 +12,7 @@
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/timed_shapes.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
@@ -77,7 +78,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
             mass_ms += part.lap() * 1e3;
             for (const auto* side : {&result.positive, &result.negative})
                 for (const auto& fragment : *side)
-                    benchmark::DoNotOptimize(fragment->collision_proxy(ProxyKind::bounded_hull).points.data());
+                    benchmark::DoNotOptimize(collision_proxy(*fragment, ProxyKind::bounded_hull).points.data());
             proxy_ms += part.lap() * 1e3;
             for (const auto* side : {&result.positive, &result.negative})
                 for (const auto& fragment : *side) benchmark::DoNotOptimize(fragment->draw_view().ranges.data());

@@ -25,7 +25,7 @@ namespace {
 constexpr sim::Tick kNearApex = 85;
 constexpr std::uint64_t kSeed = 99;
 
-/// Shelves with one asteroid each, kept for repetitions: preparing is not what is timed.
+/// A library with one asteroid, kept for repetitions: preparing is not what is timed.
 std::shared_ptr<sim::ModelLibrary> asteroid_library(std::uint64_t triangles)
 {
     static std::uint64_t size = 0;

@@ -109,7 +109,7 @@ TEST_P(AnyArgument, ACapMaterialThatDoesNotExistIsTheDefaultOne)
 TEST_P(AnyArgument, AProxyOfAKindThatDoesNotExistIsEmpty)
 {
     for (int kind = 0; kind < 256; ++kind) {
-        const CollisionProxy proxy = object()->collision_proxy(static_cast<ProxyKind>(kind));
+        const CollisionProxy proxy = collision_proxy(*object(), static_cast<ProxyKind>(kind));
         if (kind > static_cast<int>(ProxyKind::every_vertex)) {
             EXPECT_TRUE(proxy.box.empty() && proxy.points.empty() && proxy.faces.empty() && proxy.radius == 0.0f);
         }

@@ -9,6 +9,7 @@
 
 #include "common/cutting/cut.h"
 #include "common/mesh/coordinate_grain.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "support/backends.h"
@@ -95,13 +96,14 @@ TEST_P(Scale, ByPowersOfTwoGivesTheSameHulls)
             for (Vertex& v : mesh.vertices) v.position.x += offset;
             const auto object = backend_->prepare(mesh).object;
             for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::bounded_hull}) {
-                const CollisionProxy hull = object->collision_proxy(kind);
+                const CollisionProxy hull = collision_proxy(*object, kind);
                 EXPECT_FALSE(hull.faces.empty());
                 for (const int exponent : {-100, -60, -20, 20, 60, 85, 90, 95, 100}) {
                     SCOPED_TRACE(std::string(name) + " at " + std::to_string(offset) + ", 2^" +
                                  std::to_string(exponent) + ", " + std::string(name_of(kind)));
                     const float factor = std::ldexp(1.0f, exponent);
-                    const CollisionProxy other = backend_->prepare(scaled(mesh, factor)).object->collision_proxy(kind);
+                    const PrepareResult other_object = backend_->prepare(scaled(mesh, factor));
+                    const CollisionProxy other = collision_proxy(*other_object.object, kind);
                     std::vector<glm::vec3> expected = hull.points;
                     for (glm::vec3& p : expected) p *= factor;
                     EXPECT_EQ(other.points, expected);
@@ -186,7 +188,7 @@ TEST_P(Scale, UpToTheLargestFloatGivesClosedPiecesAndProxies)
         EXPECT_FALSE(prepared.coarse_coordinates);
         for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull,
                                      ProxyKind::every_vertex}) {
-            const CollisionProxy proxy = prepared.object->collision_proxy(kind);
+            const CollisionProxy proxy = collision_proxy(*prepared.object, kind);
             EXPECT_TRUE(std::isfinite(proxy.radius) && std::isfinite(glm::dot(glm::dvec3(proxy.centre), {1, 1, 1})));
             for (const glm::vec3& p : proxy.points) EXPECT_LE(std::abs(p.x), kLargest);
         }

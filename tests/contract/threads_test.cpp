@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "common/cutting/cut.h"
+#include "common/proxy/collision_proxy.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -128,11 +129,11 @@ const std::vector<Reading>& readings()
          }},
         {"bounded_hull",
          [](const Cuttable& object) {
-             return Bytes{std::uint32_t(object.collision_proxy(ProxyKind::bounded_hull).points.size())};
+             return Bytes{std::uint32_t(collision_proxy(object, ProxyKind::bounded_hull).points.size())};
          }},
         {"every_vertex",
          [](const Cuttable& object) {
-             return Bytes{std::uint32_t(object.collision_proxy(ProxyKind::every_vertex).points.size())};
+             return Bytes{std::uint32_t(collision_proxy(object, ProxyKind::every_vertex).points.size())};
          }},
         {"section_loops",
          [](const Cuttable& object) {

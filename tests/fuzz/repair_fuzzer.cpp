@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "baseline/baseline.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/repair/mesh_facts.h"
 #include "common/repair/repair.h"
 #include "fuzz/byte_reader.h"
@@ -90,7 +91,7 @@ void fuzz_repair(Bytes input)
         }
         for (const ProxyKind kind :
              {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull}) {
-            const CollisionProxy proxy = result.object->collision_proxy(kind);
+            const CollisionProxy proxy = collision_proxy(*result.object, kind);
             for (const Triangle& t : proxy.faces)
                 for (const std::uint32_t v : t)
                     require(v < proxy.points.size(), "faces of a proxy are over its points");

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/proxy/collision_proxy.h"
 #include "support/referee.h"
 #include "support/surface_referee.h"
 
@@ -100,7 +101,7 @@ void query(const Cuttable& object, const IndexedMesh& mesh, Random& random, cons
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) require(std::isfinite(mass.inertia[i][j]), who + ": inertia is made of numbers");
     // A kind that does not exist among them.
-    const CollisionProxy proxy = object.collision_proxy(static_cast<ProxyKind>(random.below(6)));
+    const CollisionProxy proxy = collision_proxy(object, static_cast<ProxyKind>(random.below(6)));
     for (const Triangle& face : proxy.faces)
         for (const std::uint32_t point : face)
             require(point < proxy.points.size(), who + ": faces of a proxy are over its points");

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "baseline/baseline.h"
+#include "common/cutting/back_end.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "halfedge/halfedge.h"
@@ -45,7 +46,11 @@ public:
     DrawView draw_view() const override { return honest_->draw_view(); }
     void mark_uploaded() override { honest_->mark_uploaded(); }
     MassProperties mass_properties() const override { return honest_->mass_properties(); }
-    CollisionProxy collision_proxy(ProxyKind kind) const override { return honest_->collision_proxy(kind); }
+    std::array<glm::vec3, kSupportDirections> support_points() const override { return honest_->support_points(); }
+    std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const override
+    {
+        return honest_->used_vertices(room);
+    }
     std::span<const SectionLoop> section_loops() const override { return honest_->section_loops(); }
     IndexedMesh to_indexed_mesh() const override
     {

@@ -4,6 +4,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <vector>
 
+#include "common/cutting/back_end.h"
 #include "viewer/render/proxy_lines.h"
 #include "viewer/render/wall.h"
 #include "viewer/sim/camera.h"

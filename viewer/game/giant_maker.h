@@ -8,6 +8,7 @@
 #include <string_view>
 #include <thread>
 
+#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/model_library.h"
 
 namespace kerf::game {

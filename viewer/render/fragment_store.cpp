@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "common/cutting/back_end.h"
+
 namespace kerf::render {
 
 namespace {

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "common/proxy/collision_proxy.h"
 #include "common/support/stopwatch.h"
 #include "viewer/sim/bullet_glm.h"
 
@@ -28,7 +29,7 @@ Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& sol
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
     Stopwatch watch;
-    const CollisionProxy shape = object_->collision_proxy(proxy);
+    const CollisionProxy shape = collision_proxy(*object_, proxy);
     proxy_ms_ = watch.lap();
     embody(shape, pose, motion);
 }

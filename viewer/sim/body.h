@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/cutting/cut.h"
+#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/pose.h"
 #include "viewer/sim/proxy_shape.h"
 #include "viewer/sim/solid.h"

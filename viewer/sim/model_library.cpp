@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/io/mesh_file.h"
+#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/back_ends.h"
 
 namespace kerf::sim {
@@ -147,7 +148,7 @@ void ModelLibrary::measure_once(Prepared& entry, ProxyKind proxy)
     if (!entry.object) return;
     if (!entry.mass) entry.mass = entry.object->mass_properties();
     std::shared_ptr<const CollisionProxy>& known = entry.proxies[proxy];
-    if (!known) known = std::make_shared<const CollisionProxy>(entry.object->collision_proxy(proxy));
+    if (!known) known = std::make_shared<const CollisionProxy>(collision_proxy(*entry.object, proxy));
 }
 
 void ModelLibrary::stock(std::size_t index, const std::string& backend, ProxyKind proxy)

@@ -12,6 +12,7 @@
 
 #include "common/cutting/cut.h"
 #include "common/mesh/mass_properties.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/repair/proven_mesh.h"
 
 namespace kerf::sim {

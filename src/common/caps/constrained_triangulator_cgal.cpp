@@ -1,6 +1,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "common/caps/cap_arena.h"
+#include "common/caps/cgal_arena.h"
 
 // The allocator of CGAL's containers (CGAL/memory.h). It is set after the kernel's number types are read, which are the
 // same types in every file of a program; the containers below hold types of this file alone.

@@ -3,23 +3,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/cutting/statistics.h"
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/side.h"
+#include "common/mesh/support_points.h"
 #include "common/mesh/tolerances.h"
-#include "common/proxy/collision_proxy.h"
 #include "common/repair/proven_mesh.h"
 
 // The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the
 // fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
-// docs/cutting-rules.md.
+// docs/cutting-rules.md. Whether a cut misses is decided by each back end: Cutter::missed_side(), baseline::slice().
 
 namespace kerf {
 
@@ -38,52 +40,6 @@ std::string_view name_of(Status status);
 /// What programs print of a cut: "cut" for `done`, otherwise the status's name.
 std::string_view outcome_name(Status status);
 
-/// Where the time of a cut goes. A back end leaves the phases that it does not have at 0.
-enum class Phase : std::uint8_t
-{
-    find,        ///< which triangles are on which side, which cross
-    walk,        ///< half-edge: following the section from triangle to triangle
-    split,       ///< new vertices and pieces of the crossing triangles
-    copy,        ///< baseline: untouched triangles and their vertices into the fragments
-    cap,         ///< linking the section into loops and closing it
-    rebuild,     ///< half-edge: trees and index ranges of the fragments
-    pivot,       ///< baseline: the report's loop that rewrites every vertex around the new pivot
-    components,  ///< connected pieces
-    growth,      ///< reallocation, when the room reserved by prepare is used up
-};
-inline constexpr std::size_t kPhaseCount = 9;
-std::string_view name_of(Phase phase);
-
-/// Wall-clock milliseconds for each phase.
-struct PhaseTimes
-{
-    std::array<double, kPhaseCount> ms{};
-
-    /// @throws std::out_of_range  there is no such phase
-    double& operator[](Phase phase) { return ms.at(static_cast<std::size_t>(phase)); }
-    double operator[](Phase phase) const { return ms.at(static_cast<std::size_t>(phase)); }
-    double total() const;
-};
-
-/// What a cut did. Counters are exact and the same on every run; times are not.
-struct CutStatistics
-{
-    std::uint64_t triangles = 0;           ///< of the object before the cut
-    std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
-    std::uint64_t crossing_surface = 0;    ///< those of them that are no caps: the same number for every back end
-    std::uint64_t section_loops = 0;  ///< closed loops of the section; where several edges of it leave one point, every
-                                      ///< back end divides it by the same rule
-    std::uint64_t open_chains = 0;    ///< section polylines that end at the boundary of an open mesh
-    std::uint64_t nodes_visited = 0;  ///< tree nodes looked at
-    std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
-    std::uint64_t vertex_comparisons = 0;  ///< baseline: vertices compared while looking for duplicates
-    std::uint64_t cap_steps = 0;  ///< half-edge: corners and edges looked at, and predicates of CGAL's, to close the
-                                  ///< section; 0 for convex ones
-    std::uint64_t bytes_to_upload = 0;  ///< vertex and index bytes that the GPU does not have yet, both sides
-    std::uint64_t bytes_grown = 0;      ///< reallocated because reserved room was used up
-    PhaseTimes phases;
-};
-
 /// A polyline of the section, in mesh coordinates. Seen from the plane's positive side an outer loop runs
 /// counter-clockwise and a hole clockwise. The last point is not repeated.
 struct SectionLoop
@@ -100,9 +56,6 @@ struct DrawRange
     std::uint32_t material = 0;  ///< index into DrawView::materials
     TriangleKind kind = TriangleKind::surface;
 };
-
-/// Sorts ranges by kind, material and place, and joins those that follow one another.
-void merge_ranges(std::vector<DrawRange>& ranges);
 
 /// A run of bytes inside a buffer.
 struct ByteRange
@@ -124,7 +77,8 @@ struct DrawView
     std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, since mark_uploaded()
 };
 
-/// The material that fills a section when the user names none: see add_cap_material().
+/// The material that fills a section when the user names none: "cap", or "cap.1" and so on if the surface has one of
+/// that name.
 inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::uint32_t>::max();
 
 struct CutOptions
@@ -135,14 +89,6 @@ struct CutOptions
     /// added once.
     std::uint32_t cap_material = kDefaultCapMaterial;
 };
-
-/// Appends the material that fills sections when the user names none, and returns its index: "cap", or "cap.1" and so
-/// on where a material has that name: caps never share one with the surface by accident. The number is the smallest
-/// that is free, or another where names occur twice. O(materials); allocates nothing where there is room for one.
-std::uint32_t add_cap_material(std::vector<Material>& materials);
-
-/// A serial number for buffers, which no others get. From any thread.
-std::uint64_t new_buffers_serial() noexcept;
 
 struct CutResult;
 
@@ -183,9 +129,14 @@ public:
     /// Declares that all bytes draw_view() named as new are on the GPU now.
     virtual void mark_uploaded() = 0;
 
-    /// Of the closed solid; summed about the centre of the object's bounds or as precisely.
+    /// Of the closed solid. The sums are about the centre of the object's bounds, or no less precise than such sums.
     virtual MassProperties mass_properties() const = 0;
-    virtual CollisionProxy collision_proxy(ProxyKind kind) const = 0;
+    /// The extreme vertex in each support direction, as kerf::support_points() defines it. O(log n) for ordinary shapes
+    /// with the half-edge back end, O(n) with the baseline.
+    virtual std::array<glm::vec3, kSupportDirections> support_points() const = 0;
+    /// The vertices that the object uses, each once: its own, or `room`, which is filled then. Valid as long as both.
+    /// O(n).
+    virtual std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const = 0;
 
     /// The outline of the last cut on this fragment; empty before any cut. Chains of an open section included.
     virtual std::span<const SectionLoop> section_loops() const = 0;
@@ -193,7 +144,7 @@ public:
     /// A compact copy: only what the fragment uses, dense point ids. O(n).
     virtual IndexedMesh to_indexed_mesh() const = 0;
 
-    /// True when many cuts have left the object in many pieces of shared buffers, so that compact() is worth its time.
+    /// Whether many cuts have scattered the object over shared buffers, so that compact() is worth its time.
     virtual bool wants_compaction() const { return false; }
     /// Moves the object into buffers of its own that hold nothing else; to_indexed_mesh() keeps its bytes, and
     /// everything is to be uploaded again. O(n): for when nothing waits. Throws std::bad_alloc, and the object is
@@ -203,10 +154,10 @@ public:
 
     /// Whether two objects, also of different back ends, are relatives; each is its own. O(1).
     bool shares_buffers_with(const Cuttable& other) const noexcept { return buffers() == other.buffers(); }
-    /// Makes the object a stranger to all others, so that it can be cut while they are drawn, and drawn while they are
-    /// cut: compact() where it has relatives, nothing otherwise. Never throws.
+    /// Makes the object a stranger to all others: it can then be cut while they are drawn, and drawn while they are
+    /// cut. Calls compact() if it has relatives. Never throws.
     ///
-    /// @return  `done` when it shares nothing, or `out_of_memory` when it is as it was
+    /// @return  `done` if it shares nothing, `out_of_memory` if it could not be copied and is unchanged
     Status detach() noexcept;
 
 protected:
@@ -221,7 +172,7 @@ private:
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
 
-    /// DrawView::buffers, from new_buffers_serial().
+    /// DrawView::buffers, from new_buffers_serial() (cutting/back_end.h).
     virtual std::uint64_t buffers() const noexcept = 0;
     /// Whether some other object has the same buffers.
     virtual bool has_relatives() const noexcept { return false; }
@@ -238,7 +189,7 @@ struct CutResult
     Side side_of_object = Side::negative;
     /// Signed sum of the closed loops' areas, mesh units squared: what caps should cover. 0 of a miss.
     double section_area = 0.0;
-    /// A warning, see caps_exceed_section(): caps are closed and have the section's signed area, but some triangles are
+    /// A warning: caps are closed and have the section's signed area, but some triangles are
     /// turned over and others lie on them. Set if a section winds around something backwards (the surface runs
     /// through itself inside out, or is open), if it crosses itself too often to be untangled, and by the baseline's
     /// fan if the section is not star-shaped. Never set without caps.
@@ -246,16 +197,8 @@ struct CutResult
     CutStatistics statistics;
 };
 
-/// Whether caps cover so much more than their section that it is not rounding: more than kCapAgreement of it, and more
-/// than a unit in the last place along its outline.
-///
-/// @param excess          area of all cap triangles, each counted positive, less `section_area`; mesh units squared
-/// @param section_length  of the closed loops, mesh units
-/// @param unit            in the last place of the largest coordinate, mesh units
-bool caps_exceed_section(double excess, double section_area, double section_length, double unit);
-
-/// Cuts an object and consumes it; it comes back in `CutResult::object` when it was not cut. Never throws: running out
-/// of memory is a status. Same object, same plane, same bytes, on any number of runs.
+/// Cuts an object and consumes it; it comes back in `CutResult::object` if it was not cut. Never throws: running out of
+/// memory is a status. The same object and the same plane give the same bytes in every run.
 ///
 /// @param plane  in the mesh's own coordinates, which no cut ever changes
 /// @note  Nothing to cut, as after a failed prepare(), is an `invalid_mesh`.

@@ -13,7 +13,6 @@ namespace {
 
 // Two doubles, one for each of two triangles: what every x86-64 and every 64-bit ARM computes in one step.
 using Pair = double __attribute__((vector_size(16)));
-using Four = float __attribute__((vector_size(16)));
 
 struct PairOfPoints
 {

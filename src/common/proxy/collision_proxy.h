@@ -7,8 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "common/cutting/cut.h"
 #include "common/mesh/box.h"
 #include "common/mesh/indexed_mesh.h"
+#include "common/mesh/support_points.h"
 
 namespace kerf {
 
@@ -36,27 +38,6 @@ struct CollisionProxy
                                   ///< outside; empty if the points are coplanar
 };
 
-/// Number of directions of the bounded hull, hence the bound on its points.
-inline constexpr std::size_t kSupportDirections = 32;
-
-/// The fixed unit directions of the bounded hull: sixteen lines, then the same lines in the opposite direction, bit for
-/// bit the negatives (i and i + 16 belong together). The first three are the axes. No direction in space is farther
-/// than 24.6 degrees from one of them.
-const std::array<glm::vec3, kSupportDirections>& support_directions();
-
-/// dot(direction, p) in float. All searches for extreme vertices use this one order of operations, so that a maximum
-/// found in a tree and one found in a loop are the same number. Infinite values (of coordinates beyond 2e38) are equal,
-/// too.
-inline float support_value(const glm::vec3& direction, const glm::vec3& p)
-{
-    return (direction.x * p.x + direction.y * p.y) + direction.z * p.z;
-}
-
-/// For each support direction the extreme vertex: largest support value; among equals the lexicographically smallest
-/// position, so that the answer depends on the positions only and not on their order. The origin if there are no
-/// vertices. O(vertices * kSupportDirections).
-std::array<glm::vec3, kSupportDirections> support_points(std::span<const Vertex> vertices);
-
 /// The bounded hull over support points that were found elsewhere (a tree keeps them). Inside the full hull. Its share
 /// of the full hull's volume is 100 % for a box, 96 % for a cylinder along an axis, about 87 % for an asteroid, 82 %
 /// for a sphere and 81 % for a torus. O(1).
@@ -65,5 +46,9 @@ CollisionProxy bounded_hull(const Box& box, const std::array<glm::vec3, kSupport
 /// The proxy of a set of vertices. Empty for no vertices and for a kind that does not exist; hulls leave out vertices
 /// that are not finite. O(n), full_hull O(n log n), every_vertex O(n^2).
 CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices);
+
+/// The same of the vertices that an object uses. `bounded_hull` costs what Cuttable::support_points() costs, `box`
+/// O(1).
+CollisionProxy collision_proxy(const Cuttable& object, ProxyKind kind);
 
 }  // namespace kerf

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cutting/cut.h"
+#include "common/cutting/back_end.h"
 
 namespace kerf {
 namespace {

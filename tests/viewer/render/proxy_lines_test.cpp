@@ -1,4 +1,5 @@
 #include "viewer/render/proxy_lines.h"
+#include "common/proxy/collision_proxy.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body.h"
 #include "viewer/sim/world.h"

@@ -1,4 +1,5 @@
 #include "viewer/sim/model_library.h"
+#include "common/proxy/collision_proxy.h"
 
 #include <gtest/gtest.h>
 
@@ -103,7 +104,7 @@ TEST(ModelLibrary, HandsOutACopyWithItsMeasures)
             EXPECT_EQ(taken.mass.inertia, mass.inertia);
             EXPECT_EQ(taken.bounds.lo, taken.object->bounds().lo);
             EXPECT_EQ(taken.bounds.hi, taken.object->bounds().hi);
-            const CollisionProxy proxy = taken.object->collision_proxy(kind);
+            const CollisionProxy proxy = collision_proxy(*taken.object, kind);
             EXPECT_EQ(taken.proxy->kind, kind);
             EXPECT_EQ(taken.proxy->points, proxy.points);
             EXPECT_EQ(taken.proxy->faces, proxy.faces);

@@ -61,13 +61,19 @@ TEST(ModelPreparer, PutsAnotherCopyWhereOneWasTaken)
 
 TEST(ModelPreparer, ForgetsWhatIsNoLongerWanted)
 {
-    const auto models = test::library_of({"asteroid", "torus", "box"}, 60'000);
-    ModelPreparer preparer(models);
-    preparer.want({0, 1}, backend(), ProxyKind::bounded_hull);
-    preparer.want({2}, backend(), ProxyKind::bounded_hull);
-    preparer.finish();
-    EXPECT_TRUE(models->is_stocked(2, backend()));
-    EXPECT_FALSE(models->is_prepared(1, backend())) << "the second wish of the first list";
+    // If this thread has to wait between the two lists, the second wish of the first one may be done by then: once more.
+    constexpr int kMostTries = 50;
+    bool has_forgotten = false;
+    for (int i = 0; i < kMostTries && !has_forgotten; ++i) {
+        const auto models = test::library_of({"asteroid", "torus", "box"}, 60'000);
+        ModelPreparer preparer(models);
+        preparer.want({0, 1}, backend(), ProxyKind::bounded_hull);
+        preparer.want({2}, backend(), ProxyKind::bounded_hull);
+        preparer.finish();
+        ASSERT_TRUE(models->is_stocked(2, backend()));
+        has_forgotten = !models->is_prepared(1, backend());
+    }
+    EXPECT_TRUE(has_forgotten);
 }
 
 TEST(ModelPreparer, WhoeverNeedsACopyEarlierWaitsForIt)

@@ -1,4 +1,5 @@
 #include "viewer/sim/proxy_shape.h"
+#include "common/proxy/collision_proxy.h"
 
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 #include <gtest/gtest.h>

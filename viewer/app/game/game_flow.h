@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/proxy/collision_proxy.h"
 #include "viewer/app/frame_statistics.h"
 #include "viewer/app/game/duel_view.h"
 #include "viewer/app/game/game_models.h"

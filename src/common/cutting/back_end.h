@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/cutting/cut.h"
+
+// What a back end needs to keep the contract, and its users do not.
+
+namespace kerf {
+
+/// Sorts ranges by kind, material and place, and joins those that follow one another.
+void merge_ranges(std::vector<DrawRange>& ranges);
+
+/// Appends the material that fills sections when the user names none, and returns its index: "cap", or "cap.1" and so
+/// on where a material has that name: caps never share one with the surface by accident. The number is the smallest
+/// that is free, or another where names occur twice. O(materials); allocates nothing where there is room for one.
+std::uint32_t add_cap_material(std::vector<Material>& materials);
+
+/// A serial number for buffers, which no others get. From any thread.
+std::uint64_t new_buffers_serial() noexcept;
+
+/// Whether caps cover so much more than their section that it is not rounding: more than kCapAgreement of it, and more
+/// than a unit in the last place along its outline.
+///
+/// @param excess          area of all cap triangles, each counted positive, less `section_area`; mesh units squared
+/// @param section_length  of the closed loops, mesh units
+/// @param unit            in the last place of the largest coordinate, mesh units
+bool caps_exceed_section(double excess, double section_area, double section_length, double unit);
+
+}  // namespace kerf
