@@ -2,6 +2,7 @@
 
 #include "baseline/fragment.h"
 #include "baseline/slice.h"
+#include "common/cutting/back_end.h"
 #include "common/support/stopwatch.h"
 
 namespace kerf::baseline {
@@ -70,10 +71,11 @@ public:
         return mass_moments(fragment_.mesh.vertices, fragment_.mesh.triangles, reference).properties(reference);
     }
 
-    CollisionProxy collision_proxy(ProxyKind kind) const override
+    std::array<glm::vec3, kSupportDirections> support_points() const override
     {
-        return kerf::collision_proxy(kind, fragment_.mesh.vertices);
+        return kerf::support_points(fragment_.mesh.vertices);
     }
+    std::span<const Vertex> used_vertices(std::vector<Vertex>&) const override { return fragment_.mesh.vertices; }
 
     std::span<const SectionLoop> section_loops() const override { return fragment_.section; }
     IndexedMesh to_indexed_mesh() const override { return fragment_.mesh; }

@@ -54,7 +54,7 @@ void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Cross
     const auto cut_point = [&](std::uint32_t a, std::uint32_t b) {
         const std::uint32_t p = mesh.points[a], q = mesh.points[b];
         std::uint32_t& id = cut_point_of_edge(std::min(p, q), std::max(p, q));
-        if (id == PairTable::kNone) id = crossings.cut_points.add();
+        if (id == kNone) id = crossings.cut_points.add();
         return id;
     };
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include "common/geometry/disjoint_sets.h"
+#include "common/mesh/index.h"
 
 namespace kerf {
 
@@ -16,22 +18,15 @@ namespace kerf {
 class CutPointClasses
 {
 public:
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
     /// A new cut point in a class of its own; ids count up from 0.
     std::uint32_t add()
     {
-        const auto id = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.push_back({id, kNone});
-        return id;
+        existing_.push_back(kNone);
+        return classes_.add();
     }
 
     /// The id that stands for the class of cut point `id`: its smallest.
-    std::uint32_t find(std::uint32_t id)
-    {
-        while (nodes_[id].parent != id) id = nodes_[id].parent = nodes_[nodes_[id].parent].parent;
-        return id;
-    }
+    std::uint32_t find(std::uint32_t id) { return classes_.find(id); }
 
     /// Declares cut points `a` and `b` to be one.
     void merge(std::uint32_t a, std::uint32_t b)
@@ -39,15 +34,15 @@ public:
         a = find(a);
         b = find(b);
         if (a == b) return;
-        if (b < a) std::swap(a, b);
-        nodes_[b].parent = a;
-        if (nodes_[b].existing != kNone) attach(a, nodes_[b].existing);
+        classes_.unite(a, b);
+        const std::uint32_t joins = std::max(a, b);
+        if (existing_[joins] != kNone) attach(std::min(a, b), existing_[joins]);
     }
 
     /// Declares cut point `id` to be the existing point `point`.
     void attach(std::uint32_t id, std::uint32_t point)
     {
-        std::uint32_t& existing = nodes_[find(id)].existing;
+        std::uint32_t& existing = existing_[find(id)];
         if (existing == kNone)
             existing = point;
         else
@@ -57,7 +52,7 @@ public:
     /// The existing point in the class of `id`, or kNone; if there are several, the one that stands for them.
     std::uint32_t existing(std::uint32_t id)
     {
-        const std::uint32_t point = nodes_[find(id)].existing;
+        const std::uint32_t point = existing_[find(id)];
         return point == kNone ? kNone : standing_for(point);
     }
 
@@ -71,13 +66,18 @@ public:
     /// Existing points that others stand for, each with the next one on the way to its stand-in.
     const std::map<std::uint32_t, std::uint32_t>& joined() const { return joined_; }
 
-    std::size_t size() const { return nodes_.size(); }
+    std::size_t size() const { return existing_.size(); }
     void clear()
     {
-        nodes_.clear();
+        classes_.clear();
+        existing_.clear();
         joined_.clear();
     }
-    void reserve(std::size_t count) { nodes_.reserve(count); }
+    void reserve(std::size_t count)
+    {
+        classes_.reserve(count);
+        existing_.reserve(count);
+    }
 
 private:
     void join_existing(std::uint32_t a, std::uint32_t b)
@@ -87,12 +87,8 @@ private:
         if (a != b) joined_[std::max(a, b)] = std::min(a, b);
     }
 
-    struct Node
-    {
-        std::uint32_t parent;
-        std::uint32_t existing;  ///< meaningful at the root of a class
-    };
-    std::vector<Node> nodes_;
+    DisjointSets classes_{0};
+    std::vector<std::uint32_t> existing_;            ///< meaningful at the id that stands for a class
     std::map<std::uint32_t, std::uint32_t> joined_;  ///< nearly always empty
 };
 

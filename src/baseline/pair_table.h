@@ -2,9 +2,10 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
+
+#include "common/mesh/index.h"
 
 namespace kerf::baseline {
 
@@ -12,8 +13,6 @@ namespace kerf::baseline {
 class PairTable
 {
 public:
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
     /// Empties the table and makes room for `count` entries.
     void reset(std::size_t count)
     {

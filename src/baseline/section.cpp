@@ -101,7 +101,7 @@ std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, 
         const std::uint32_t p = mesh.points[a], q = mesh.points[b];
         direction = p < q ? 1 : -1;
         std::uint32_t& index = row_at(std::min(p, q), std::max(p, q));
-        if (index == PairTable::kNone) {
+        if (index == kNone) {
             index = static_cast<std::uint32_t>(rows.size());
             rows.emplace_back();
         }

@@ -10,8 +10,6 @@
 
 namespace kerf::baseline {
 
-inline constexpr std::uint32_t kNone = CutPointClasses::kNone;
-
 /// A point of the section's outline: a point that existed before the cut, or a new one.
 struct SectionPoint
 {

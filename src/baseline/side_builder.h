@@ -18,8 +18,6 @@ namespace kerf::baseline {
 class SideBuilder
 {
 public:
-    static constexpr std::uint32_t kNone = CutPointClasses::kNone;
-
     /// `point_table` has one entry, kNone to begin with, for each point of the source, and is shared by both sides:
     /// nearly every point is needed on one side only.
     SideBuilder(const IndexedMesh& source, Side side, std::span<std::uint32_t> point_table)

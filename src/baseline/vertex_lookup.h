@@ -1,25 +1,18 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <limits>
-#include <span>
-#include <stdexcept>
 #include <string_view>
 #include <unordered_set>
-#include <vector>
 
-#include "baseline/pair_table.h"
 #include "baseline/side_builder.h"
 
-// The four ways to find out whether a fragment has a vertex already (VertexLookup). Each is made for one side of one
-// cut and answers
+// The report's three ways to find out whether a fragment has a vertex already (VertexLookup); remap_slicer.h has the
+// fourth. Each is made for one side of one cut and answers
 //   existing(vertex)           index in the fragment of a vertex of the source
 //   cut(crossings, c, code)    index in the fragment of the vertex at a cut corner
-// and adds a vertex that is missing. The first three compare what the vertices are, as the report does; `remap`
-// compares where they come from, which gives the same fragments in a fraction of the time.
+// and adds a vertex that is missing. These three compare what the vertices are, as the report does.
 
 namespace kerf::baseline {
 
@@ -146,109 +139,6 @@ private:
     };
 
     std::unordered_set<std::uint32_t, HashOfIndex, SameVertex> dictionary_;
-};
-
-/// Old index -> new index. Vertices strictly on a side are copied in source order before anything else; only cut edges,
-/// and the few vertices that both sides may need (on the plane, or fallen upon by a cut point), are looked up.
-class RemapLookup
-{
-public:
-    RemapLookup(SideBuilder& builder, const Buffer<std::uint32_t>& table) : builder_(builder), table_(table)
-    {
-        seam_vertices_.reset(0);
-        other_vertices_.reset(0);
-    }
-
-    /// Copies each vertex to its side while `classify` shows it with its class, and notes in `table` where it went: 2 *
-    /// index + 1 on the positive side, 2 * index on the negative one. Vertices on the plane wait until a triangle asks
-    /// for them. O(n). `classify(visit)` calls visit(vertex, class) for every vertex in order and returns the classes.
-    template <class Classify>
-    static void copy_vertices(const IndexedMesh& source, BySide<SideBuilder>& builders, Buffer<std::uint32_t>& table,
-                              std::span<std::uint32_t> point_table, Classify&& classify)
-    {
-        const std::size_t n = source.vertices.size();
-        // The table spends one bit on the side.
-        if (n > std::numeric_limits<std::uint32_t>::max() / 2)
-            throw std::length_error("remap can number 2^31 vertices");
-        table.resize(n);
-        // Room for all on either side; what is not needed is given back at once and never written.
-        for (SideBuilder& builder : builders) {
-            builder.mesh.vertices.resize(n);
-            builder.mesh.points.resize(n);
-        }
-        // Locals, which the compiler can keep in registers: everything here is written through pointers of the same
-        // types.
-        SideBuilder &negative = builders[Side::negative], &positive = builders[Side::positive];
-        Vertex *const below = negative.mesh.vertices.data(), *const above = positive.mesh.vertices.data();
-        std::uint32_t* const points_below = negative.mesh.points.data();
-        std::uint32_t* const points_above = positive.mesh.points.data();
-        const Vertex* const vertices = source.vertices.data();
-        const std::uint32_t* const points = source.points.data();
-        std::uint32_t *const indices = table.data(), *const point_ids = point_table.data();
-        std::uint32_t next_below = 0, next_above = 0, next_point_below = 0, next_point_above = 0;
-        VertexBox box_below, box_above;
-
-        const std::span<const std::uint8_t> classes = classify([&](std::uint32_t vertex, std::uint8_t vertex_class) {
-            std::uint32_t& point = point_ids[points[vertex]];
-            if (vertex_class == 1) {
-                if (point == SideBuilder::kNone) point = 2 * next_point_below++;
-                below[next_below] = vertices[vertex];
-                box_below.add(vertices[vertex]);
-                points_below[next_below] = point / 2;
-                indices[vertex] = 2 * next_below++;
-            } else if (vertex_class == 2) {
-                if (point == SideBuilder::kNone) point = 2 * next_point_above++ + 1;
-                above[next_above] = vertices[vertex];
-                box_above.add(vertices[vertex]);
-                points_above[next_above] = point / 2;
-                indices[vertex] = 2 * next_above++ + 1;
-            }
-        });
-        negative.set_copied(classes, 1, next_below, next_point_below, box_below);
-        positive.set_copied(classes, 2, next_above, next_point_above, box_above);
-    }
-
-    /// Makes room for the vertices on `count` cut edges.
-    void reserve_cuts(std::size_t count) { on_edge_.assign(count, {}); }
-
-    std::uint32_t existing(std::uint32_t vertex)
-    {
-        if (builder_.has_copied(vertex)) return table_[vertex] >> 1;
-        std::uint32_t& index = other_vertices_(vertex, 0);
-        if (index == PairTable::kNone) index = builder_.append_existing(vertex);
-        return index;
-    }
-
-    std::uint32_t cut(Crossings& crossings, const CrossingTriangle& crossing, std::uint8_t code)
-    {
-        const Triangle& t = builder_.source().triangles[crossing.triangle];
-        const std::uint8_t lone = crossing.split.lone;
-        const std::uint32_t a = t[lone];
-        const std::uint32_t b = code == TriangleSplit::kCutNext ? t[(lone + 1u) % 3] : t[(lone + 2u) % 3];
-        const std::uint32_t lo = std::min(a, b), hi = std::max(a, b);
-        OnEdge& known = on_edge_[code == TriangleSplit::kCutNext ? crossing.cut_next : crossing.cut_previous];
-        if (known.lo == lo && known.hi == hi) return known.index;
-        // The other triangle at a seam has vertices of its own on the same edge.
-        std::uint32_t& index = known.index == PairTable::kNone ? known.index : seam_vertices_(lo, hi);
-        if (&index == &known.index) {
-            known.lo = lo;
-            known.hi = hi;
-        }
-        if (index == PairTable::kNone) index = builder_.append_cut(crossings, crossing, code);
-        return index;
-    }
-
-private:
-    SideBuilder& builder_;
-    const Buffer<std::uint32_t>& table_;
-    /// The vertex on a cut edge, for the first pair of vertices that asked.
-    struct OnEdge
-    {
-        std::uint32_t lo = 0, hi = 0;
-        std::uint32_t index = PairTable::kNone;
-    };
-    std::vector<OnEdge> on_edge_;  // by cut point
-    PairTable seam_vertices_, other_vertices_;
 };
 
 }  // namespace kerf::baseline

@@ -13,7 +13,7 @@ TEST(CutPointClasses, JoinWhatIsMergedDirectlyOrThroughOthers)
     points.merge(2, 1);
     EXPECT_EQ(points.find(3), 1u);
     EXPECT_EQ(points.find(0), 0u);
-    EXPECT_EQ(points.existing(3), CutPointClasses::kNone);
+    EXPECT_EQ(points.existing(3), kNone);
 }
 
 TEST(CutPointClasses, KnowTheExistingPointOfAClass)

@@ -13,8 +13,8 @@ namespace {
 TEST(PairTable, KnowsNothingAtFirst)
 {
     const PairTable table;
-    EXPECT_EQ(table.find(0, 0), PairTable::kNone);
-    EXPECT_EQ(table.find(3, 7), PairTable::kNone);
+    EXPECT_EQ(table.find(0, 0), kNone);
+    EXPECT_EQ(table.find(3, 7), kNone);
 }
 
 TEST(PairTable, TellsAPairFromItsReverse)
@@ -31,8 +31,8 @@ TEST(PairTable, IsEmptyAfterReset)
     PairTable table;
     table(5, 6) = 1;
     table.reset(4);
-    EXPECT_EQ(table.find(5, 6), PairTable::kNone);
-    EXPECT_EQ(table(5, 6), PairTable::kNone);
+    EXPECT_EQ(table.find(5, 6), kNone);
+    EXPECT_EQ(table(5, 6), kNone);
 }
 
 RC_GTEST_PROP(PairTable, HoldsWhatAMapHoldsHoweverLittleRoomWasAskedFor, ())
@@ -48,13 +48,13 @@ RC_GTEST_PROP(PairTable, HoldsWhatAMapHoldsHoweverLittleRoomWasAskedFor, ())
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
         std::uint32_t& value = table(pairs[i].first, pairs[i].second);
         const auto [entry, is_new] = expected.try_emplace(pairs[i], i);
-        RC_ASSERT(value == (is_new ? PairTable::kNone : entry->second));
+        RC_ASSERT(value == (is_new ? kNone : entry->second));
         value = entry->second;
     }
     for (std::uint32_t a = 0; a < 24; ++a)
         for (std::uint32_t b = 0; b < 24; ++b) {
             const auto entry = expected.find({a, b});
-            RC_ASSERT(table.find(a, b) == (entry == expected.end() ? PairTable::kNone : entry->second));
+            RC_ASSERT(table.find(a, b) == (entry == expected.end() ? kNone : entry->second));
         }
 }
 

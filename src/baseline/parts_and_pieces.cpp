@@ -1,4 +1,4 @@
-#include "baseline/pieces_of_side.h"
+#include "baseline/parts_and_pieces.h"
 
 #include <algorithm>
 
@@ -79,6 +79,45 @@ void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& p
     }
 }
 
+/// Numbers the sets in the order of their first triangles. Returns how many there are.
+std::uint32_t number_parts(DisjointSets& joined, std::vector<std::uint32_t>& part_of_triangle)
+{
+    std::uint32_t count = 0;
+    part_of_triangle.resize(joined.size());
+    for (std::uint32_t t = 0; t < joined.size(); ++t) {
+        // The representative is the smallest, so it has its number already.
+        const std::uint32_t first = joined.find(t);
+        part_of_triangle[t] = first == t ? count++ : part_of_triangle[first];
+    }
+    return count;
+}
+
+/// Triangles sorted by piece, so that one table serves one piece after the other.
+struct TrianglesByPiece
+{
+    std::vector<std::uint32_t> row;        ///< of each piece: where its triangles begin; and the end
+    std::vector<std::uint32_t> triangles;  ///< piece by piece, in the order of the groups
+    std::vector<std::uint32_t> group_of;   ///< of each triangle
+
+    TrianglesByPiece(const IndexedMesh& mesh, std::span<const std::uint32_t> piece_of_triangle, std::uint32_t count)
+        : row(count + 1, 0), triangles(piece_of_triangle.size()), group_of(piece_of_triangle.size())
+    {
+        for (const std::uint32_t piece : piece_of_triangle) ++row[piece + 1];
+        for (std::uint32_t i = 0; i < count; ++i) row[i + 1] += row[i];
+        std::vector<std::uint32_t> fill(row.begin(), row.end() - 1);
+        for (std::uint32_t g = 0; g < mesh.groups.size(); ++g)
+            for (std::uint32_t t = mesh.groups[g].first; t < mesh.groups[g].first + mesh.groups[g].count; ++t) {
+                triangles[fill[piece_of_triangle[t]]++] = t;
+                group_of[t] = g;
+            }
+    }
+
+    std::span<const std::uint32_t> of_piece(std::uint32_t i) const
+    {
+        return {triangles.data() + row[i], triangles.data() + row[i + 1]};
+    }
+};
+
 }  // namespace
 
 PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
@@ -111,14 +150,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     });
 
     PartsOfSide side;
-    std::uint32_t count = 0;
-    side.part_of_triangle.resize(triangle_count);
-    for (std::uint32_t t = 0; t < triangle_count; ++t) {
-        // The representative is the smallest, so it has its number already.
-        const std::uint32_t first = joined.find(t);
-        side.part_of_triangle[t] = first == t ? count++ : side.part_of_triangle[first];
-    }
-
+    const std::uint32_t count = number_parts(joined, side.part_of_triangle);
     side.parts.resize(count);
     const auto point_of = [&](std::uint32_t i) {
         const SectionPoint& point = section.points[i];
@@ -173,26 +205,14 @@ std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std:
     const IndexedMesh& mesh = whole.mesh;
     const std::uint32_t count =
         piece_of_triangle.empty() ? 0 : *std::max_element(piece_of_triangle.begin(), piece_of_triangle.end()) + 1;
-
-    // Triangles sorted by piece, so that the tables below serve one piece after the other.
-    std::vector<std::uint32_t> row(count + 1, 0), triangles(piece_of_triangle.size()),
-        group_of(piece_of_triangle.size());
-    for (const std::uint32_t piece : piece_of_triangle) ++row[piece + 1];
-    for (std::uint32_t i = 0; i < count; ++i) row[i + 1] += row[i];
-    std::vector<std::uint32_t> fill(row.begin(), row.end() - 1);
-    for (std::uint32_t g = 0; g < mesh.groups.size(); ++g)
-        for (std::uint32_t t = mesh.groups[g].first; t < mesh.groups[g].first + mesh.groups[g].count; ++t) {
-            triangles[fill[piece_of_triangle[t]]++] = t;
-            group_of[t] = g;
-        }
-
+    const TrianglesByPiece sorted(mesh, piece_of_triangle, count);
     std::vector<bool> is_centre(mesh.vertices.size(), false);
     for (const std::uint32_t v : whole.fan_centres) is_centre[v] = true;
 
     std::vector<Fragment> pieces(count);
     std::vector<std::uint32_t> new_vertex(mesh.vertices.size(), kNone), new_point(mesh.point_count, kNone), used;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::span<const std::uint32_t> own(triangles.data() + row[i], triangles.data() + row[i + 1]);
+        const std::span<const std::uint32_t> own = sorted.of_piece(i);
         Fragment& piece = pieces[i];
         piece.noise = whole.noise;
         piece.cap_material = whole.cap_material;
@@ -224,7 +244,7 @@ std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std:
         }
         for (const std::uint32_t t : own) {
             const auto& [a, b, c] = mesh.triangles[t];
-            const TriangleGroup& like = mesh.groups[group_of[t]];
+            const TriangleGroup& like = mesh.groups[sorted.group_of[t]];
             auto& groups = piece.mesh.groups;
             if (groups.empty() || groups.back().material != like.material || groups.back().solid != like.solid ||
                 groups.back().kind != like.kind)
