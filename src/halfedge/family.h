@@ -1,6 +1,7 @@
 #pragma once
 
-#include "halfedge/cut/cut_plan.h"
+#include "common/cutting/back_end.h"
+#include "halfedge/cut/workspace.h"
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
 
@@ -12,19 +13,19 @@ struct Family
 {
     const std::uint64_t serial = new_buffers_serial();  ///< DrawView::buffers
     Universe universe;
-    CutScratch scratch;
+    CutWorkspace workspace;
 
     Family() = default;
     /// A copy with a lock of its own. Call it with `other` locked.
     Family(const Family& other) : universe(other.universe)
     {
-        universe.stamp_base += other.scratch.stamps_used();  // the copied faces keep their stamps
+        universe.stamp_base += other.workspace.stamps_used();  // the copied faces keep their stamps
         make_room(other.universe.slots.size());
     }
     Family& operator=(const Family&) = delete;
 
     /// For planning one cut of an object of so many triangles.
-    void make_room(std::size_t triangles) { scratch.reserve(crossings_of_one_cut(triangles)); }
+    void make_room(std::size_t triangles) { workspace.reserve(crossings_of_one_cut(triangles)); }
 };
 
 }  // namespace kerf::halfedge

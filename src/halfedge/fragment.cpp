@@ -89,9 +89,9 @@ void Fragment::compact()
     std::swap(shells_, copy->shells_);
 }
 
-std::vector<Index> Fragment::roots() const
+std::vector<NodeId> Fragment::roots() const
 {
-    std::vector<Index> roots;
+    std::vector<NodeId> roots;
     roots.reserve(shells_.size());
     for (const ShellRoot& shell : shells_) roots.push_back(shell.root);
     return roots;
@@ -103,7 +103,7 @@ std::vector<DrawRange> Fragment::draw_ranges() const
     std::vector<TriangleTree::Run> runs;
     for (const ShellRoot& shell : shells_) u.tree.append_runs(shell.root, runs);
     const auto rank = [&](const TriangleTree::Run& run) {
-        const DrawGroup& g = u.groups[run.group];
+        const DrawGroup& g = u.group(run.group);
         return std::tuple(g.kind, g.material, run.first);
     };
     const auto before = [&](const auto& a, const auto& b) { return rank(a) < rank(b); };
@@ -112,16 +112,16 @@ std::vector<DrawRange> Fragment::draw_ranges() const
     std::vector<DrawRange> ranges;
     ranges.reserve(runs.size());
     for (const TriangleTree::Run& run : runs) {
-        const DrawGroup& g = u.groups[run.group];
+        const DrawGroup& g = u.group(run.group);
         if (!ranges.empty()) {
             DrawRange& last = ranges.back();
             if (last.kind == g.kind && last.material == g.material &&
-                last.first_index + last.index_count == 3 * run.first) {
+                last.first_index + last.index_count == 3 * run.first.number()) {
                 last.index_count += 3 * run.count;
                 continue;
             }
         }
-        ranges.push_back({3 * run.first, 3 * run.count, g.material, g.kind});
+        ranges.push_back({3 * run.first.number(), 3 * run.count, g.material, g.kind});
     }
     return ranges;
 }
@@ -133,7 +133,7 @@ DrawView Fragment::draw_view() const
     DrawView view;
     view.buffers = buffers();
     view.vertices = {u.vertices.data(), u.vertices.size()};
-    view.indices = {u.slots.empty() ? nullptr : u.slots[0].data(), 3 * u.slots.size()};
+    view.indices = {u.slots.empty() ? nullptr : u.slots[SlotId(0)].data(), 3 * u.slots.size()};
     view.materials = {u.materials.data(), material_count_};
     view.ranges = draw_ranges();
     const auto append = [](std::vector<ByteRange>& ranges, std::uint64_t from, std::uint64_t to, std::uint64_t size) {
@@ -163,7 +163,7 @@ MassProperties Fragment::mass_properties() const
     MassMoments moments;
     for (const ShellRoot& shell : shells_) {
         if (few)
-            for_each_slot(u, shell.root, [&](Index slot) {
+            for_each_slot(u, shell.root, [&](SlotId slot) {
                 const Triangle& t = u.slots[slot];
                 moments.add(reference, u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position);
             });
@@ -173,47 +173,28 @@ MassProperties Fragment::mass_properties() const
     return moments.properties(reference);
 }
 
-CollisionProxy Fragment::collision_proxy(ProxyKind kind) const
-{
-    switch (kind) {
-        case ProxyKind::box: {
-            CollisionProxy proxy;
-            proxy.kind = kind;
-            proxy.box = box_;
-            return proxy;
-        }
-        case ProxyKind::bounded_hull:
-            return bounded_hull(box_, extreme_points());
-        case ProxyKind::sphere:
-        case ProxyKind::full_hull:
-        case ProxyKind::every_vertex:
-            break;
-    }
-    return kerf::collision_proxy(kind, used_vertices());
-}
-
-std::array<glm::vec3, kSupportDirections> Fragment::extreme_points() const
+std::array<glm::vec3, kSupportDirections> Fragment::support_points() const
 {
     const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
-    return support_points(u.tree, u.geometry(), roots());
+    return halfedge::support_points(u.tree, u.geometry(), roots());
 }
 
-std::vector<Vertex> Fragment::used_vertices() const
+std::span<const Vertex> Fragment::used_vertices(std::vector<Vertex>& room) const
 {
     const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
     std::vector<bool> seen(u.vertices.size());
-    std::vector<Vertex> vertices;
+    room.clear();
     for (const ShellRoot& shell : shells_)
-        for_each_slot(u, shell.root, [&](Index slot) {
+        for_each_slot(u, shell.root, [&](SlotId slot) {
             for (const Index v : u.slots[slot]) {
                 if (seen[v]) continue;
                 seen[v] = true;
-                vertices.push_back(u.vertices[v]);
+                room.push_back(u.vertices[v]);
             }
         });
-    return vertices;
+    return room;
 }
 
 IndexedMesh Fragment::to_indexed_mesh() const
@@ -240,7 +221,7 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
     const std::unique_lock lock(universe().mutex);
     CutResult result;
-    Cutter cutter(family_->universe, family_->scratch, shells_, material_count_);
+    Cutter cutter(family_->universe, family_->workspace, shells_, material_count_);
     if (!cutter.plan(plane, options, result)) return result;
     FragmentsBySide fragments = planned_fragments(cutter);
     result.negative.reserve(fragments[Side::negative].size());

@@ -27,7 +27,8 @@ public:
     DrawView draw_view() const override;
     void mark_uploaded() override;
     MassProperties mass_properties() const override;
-    CollisionProxy collision_proxy(ProxyKind kind) const override;
+    std::array<glm::vec3, kSupportDirections> support_points() const override;
+    std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const override;
     std::span<const SectionLoop> section_loops() const override { return loops_; }
     IndexedMesh to_indexed_mesh() const override;
     bool wants_compaction() const override;
@@ -48,13 +49,9 @@ private:
     /// The fragments that a cut will fill, with their loops and without shells.
     FragmentsBySide planned_fragments(const Cutter& cutter) const;
     void release();
-    std::vector<Index> roots() const;
+    std::vector<NodeId> roots() const;
     /// DrawView::ranges. The caller holds the lock.
     std::vector<DrawRange> draw_ranges() const;
-    /// The extreme vertex in each of the support directions.
-    std::array<glm::vec3, kSupportDirections> extreme_points() const;
-    /// Each vertex that the fragment uses, once. O(n).
-    std::vector<Vertex> used_vertices() const;
 
     // What follows is the fragment's own: reading it needs no lock, and a fragment can end while a relative is cut.
     std::shared_ptr<Family> family_;

@@ -12,20 +12,20 @@ class Checker
 {
 public:
     explicit Checker(const Universe& universe)
-        : u_(universe), face_used_(u_.mesh.faces()), slot_used_(u_.slots.size()), outgoing_(u_.mesh.vertices())
+        : u_(universe), face_used_(u_.mesh.faces()), slot_used_(u_.slots.size()), outgoing_(u_.mesh.points())
     {
     }
 
     std::string run(std::span<const ShellRoot> shells)
     {
         for (const ShellRoot& shell : shells) {
-            if (shell.root == kNone || shell.root >= u_.tree.nodes.size()) return "a shell has no root";
+            if (!shell.root.is_valid() || shell.root.number() >= u_.tree.nodes.size()) return "a shell has no root";
             if (!check_subtree(shell.root)) return error_;
         }
-        for (Index face = 0; face < face_used_.size(); ++face)
-            if (face_used_[face] && !check_neighbours(face)) return error_;
-        for (Index vertex = 0; vertex < outgoing_.size(); ++vertex)
-            if (outgoing_[vertex] > 0 && !check_umbrella(vertex)) return error_;
+        for (std::size_t face = 0; face < face_used_.size(); ++face)
+            if (face_used_[face] && !check_neighbours(FaceId(int(face)))) return error_;
+        for (std::size_t point = 0; point < outgoing_.size(); ++point)
+            if (outgoing_[point] > 0 && !check_umbrella(PointId(int(point)))) return error_;
         return {};
     }
 
@@ -36,16 +36,21 @@ private:
         return false;
     }
     static std::string number(Index i) { return std::to_string(i); }
+    template <class Id>
+    static std::string number(Id id)
+    {
+        return std::to_string(number_of(id));
+    }
 
-    bool check_subtree(Index n)
+    bool check_subtree(NodeId n)
     {
         const Node& node = u_.tree.nodes[n];
         if (!node.is_leaf()) {
             const Node &l = u_.tree.nodes[node.left], &r = u_.tree.nodes[node.right];
             if (!check_subtree(node.left) || !check_subtree(node.right)) return false;
             if (node.count != l.count + r.count) return fail("node " + number(n) + " counts wrongly");
-            if (node.group != kMixed && (l.group != node.group || r.group != node.group || l.first != node.first ||
-                                         l.first + l.count != r.first))
+            if (!node.is_mixed() && (l.group != node.group || r.group != node.group || l.first != node.first ||
+                                     l.first + l.count != r.first))
                 return fail("node " + number(n) + " is no run");
             Box box = l.box;
             box.add(r.box);
@@ -55,14 +60,15 @@ private:
             support.add(u_.tree.supports[node.right]);
             return check_sums(n, box, moments, support);
         }
-        if (node.group >= u_.groups.size()) return fail("leaf " + number(n) + " has no group");
+        if (number_of(node.group) >= u_.groups.size()) return fail("leaf " + number(n) + " has no group");
         Box box;
         MassMoments moments;
         Support support = Support::none();
-        for (Index slot = node.first; slot < node.first + node.count; ++slot) {
-            if (slot >= u_.slots.size()) return fail("leaf " + number(n) + " names a slot that does not exist");
-            if (slot_used_[slot]) return fail("slot " + number(slot) + " occurs twice");
-            slot_used_[slot] = true;
+        for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
+            if (slot.number() >= u_.slots.size())
+                return fail("leaf " + number(n) + " names a slot that does not exist");
+            if (slot_used_[slot.number()]) return fail("slot " + number(slot) + " occurs twice");
+            slot_used_[slot.number()] = true;
             const Triangle& t = u_.slots[slot];
             for (const Index v : t) {
                 if (v >= u_.vertices.size())
@@ -79,7 +85,7 @@ private:
         return check_sums(n, box, moments, support);
     }
 
-    bool check_sums(Index n, const Box& box, const MassMoments& moments, const Support& support)
+    bool check_sums(NodeId n, const Box& box, const MassMoments& moments, const Support& support)
     {
         const Box& have = u_.tree.nodes[n].box;
         if (have.lo != box.lo || have.hi != box.hi) return fail("node " + number(n) + " has a wrong box");
@@ -102,26 +108,26 @@ private:
         return same || fail("node " + number(n) + " has wrong moments");
     }
 
-    bool check_face(Index slot)
+    bool check_face(SlotId slot)
     {
-        const Index face = u_.face_of_slot[slot];
-        if (face >= u_.mesh.faces()) return fail("slot " + number(slot) + " has no face");
-        if (face_used_[face]) return fail("face " + number(face) + " occurs twice");
-        face_used_[face] = true;
-        Index h = u_.mesh.halfedge_of_face(face);
-        if (h == kNone) return fail("face " + number(face) + " is dead");
-        const Index start = h;
+        const FaceId face = u_.face_of_slot[slot];
+        if (number_of(face) >= u_.mesh.faces()) return fail("slot " + number(slot) + " has no face");
+        if (face_used_[number_of(face)]) return fail("face " + number(face) + " occurs twice");
+        face_used_[number_of(face)] = true;
+        HalfedgeId h = u_.mesh.halfedge_of(face);
+        if (!h.is_valid()) return fail("face " + number(face) + " is dead");
+        const HalfedgeId start = h;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             if (u_.mesh.face(h) != face)
                 return fail("half-edge " + number(h) + " has another face than " + number(face));
             if (u_.mesh.prev(u_.mesh.next(h)) != h)
                 return fail("half-edge " + number(h) + " is not before its next one");
-            if (u_.mesh.to(h) >= u_.mesh.vertices()) return fail("half-edge " + number(h) + " has no vertex");
+            if (number_of(u_.mesh.to(h)) >= u_.mesh.points()) return fail("half-edge " + number(h) + " has no point");
             if (u_.mesh.from(h) != u_.mesh.to(u_.mesh.prev(h)))
                 return fail("half-edge " + number(h) + " does not start where the one before ends");
-            const Index vertex = u_.mesh.from(h);
-            ++outgoing_[vertex];
-            if (u_.mesh.point(vertex) != u_.vertices[u_.slots[slot][corner]].position)
+            const PointId point = u_.mesh.from(h);
+            ++outgoing_[number_of(point)];
+            if (u_.mesh.position(point) != u_.vertices[u_.slots[slot][corner]].position)
                 return fail("corner " + number(static_cast<Index>(corner)) + " of slot " + number(slot) +
                             " is not where its point is");
             h = u_.mesh.next(h);
@@ -129,13 +135,14 @@ private:
         return h == start || fail("face " + number(face) + " is no triangle");
     }
 
-    bool check_neighbours(Index face)
+    bool check_neighbours(FaceId face)
     {
-        Index h = u_.mesh.halfedge_of_face(face);
+        HalfedgeId h = u_.mesh.halfedge_of(face);
         for (int i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
-            const Index outer = h ^ 1u, neighbour = u_.mesh.face(outer);
-            if (neighbour != kNone) {
-                if (neighbour >= face_used_.size() || !face_used_[neighbour])
+            const HalfedgeId outer = opposite(h);
+            const FaceId neighbour = u_.mesh.face(outer);
+            if (neighbour.is_valid()) {
+                if (number_of(neighbour) >= face_used_.size() || !face_used_[number_of(neighbour)])
                     return fail("face " + number(face) + " has neighbour " + number(neighbour) +
                                 ", which is not in the fragment");
                 continue;
@@ -148,28 +155,27 @@ private:
         return true;
     }
 
-    bool check_umbrella(Index vertex)
+    bool check_umbrella(PointId point)
     {
-        const Index start = u_.mesh.halfedge_of_vertex(vertex);
-        if (start == kNone) return fail("vertex " + number(vertex) + " has no half-edge");
-        if (u_.mesh.from(start) != vertex)
-            return fail("the half-edge of vertex " + number(vertex) + " starts elsewhere");
+        const HalfedgeId start = u_.mesh.halfedge_of(point);
+        if (!start.is_valid()) return fail("point " + number(point) + " has no half-edge");
+        if (u_.mesh.from(start) != point) return fail("the half-edge of point " + number(point) + " starts elsewhere");
         Index count = 0;
         bool boundary = false;
-        for_each_outgoing(u_.mesh, start, [&](Index h) {
+        for_each_outgoing(u_.mesh, start, [&](HalfedgeId h) {
             if (u_.mesh.is_boundary(h))
                 boundary = true;
             else
                 ++count;
         });
-        if (count != outgoing_[vertex]) return fail("vertex " + number(vertex) + " has more than one umbrella");
+        if (count != outgoing_[number_of(point)]) return fail("point " + number(point) + " has more than one umbrella");
         return !boundary || u_.mesh.is_boundary(start) ||
-               fail("boundary vertex " + number(vertex) + " does not name its boundary half-edge");
+               fail("boundary point " + number(point) + " does not name its boundary half-edge");
     }
 
     const Universe& u_;
     std::vector<bool> face_used_, slot_used_;
-    std::vector<Index> outgoing_;  // half-edges with a face that leave each vertex
+    std::vector<Index> outgoing_;  // half-edges with a face that leave each point
     std::string error_;
 };
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/cutting/cut.h"
-#include "halfedge/cut/piece_plan.h"
+#include "halfedge/cut/workspace.h"
 #include "halfedge/universe/universe.h"
 
 namespace kerf::halfedge {
@@ -18,20 +18,21 @@ struct PlannedFragment
     std::vector<SectionLoop> loops;  ///< that bound it
 };
 
-/// One cut of one object, in two steps: what may fail changes nothing, what changes the universe can't fail.
+/// One cut of one object. plan() may fail and changes nothing; carry_out() changes the universe and can't fail.
 class Cutter
 {
 public:
     /// @param universe        locked by the caller, until the cutter has ended
-    /// @param scratch         in which cuts in this universe are planned
+    /// @param workspace       in which cuts in this universe are planned
     /// @param material_count  of the object: the first of the universe's materials
-    Cutter(Universe& universe, CutScratch& scratch, const std::vector<ShellRoot>& shells, std::size_t material_count)
-        : u_(universe), s_(scratch), shells_(shells), material_count_(material_count)
+    Cutter(Universe& universe, CutWorkspace& workspace, const std::vector<ShellRoot>& shells,
+           std::size_t material_count)
+        : u_(universe), w_(workspace), shells_(shells), material_count_(material_count)
     {
     }
 
-    /// From FIND to the caps, and room for all that is new. False if the plane misses; `result` then says no more than
-    /// what it took to see that. May throw std::bad_alloc.
+    /// Does all steps from FIND to the caps, and makes room for the rest. Returns false if the plane misses; `result`
+    /// then has only the cost of finding that out. May throw std::bad_alloc.
     bool plan(const Plane& plane, const CutOptions& options, CutResult& result);
 
     /// The fragments of a side, once the cut is planned.
@@ -46,24 +47,21 @@ public:
     void for_each_shell(Visit visit) const
     {
         for (const Side side : kSides)
-            for (std::size_t i = 0; i < whole_[side].size(); ++i)
-                visit(side, pieces_.whole_fragment[side][i], whole_[side][i]);
-        for (const PieceShell& b : s_.piece_shells)
-            if (b.root != kNone) visit(b.side, b.fragment, ShellRoot{b.root, b.solid, b.connected});
+            for (std::size_t i = 0; i < w_.found.whole[side].size(); ++i)
+                visit(side, w_.pieces.whole_fragment[side][i], w_.found.whole[side][i]);
+        for (const PieceShell& b : w_.pieces.shells)
+            if (b.root.is_valid()) visit(b.side, b.fragment, ShellRoot{b.root, b.solid, b.connected});
     }
 
 private:
-    /// What a miss says. Returns false, as plan() does then.
+    /// Fills the result of a miss. Returns false, as plan() does then.
     static bool misses(Side side_of_object, CutResult& result);
     void make_room_for_vertices(CutResult& result);
-    /// Which parts and pieces there are, and which loops are closed together.
+    /// Finds the parts and the pieces, and the loops that are closed together.
     void find_pieces(const CutOptions& options, CutResult& result);
     void close_section(CutResult& result);
     /// The side that the object lies on, if the plane misses it.
     std::optional<Side> missed_side(const Plane& plane, std::uint64_t& nodes_visited) const;
-    void find_shells(const Plane& plane);
-    /// Whether a side gets any triangle, once the crossing triangles are split: asked before targets are made.
-    bool keeps_triangles(Side side) const;
     /// Names the groups of the caps, those that are to be added included, and makes room for them.
     void plan_cap_groups(const CutOptions& options);
     /// Adds the cap material and groups; can't fail.
@@ -72,10 +70,8 @@ private:
     void done(Phase phase, CutResult& result);
 
     Universe& u_;
-    CutScratch& s_;
+    CutWorkspace& w_;
     const std::vector<ShellRoot>& shells_;
-    BySide<std::vector<ShellRoot>> whole_;  ///< shells that the plane does not cut, by side
-    PiecePlan pieces_;
     std::size_t material_count_;  ///< of the object; from plan_cap_groups() on that of the fragments
     bool adds_cap_material_ = false;
     std::vector<DrawGroup> new_groups_;

@@ -1,7 +1,4 @@
-#include "halfedge/cut/cut_plan.h"
-
-// FIND: which subtrees lie wholly on one side, and which triangles cross the plane. O(s log(n / s)) nodes for s leaves
-// whose box meets the plane.
+#include "halfedge/cut/find.h"
 
 namespace kerf::halfedge {
 
@@ -22,17 +19,21 @@ Side kept_side(const Plane& plane, const std::array<glm::vec3, 3>& p, const std:
     return Side::positive;
 }
 
-class Finder
+/// FIND for one shell: appends its program, crossing triangles and edges in the plane.
+class ShellFinder
 {
 public:
-    Finder(Universe& universe, const Plane& plane, Index shell, CutScratch& scratch)
-        : u_(universe), plane_(plane), shell_(shell), s_(scratch)
+    /// @param shell  its number among the cut shells
+    ShellFinder(Universe& universe, const Plane& plane, Index shell, std::vector<std::pair<NodeId, bool>>& stack,
+                Found& found)
+        : u_(universe), plane_(plane), shell_(shell), stack_(stack), found_(found)
     {
     }
 
-    BySide<bool> run(Index root)
+    /// Returns which sides keep triangles; crossing triangles count for both.
+    BySide<bool> run(NodeId root)
     {
-        const std::size_t first_op = s_.ops.size();
+        const std::size_t first_op = found_.ops.size();
         traverse(root);
         open_leaves(first_op);
         return present_;
@@ -40,33 +41,33 @@ public:
 
 private:
     /// Writes the program; leaves that the plane meets wait for open_leaves().
-    void traverse(Index root)
+    void traverse(NodeId root)
     {
-        const auto visit_later = [&](Index n, bool children_done) {
-            s_.stack.push_back({n, children_done});
+        const auto visit_later = [&](NodeId n, bool children_done) {
+            stack_.push_back({n, children_done});
             __builtin_prefetch(&u_.tree.nodes[n]);
         };
-        s_.stack.assign(1, {root, false});
-        while (!s_.stack.empty()) {
-            const auto [n, children_done] = s_.stack.back();
-            s_.stack.pop_back();
+        stack_.assign(1, {root, false});
+        while (!stack_.empty()) {
+            const auto [n, children_done] = stack_.back();
+            stack_.pop_back();
             if (children_done) {
-                s_.ops.push_back({TreeOp::Kind::join, n, kNone});
+                found_.ops.push_back({TreeOp::Kind::join, n, kNone});
                 continue;
             }
-            ++s_.nodes_visited;
+            ++found_.nodes_visited;
             const Node& node = u_.tree.nodes[n];
             const auto [lo, hi] = plane_.distance_range(node.box);
             // A box that touches the plane may hold faces in the plane, so only > and < decide.
             if (lo > 0.0) {
-                s_.ops.push_back(whole(n, Side::positive));
+                found_.ops.push_back(whole(n, Side::positive));
             } else if (hi < 0.0) {
-                s_.ops.push_back(whole(n, Side::negative));
+                found_.ops.push_back(whole(n, Side::negative));
             } else if (node.is_leaf()) {
-                s_.ops.push_back({TreeOp::Kind::leaf, n, kNone});
+                found_.ops.push_back({TreeOp::Kind::leaf, n, kNone});
                 prefetch(&u_.slots[node.first], node.count * sizeof(Triangle));
             } else {
-                s_.stack.push_back({n, true});
+                stack_.push_back({n, true});
                 visit_later(node.right, false);
                 visit_later(node.left, false);
             }
@@ -78,20 +79,20 @@ private:
     {
         std::size_t ahead = first_op;
         const auto next_leaf = [&] {
-            while (ahead < s_.ops.size() && s_.ops[ahead].kind != TreeOp::Kind::leaf) ++ahead;
-            if (ahead == s_.ops.size()) return;
-            const Node& node = u_.tree.nodes[s_.ops[ahead++].node];
-            for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+            while (ahead < found_.ops.size() && found_.ops[ahead].kind != TreeOp::Kind::leaf) ++ahead;
+            if (ahead == found_.ops.size()) return;
+            const Node& node = u_.tree.nodes[found_.ops[ahead++].node];
+            for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
                 __builtin_prefetch(&u_.vertices[u_.slots[slot][0]]);
                 __builtin_prefetch(&u_.vertices[u_.slots[slot][1]]);
             }
-            prefetch(&u_.face_of_slot[node.first], node.count * sizeof(Index));
+            prefetch(&u_.face_of_slot[node.first], node.count * sizeof(FaceId));
         };
         for (int i = 0; i < kLeavesAhead; ++i) next_leaf();
-        for (std::size_t i = first_op; i < s_.ops.size(); ++i) {
-            if (s_.ops[i].kind != TreeOp::Kind::leaf) continue;
+        for (std::size_t i = first_op; i < found_.ops.size(); ++i) {
+            if (found_.ops[i].kind != TreeOp::Kind::leaf) continue;
             next_leaf();
-            s_.ops[i] = open_leaf(s_.ops[i].node);
+            found_.ops[i] = open_leaf(found_.ops[i].node);
         }
     }
 
@@ -105,23 +106,23 @@ private:
 
     Index target(Side side) const { return first_target(shell_, side); }
 
-    TreeOp whole(Index n, Side side)
+    TreeOp whole(NodeId n, Side side)
     {
         present_[side] = true;
         return {TreeOp::Kind::whole, n, target(side)};
     }
 
-    TreeOp open_leaf(Index n)
+    TreeOp open_leaf(NodeId n)
     {
         const Node& node = u_.tree.nodes[n];
         const Plane plane = plane_;
         const Vertex* const vertices = u_.vertices.data();
-        const std::size_t first_entry = s_.entries.size();
-        s_.entries.resize(first_entry + node.count);
-        LeafEntry* const entries = &s_.entries[first_entry];
+        const std::size_t first_entry = found_.entries.size();
+        found_.entries.resize(first_entry + node.count);
+        LeafEntry* const entries = &found_.entries[first_entry];
         BySide<std::uint32_t> kept{};
         std::uint32_t crossing = 0;
-        for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+        for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
             const Triangle& t = u_.slots[slot];
             const std::array<double, 3> d{plane.signed_distance(vertices[t[0]].position),
                                           plane.signed_distance(vertices[t[1]].position),
@@ -130,7 +131,7 @@ private:
             const bool above = (unsigned{d[0] > 0.0} | unsigned{d[1] > 0.0} | unsigned{d[2] > 0.0}) != 0;
             const bool below = (unsigned{d[0] < 0.0} | unsigned{d[1] < 0.0} | unsigned{d[2] < 0.0}) != 0;
             if (above & below) {
-                entries[slot - node.first] = LeafEntry::to_crossing(static_cast<Index>(s_.crossings.size()));
+                entries[slot - node.first] = LeafEntry::to_crossing(static_cast<Index>(found_.crossings.size()));
                 add_crossing(slot, node.group, t, d);
                 ++crossing;
                 continue;
@@ -145,17 +146,17 @@ private:
                 add_in_plane_edges(u_.face_of_slot[slot], side, t, d, node.group);
         }
         if (crossing == 0 && (kept[Side::negative] == 0 || kept[Side::positive] == 0)) {
-            s_.entries.resize(first_entry);
-            s_.triangles_read += node.count;
+            found_.entries.resize(first_entry);
+            found_.triangles_read += node.count;
             return whole(n, kept[Side::negative] == 0 ? Side::positive : Side::negative);
         }
         for (const Side side : kSides) present_[side] |= crossing > 0 || kept[side] > 0;
         return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)};
     }
 
-    void add_crossing(Index slot, Index group, const Triangle& t, const std::array<double, 3>& d)
+    void add_crossing(SlotId slot, GroupId group, const Triangle& t, const std::array<double, 3>& d)
     {
-        Crossing& c = s_.crossings.add();
+        Crossing& c = found_.crossings.add();
         c.slot = slot;
         c.face = u_.face_of_slot[slot];
         c.group = group;
@@ -164,38 +165,39 @@ private:
         c.bounds_nothing = {};
         c.corner = t;
         c.distance = d;
-        u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + s_.crossings.size() - 1);
+        u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + found_.crossings.size() - 1);
     }
 
     /// Edges in the plane at a face, each once: by the face on the negative side where the two are kept on different
     /// sides, by the one of the smaller half-edge otherwise.
-    void add_in_plane_edges(Index face, Side side, const Triangle& t, const std::array<double, 3>& d, Index group)
+    void add_in_plane_edges(FaceId face, Side side, const Triangle& t, const std::array<double, 3>& d, GroupId group)
     {
-        Index h = u_.mesh.halfedge_of_face(face);
+        HalfedgeId h = u_.mesh.halfedge_of(face);
         for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
             if (d[i] != 0.0 || d[(i + 1) % 3] != 0.0) continue;
-            const Index neighbour = u_.mesh.face(h ^ 1u);
-            const bool is_flush = neighbour == kNone || side_of_face(neighbour) == side;
-            if (is_flush && (neighbour == kNone || h < (h ^ 1u))) s_.flush.push_back({h, face, side, target(side)});
+            const FaceId neighbour = u_.mesh.face(opposite(h));
+            const bool is_flush = !neighbour.is_valid() || side_of_face(neighbour) == side;
+            if (is_flush && (!neighbour.is_valid() || h < opposite(h)))
+                found_.flush.push_back({h, face, side, target(side)});
             if (is_flush || side == Side::positive) continue;
-            s_.in_plane.push_back({h,
-                                   h ^ 1u,
-                                   face,
-                                   neighbour,
-                                   group,
-                                   shell_,
-                                   t[(i + 1) % 3],
-                                   {target(Side::negative), target(Side::positive)}});
+            found_.in_plane.push_back({h,
+                                       opposite(h),
+                                       face,
+                                       neighbour,
+                                       group,
+                                       shell_,
+                                       t[(i + 1) % 3],
+                                       {target(Side::negative), target(Side::positive)}});
         }
     }
 
-    Side side_of_face(Index face) const
+    Side side_of_face(FaceId face) const
     {
         std::array<glm::vec3, 3> p;
         std::array<double, 3> d;
-        Index h = u_.mesh.halfedge_of_face(face);
+        HalfedgeId h = u_.mesh.halfedge_of(face);
         for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
-            p[i] = u_.mesh.point(u_.mesh.from(h));
+            p[i] = u_.mesh.position(u_.mesh.from(h));
             d[i] = plane_.signed_distance(p[i]);
         }
         return kept_side(plane_, p, d);
@@ -204,15 +206,79 @@ private:
     Universe& u_;
     const Plane& plane_;
     const Index shell_;
-    CutScratch& s_;
+    std::vector<std::pair<NodeId, bool>>& stack_;
+    Found& found_;
     BySide<bool> present_{};
 };
 
 }  // namespace
 
-BySide<bool> find(Universe& universe, Index root, const Plane& plane, Index shell_index, CutScratch& scratch)
+Finder::Finder()
 {
-    return Finder(universe, plane, shell_index, scratch).run(root);
+    reserve_touched(stack_, 128);
+}
+
+void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found)
+{
+    for (Index i = 0; i < shells.size(); ++i) {
+        CutShell cut;
+        cut.shell = i;
+        cut.solid = shells[i].solid;
+        cut.connected = shells[i].connected;
+        cut.first_op = found.ops.size();
+        cut.first_flush = found.flush.size();
+        cut.first_in_plane = found.in_plane.size();
+        cut.first_crossing = found.crossings.size();
+        const BySide<bool> present =
+            ShellFinder(universe, plane, static_cast<Index>(found.shells.size()), stack_, found).run(shells[i].root);
+        if (present[Side::negative] && present[Side::positive]) {
+            cut.op_count = found.ops.size() - cut.first_op;
+            cut.crossing_count = found.crossings.size() - cut.first_crossing;
+            cut.flush_count = found.flush.size() - cut.first_flush;
+            cut.in_plane_count = found.in_plane.size() - cut.first_in_plane;
+            found.shells.push_back(cut);
+        } else {
+            found.ops.resize(cut.first_op);
+            found.flush.resize(cut.first_flush);
+            found.whole[present[Side::positive] ? Side::positive : Side::negative].push_back(shells[i]);
+        }
+    }
+}
+
+void Found::reserve(std::size_t crossings_expected)
+{
+    // Leaves that the plane meets hold about sixteen triangles for each one that crosses.
+    reserve_touched(ops, 3 * crossings_expected);
+    reserve_touched(entries, 20 * crossings_expected);
+    crossings.reserve(crossings_expected);
+}
+
+void Found::clear()
+{
+    for (auto& shells_of_side : whole) shells_of_side.clear();
+    shells.clear();
+    ops.clear();
+    entries.clear();
+    crossings.clear();
+    in_plane.clear();
+    flush.clear();
+    nodes_visited = 0;
+    triangles_read = 0;
+}
+
+bool Found::keeps_triangles(Side side) const
+{
+    if (!whole[side].empty()) return true;
+    const auto goes_to_side = [&](Index target) { return side_of_target(target) == side; };
+    const auto splits_to_side = [&](const Crossing& c) {
+        return std::ranges::any_of(c.split.sub_triangles(), [&](const SubTriangle& t) { return t.side == side; });
+    };
+    // The first crossing triangle answers, but for spikes.
+    return std::any_of(crossings.begin(), crossings.end(), splits_to_side) ||
+           std::any_of(ops.begin(), ops.end(),
+                       [&](const TreeOp& op) { return op.kind == TreeOp::Kind::whole && goes_to_side(op.argument); }) ||
+           std::any_of(entries.begin(), entries.end(),
+                       [&](LeafEntry entry) { return !entry.is_crossing() && goes_to_side(entry.target()); });
 }
 
 }  // namespace kerf::halfedge

@@ -13,45 +13,47 @@ std::size_t end_of_entries(const Universe& u, const TreeOp& op)
 
 }  // namespace
 
-std::size_t Rebuilder::plan(Universe& u, CutScratch& s)
+std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& section, const Caps& caps, Pieces& pieces)
 {
-    start_.assign(s.targets.size(), kNone);
+    counted_in_.assign(pieces.targets.size(), kNone);
+    start_.assign(pieces.targets.size(), SlotId());
     std::size_t whole = 0;
-    for (const CutShell& shell : s.cut_shells)
+    for (const CutShell& shell : found.shells)
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
-            const TreeOp& op = s.ops[i];
+            const TreeOp& op = found.ops[i];
             whole += op.kind == TreeOp::Kind::whole;
-            if (op.kind == TreeOp::Kind::leaf) count_leaf(u, op, static_cast<Index>(i), s);
+            if (op.kind == TreeOp::Kind::leaf) count_leaf(u, op, static_cast<Index>(i), found, pieces);
         }
 
     // Negative side first, caps behind the surface of their side.
-    std::uint32_t slot = static_cast<std::uint32_t>(u.slots.size());
+    const SlotId first_slot(static_cast<Index>(u.slots.size()));
+    SlotId slot = first_slot;
     std::size_t nodes = 0;
     for (const Side side : {Side::negative, Side::positive}) {
-        for (Target& t : s.targets) {
+        for (Target& t : pieces.targets) {
             if (t.side != side) continue;
             t.cursor = slot;
-            slot += t.count;
+            slot = slot + t.count;
             nodes += 2 * (t.leaves + TriangleTree::nodes_for_run(t.count));
         }
-        for (PieceShell& b : s.piece_shells) {
+        for (PieceShell& b : pieces.shells) {
             if (b.side != side) continue;
             b.cap_first = b.cap_cursor = slot;
-            slot += b.cap_count;
+            slot = slot + b.cap_count;
             nodes += TriangleTree::nodes_for_run(b.cap_count) + 1;
         }
     }
-    nodes += whole + s.targets.size();
-    new_slots_ = slot - u.slots.size();
-    new_vertices_ = s.new_vertices + (s.caps.empty() ? 0 : 2 * s.loop_points.size());
+    nodes += whole + pieces.targets.size();
+    new_slots_ = slot - first_slot;
+    new_vertices_ = section.new_vertices + (caps.triangles.empty() ? 0 : 2 * section.loop_points.size());
 
     results_.clear();
-    results_.reserve(2 * whole + 4 * s.entries.size() + 16);
+    results_.reserve(2 * whole + 4 * found.entries.size() + 16);
     lengths_.clear();
-    lengths_.reserve(s.ops.size() + 2);
-    touched_.reserve(s.targets.size() + 2);
+    lengths_.reserve(found.ops.size() + 2);
+    touched_.reserve(pieces.targets.size() + 2);
 
-    const std::size_t faces = 2 * s.crossings.size() + 2 * s.caps.size();
+    const std::size_t faces = 2 * found.crossings.size() + 2 * caps.triangles.size();
     std::size_t grown = u.vertices.make_room(new_vertices_) + u.slots.make_room(new_slots_) +
                         u.face_of_slot.make_room(new_slots_) + u.source_of_face.make_room(faces) +
                         u.stamp_of_face.make_room(faces) + u.tree.make_room(nodes);
@@ -59,59 +61,58 @@ std::size_t Rebuilder::plan(Universe& u, CutScratch& s)
     return grown;
 }
 
-void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, CutScratch& s)
+void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, const Found& found, Pieces& pieces)
 {
     const auto count = [&](Index target) {
-        ++s.targets[target].count;
-        if (start_[target] != number) ++s.targets[target].leaves;
-        start_[target] = number;
+        ++pieces.targets[target].count;
+        if (counted_in_[target] != number) ++pieces.targets[target].leaves;
+        counted_in_[target] = number;
     };
     for (std::size_t e = op.argument; e < end_of_entries(u, op); ++e) {
-        if (!s.entries[e].is_crossing()) {
-            count(s.entries[e].target());
+        if (!found.entries[e].is_crossing()) {
+            count(found.entries[e].target());
             continue;
         }
-        const Crossing& c = s.crossings[s.entries[e].crossing()];
+        const Crossing& c = found.crossings[found.entries[e].crossing()];
         for (const SubTriangle& t : c.split.sub_triangles()) count(c.target[t.side]);
     }
 }
 
-void Rebuilder::run(Universe& u, const Plane& plane, const Stitcher& stitcher, CutScratch& s)
+void Rebuilder::run(Universe& u, const Plane& plane, const StitchPlan& numbers, const Found& found,
+                    const Section& section, const Caps& caps, Pieces& pieces)
 {
     // Positions of the new vertices are behind the end already.
-    cap_vertices_ = static_cast<Index>(u.vertices.size() + s.new_vertices);
-    if (!s.caps.empty()) write_cap_vertices(u, plane, s);
+    cap_vertices_ = static_cast<Index>(u.vertices.size() + section.new_vertices);
+    if (!caps.triangles.empty()) write_cap_vertices(u, plane, found, section);
     u.vertices.extend(new_vertices_);
     for (Stream& stream : u.streams) stream.values.extend(new_vertices_ * stream.width);
 
-    const std::size_t faces = 2 * s.crossings.size() + 2 * s.caps.size();
+    const std::size_t faces = 2 * found.crossings.size() + 2 * caps.triangles.size();
     u.stamp_of_face.extend(faces);
     u.source_of_face.extend(faces);
-    for (Index c = 0; c < s.crossings.size(); ++c) {
-        const Index source = u.source_of_face[s.crossings[c].face];
-        u.source_of_face[stitcher.first_piece_face() + 2 * c] = source;
-        u.source_of_face[stitcher.first_piece_face() + 2 * c + 1] = source;
+    for (Index c = 0; c < found.crossings.size(); ++c) {
+        const Index source = u.source_of_face[found.crossings[c].face];
+        for (const FaceId face : numbers.new_faces(c)) u.source_of_face[face] = source;
     }
 
     u.slots.extend(new_slots_);
     u.face_of_slot.extend(new_slots_);
-    first_fresh_node_ = static_cast<Index>(u.tree.nodes.size());
-    std::fill(start_.begin(), start_.end(), kNone);
-    for (const CutShell& shell : s.cut_shells) {
+    first_fresh_node_ = NodeId(static_cast<Index>(u.tree.nodes.size()));
+    for (const CutShell& shell : found.shells) {
         results_.clear();
         lengths_.clear();
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
             constexpr std::size_t kAhead = 8;
-            if (i + kAhead < shell.first_op + shell.op_count && s.ops[i + kAhead].kind == TreeOp::Kind::whole)
-                u.tree.prefetch(s.ops[i + kAhead].node);
-            const TreeOp& op = s.ops[i];
+            if (i + kAhead < shell.first_op + shell.op_count && found.ops[i + kAhead].kind == TreeOp::Kind::whole)
+                u.tree.prefetch(found.ops[i + kAhead].node);
+            const TreeOp& op = found.ops[i];
             switch (op.kind) {
                 case TreeOp::Kind::whole:
                     results_.push_back({op.argument, op.node});
                     lengths_.push_back(1);
                     break;
                 case TreeOp::Kind::leaf:
-                    rewrite_leaf(u, op, stitcher, s);
+                    rewrite_leaf(u, op, numbers, found, pieces);
                     break;
                 case TreeOp::Kind::join:
                     join_results(u);
@@ -124,20 +125,20 @@ void Rebuilder::run(Universe& u, const Plane& plane, const Stitcher& stitcher, C
                     break;
             }
         }
-        for (const Result& result : results_) s.targets[result.target].root = result.node;
+        for (const Result& result : results_) pieces.targets[result.target].root = result.node;
     }
-    for (const Target& t : s.targets)
-        s.piece_shells[t.piece_shell].root = u.tree.join(s.piece_shells[t.piece_shell].root, t.root);
-    write_caps(u, stitcher, s);
+    for (const Target& t : pieces.targets)
+        pieces.shells[t.piece_shell].root = u.tree.join(pieces.shells[t.piece_shell].root, t.root);
+    write_caps(u, numbers, section.loop_points.size(), caps, pieces);
 }
 
-void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const CutScratch& s)
+void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const Found& found, const Section& section)
 {
     const PlaneFrame frame = PlaneFrame::of(plane.normal);
     const glm::vec3 normal(plane.normal);
-    const Index points = static_cast<Index>(s.loop_points.size());
+    const Index points = static_cast<Index>(section.loop_points.size());
     for (Index i = 0; i < points; ++i) {
-        const glm::vec3& p = s.loop_points[i];
+        const glm::vec3& p = section.loop_points[i];
         const glm::vec2 uv = frame.uv(p);
         u.vertices.data()[cap_vertices_ + i] = {p, normal, uv};
         u.vertices.data()[cap_vertices_ + points + i] = {p, -normal, uv};
@@ -145,16 +146,16 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const CutScr
     for (Stream& stream : u.streams)
         for (Index i = 0; i < points; ++i) {
             // What the surface has where the outline edge starts.
-            const OutlineEdgeId outline_edge = s.loop_edges[i];
+            const OutlineEdgeId outline_edge = section.loop_edges[i];
             Index from;
-            if (outline_edge < s.crossings.size()) {
-                const Crossing& c = s.crossings[outline_edge];
+            if (found.is_crossing(outline_edge)) {
+                const Crossing& c = found.crossing(outline_edge);
                 const std::uint8_t code = c.split.section_from;
                 from = code == TriangleSplit::kCutNext       ? c.n_vertex()
                        : code == TriangleSplit::kCutPrevious ? c.p_vertex()
                                                              : c.corner[code];
             } else {
-                from = s.in_plane[outline_edge - s.crossings.size()].start_vertex;
+                from = found.in_plane_edge(outline_edge).start_vertex;
             }
             const float* values = stream.values.data() + std::size_t(from) * stream.width;
             for (const Index copy : {cap_vertices_ + i, cap_vertices_ + points + i})
@@ -162,13 +163,14 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const CutScr
         }
 }
 
-void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Stitcher& stitcher, CutScratch& s)
+void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& numbers, const Found& found,
+                             Pieces& pieces)
 {
     const Node leaf = u.tree.nodes[op.node];
     touched_.clear();
-    const auto emit = [&](Index target, const Triangle& triangle, Index face) {
-        Target& t = s.targets[target];
-        if (start_[target] == kNone) {
+    const auto emit = [&](Index target, const Triangle& triangle, FaceId face) {
+        Target& t = pieces.targets[target];
+        if (!start_[target].is_valid()) {
             start_[target] = t.cursor;
             touched_.push_back(target);
         }
@@ -177,29 +179,30 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Stitcher& stit
         ++t.cursor;
     };
     for (Index i = 0; i < leaf.count; ++i) {
-        const LeafEntry entry = s.entries[op.argument + i];
+        const LeafEntry entry = found.entries[op.argument + i];
         if (!entry.is_crossing()) {
             emit(entry.target(), u.slots[leaf.first + i], u.face_of_slot[leaf.first + i]);
             continue;
         }
         const Index number = entry.crossing();
-        const Crossing& c = s.crossings[number];
+        const Crossing& c = found.crossings[number];
         const auto vertex = [&](std::uint8_t code) {
             if (code == TriangleSplit::kCutNext) return c.n_vertex();
             if (code == TriangleSplit::kCutPrevious) return c.p_vertex();
             return c.corner[code];
         };
-        for (const Stitcher::SubFace& piece : Stitcher::sub_faces(c, number, stitcher.first_piece_face()))
-            if (piece.exists)
-                emit(c.target[piece.side],
-                     {vertex(piece.corners[0]), vertex(piece.corners[1]), vertex(piece.corners[2])}, piece.face);
+        for (const SubFace& sub : numbers.sub_faces(c, number))
+            if (sub.exists)
+                emit(c.target[sub.side], {vertex(sub.corners[0]), vertex(sub.corners[1]), vertex(sub.corners[2])},
+                     sub.face);
     }
     std::sort(touched_.begin(), touched_.end());
     for (const Index target : touched_) {
-        const std::uint32_t first = start_[target], count = s.targets[target].cursor - first;
-        start_[target] = kNone;
-        const Index node = count <= kMaxLeafTriangles ? u.tree.make_leaf(u.geometry(), first, count, leaf.group)
-                                                      : u.tree.make_run(u.geometry(), first, count, leaf.group);
+        const SlotId first = start_[target];
+        const std::uint32_t count = pieces.targets[target].cursor - first;
+        start_[target] = SlotId();
+        const NodeId node = count <= kMaxLeafTriangles ? u.tree.make_leaf(u.geometry(), first, count, leaf.group)
+                                                       : u.tree.make_run(u.geometry(), first, count, leaf.group);
         results_.push_back({target, node});
     }
     lengths_.push_back(static_cast<std::uint32_t>(touched_.size()));
@@ -209,7 +212,7 @@ void Rebuilder::join_results(Universe& u)
 {
     const std::uint32_t right_count = lengths_.back(), left_count = lengths_[lengths_.size() - 2];
     lengths_.pop_back();
-    const auto combine = [&](Index left, Index right) {
+    const auto combine = [&](NodeId left, NodeId right) {
         const Node &l = u.tree.nodes[left], &r = u.tree.nodes[right];
         if (left >= first_fresh_node_ && right >= first_fresh_node_ && l.is_leaf() && r.is_leaf() &&
             l.group == r.group && l.first + l.count == r.first && l.count + r.count <= kMaxLeafTriangles)
@@ -238,24 +241,24 @@ void Rebuilder::join_results(Universe& u)
     lengths_.back() = static_cast<std::uint32_t>(merged);
 }
 
-void Rebuilder::write_caps(Universe& u, const Stitcher& stitcher, CutScratch& s)
+void Rebuilder::write_caps(Universe& u, const StitchPlan& numbers, std::size_t points, const Caps& caps, Pieces& pieces)
 {
-    const Index positive_vertices = cap_vertices_ + static_cast<Index>(s.loop_points.size());
-    for (const Index t : s.cap_order) {
-        const CapTriangle& cap = s.caps[t];
+    const Index positive_vertices = cap_vertices_ + static_cast<Index>(points);
+    for (const Index t : caps.order) {
+        const CapTriangle& cap = caps.triangles[t];
         for (const Side side : {Side::negative, Side::positive}) {
-            PieceShell& b = s.piece_shells[s.cap_piece_shell[t][side]];
-            const Index slot = b.cap_cursor++;
+            PieceShell& b = pieces.shells[caps.piece_shells[t][side]];
+            const SlotId slot = b.cap_cursor++;
             u.slots[slot] = side == Side::negative
                                 ? Triangle{cap_vertices_ + cap.corner[0], cap_vertices_ + cap.corner[1],
                                            cap_vertices_ + cap.corner[2]}
                                 : Triangle{positive_vertices + cap.corner[0], positive_vertices + cap.corner[2],
                                            positive_vertices + cap.corner[1]};
-            u.face_of_slot[slot] = stitcher.cap_face(side, t);
-            u.source_of_face[stitcher.cap_face(side, t)] = kNoSource;
+            u.face_of_slot[slot] = numbers.cap_face(side, t);
+            u.source_of_face[numbers.cap_face(side, t)] = kNoSource;
         }
     }
-    for (PieceShell& b : s.piece_shells)
+    for (PieceShell& b : pieces.shells)
         b.root = u.tree.join(b.root, u.tree.make_run(u.geometry(), b.cap_first, b.cap_count, b.cap_group));
 }
 

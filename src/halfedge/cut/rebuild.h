@@ -1,45 +1,50 @@
 #pragma once
 
-#include "halfedge/cut/cut_plan.h"
-#include "halfedge/cut/stitch.h"
+#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/stitch_plan.h"
 
 namespace kerf::halfedge {
 
-/// REBUILD: the trees and the index buffer of both sides. Subtrees that the plane does not meet are handed over by
-/// reference; leaves that it meets are written anew at the end of the index buffer, side by side, so that each side's
-/// new triangles lie in one run. O(k + s log n) for s straddling leaves.
+/// REBUILD: makes the trees and the index buffer of both sides. Subtrees that the plane does not meet are handed over
+/// by reference. Leaves that it meets are written anew at the end of the index buffer; each side's new triangles lie in
+/// one run there. O(k + s log n) for s leaves that the plane meets.
 ///
 /// plan() may throw std::bad_alloc; run() can't fail.
 class Rebuilder
 {
 public:
     /// Counts what goes where and makes room for it. Returns the bytes grown.
-    std::size_t plan(Universe& universe, CutScratch& scratch);
+    std::size_t plan(Universe& universe, const Found& found, const Section& section, const Caps& caps, Pieces& pieces);
 
-    /// Writes triangles, vertices of caps and nodes; afterwards `piece_shells` have their roots.
-    void run(Universe& universe, const Plane& plane, const Stitcher& stitcher, CutScratch& scratch);
+    /// Writes triangles, vertices of caps and nodes; afterwards the piece shells have their roots.
+    void run(Universe& universe, const Plane& plane, const StitchPlan& numbers, const Found& found,
+             const Section& section, const Caps& caps, Pieces& pieces);
 
-    /// What run() added.
+    /// Counts of what run() added.
     std::size_t new_vertices() const { return new_vertices_; }
     std::size_t new_slots() const { return new_slots_; }
 
 private:
-    void count_leaf(const Universe& universe, const TreeOp& op, Index number, CutScratch& scratch);
-    void write_cap_vertices(Universe& universe, const Plane& plane, const CutScratch& scratch);
-    void rewrite_leaf(Universe& universe, const TreeOp& op, const Stitcher& stitcher, CutScratch& scratch);
+    void count_leaf(const Universe& universe, const TreeOp& op, Index number, const Found& found, Pieces& pieces);
+    void write_cap_vertices(Universe& universe, const Plane& plane, const Found& found, const Section& section);
+    void rewrite_leaf(Universe& universe, const TreeOp& op, const StitchPlan& numbers, const Found& found,
+                      Pieces& pieces);
     void join_results(Universe& universe);
-    void write_caps(Universe& universe, const Stitcher& stitcher, CutScratch& scratch);
+    void write_caps(Universe& universe, const StitchPlan& numbers, std::size_t points, const Caps& caps,
+                    Pieces& pieces);
 
     struct Result
     {
-        Index target, node;
+        Index target;
+        NodeId node;
     };
     std::vector<Result> results_;         // lists of results, one behind the other, each sorted by target
     std::vector<std::uint32_t> lengths_;  // of the lists
     std::vector<Index> touched_;          // targets that a leaf has parts in
-    std::vector<std::uint32_t> start_;    // of each target in the leaf
+    std::vector<Index> counted_in_;       // the last leaf that each target has a part in, by the number of its step
+    std::vector<SlotId> start_;           // of each target in the leaf
     std::size_t new_vertices_ = 0, new_slots_ = 0;
-    Index first_fresh_node_ = 0;
+    NodeId first_fresh_node_;
     Index cap_vertices_ = 0;  // first vertex of the caps: negative side, then positive side
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "halfedge/universe/huge_pages.h"
+#include "halfedge/universe/ids.h"
 
 namespace kerf::halfedge {
 
@@ -18,7 +19,9 @@ namespace kerf::halfedge {
 ///
 /// Behind the touched memory lies as much again that is only asked for: it costs addresses, not memory. When room runs
 /// out it is touched bit by bit, so that the cost of growth depends on what is added, not on what is there.
-template <class T>
+///
+/// Key: what an element is found by, a number or an id.
+template <class T, class Key = std::size_t>
 class AppendBuffer
 {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -51,8 +54,8 @@ public:
     bool empty() const { return size_ == 0; }
     T* data() { return data_; }
     const T* data() const { return data_; }
-    T& operator[](std::size_t i) { return data_[i]; }
-    const T& operator[](std::size_t i) const { return data_[i]; }
+    T& operator[](Key key) { return data_[number_of(key)]; }
+    const T& operator[](Key key) const { return data_[number_of(key)]; }
     T* begin() { return data_; }
     T* end() { return data_ + size_; }
     const T* begin() const { return data_; }

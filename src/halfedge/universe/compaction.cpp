@@ -45,10 +45,11 @@ private:
 /// Slots of one shell and group that follow one another in the tree's order.
 struct Segment
 {
-    Index group, shell;
+    GroupId group;
+    Index shell;
     std::span<const TriangleTree::Run> runs;
     std::uint32_t count = 0;  ///< triangles
-    Index root = kNone;       ///< of the copy
+    NodeId root;              ///< of the copy
 };
 
 /// The segments of some shells, in the tree's order.
@@ -65,7 +66,7 @@ public:
             for (const TriangleTree::Run& run : runs_of_shell) {
                 if (list_.empty() || list_.back().shell != s || list_.back().group != run.group) {
                     first_run.push_back(runs_.size());
-                    list_.push_back({run.group, s, {}, 0, kNone});
+                    list_.push_back({run.group, s, {}, 0, {}});
                 }
                 list_.back().count += run.count;
                 runs_.push_back(run);
@@ -90,18 +91,18 @@ std::vector<Segment*> in_drawing_order(const Universe& u, std::vector<Segment>& 
     order.reserve(segments.size());
     for (Segment& segment : segments) order.push_back(&segment);
     std::stable_sort(order.begin(), order.end(), [&](const Segment* a, const Segment* b) {
-        return a->group != b->group && draws_before(u.groups[a->group], u.groups[b->group]);
+        return a->group != b->group && draws_before(u.group(a->group), u.group(b->group));
     });
     return order;
 }
 
 /// The balanced tree over segments of one shell, in their order.
-Index join_all(TriangleTree& tree, std::span<const Segment> segments)
+NodeId join_all(TriangleTree& tree, std::span<const Segment> segments)
 {
-    if (segments.empty()) return kNone;
+    if (segments.empty()) return {};
     if (segments.size() == 1) return segments.front().root;
     const std::size_t half = segments.size() / 2;
-    const Index left = join_all(tree, segments.first(half));
+    const NodeId left = join_all(tree, segments.first(half));
     return tree.join(left, join_all(tree, segments.subspan(half)));
 }
 
@@ -109,31 +110,38 @@ Index join_all(TriangleTree& tree, std::span<const Segment> segments)
 struct Copied
 {
     Renumbering vertices, points, edges;
-    std::vector<Index> old_face;
+    std::vector<FaceId> old_face;
 
     Copied(const Universe& u, std::size_t triangles)
         : vertices(u.vertices.size(), triangles),
-          points(u.mesh.vertices(), triangles),
+          points(u.mesh.points(), triangles),
           edges(u.mesh.edges(), 2 * triangles)
     {
         old_face.reserve(triangles);
     }
-    Index halfedge(Index old) { return 2 * edges(old / 2) + (old & 1u); }
+    PointId point(PointId old) { return PointId(int(points(number_of(old)))); }
+    EdgeId edge(EdgeId old) { return EdgeId(int(edges(number_of(old)))); }
+    HalfedgeId halfedge(HalfedgeId old)
+    {
+        const HalfedgeId first = first_halfedge(edge(edge_of(old)));
+        return old == first_halfedge(edge_of(old)) ? first : opposite(first);
+    }
 };
 
 /// Writes the triangles to `slots`, which has room for them.
-void copy_triangles(const Universe& u, std::span<Segment* const> order, AppendBuffer<Triangle>& slots, Copied& copied)
+void copy_triangles(const Universe& u, std::span<Segment* const> order, AppendBuffer<Triangle, SlotId>& slots,
+                    Copied& copied)
 {
     for (const Segment* segment : order)
         for (const TriangleTree::Run& run : segment->runs)
-            for (Index slot = run.first; slot < run.first + run.count; ++slot) {
-                const Index face = u.face_of_slot[slot];
+            for (SlotId slot = run.first; slot < run.first + run.count; ++slot) {
+                const FaceId face = u.face_of_slot[slot];
                 Triangle triangle;
-                Index h = u.mesh.halfedge_of_face(face);
+                HalfedgeId h = u.mesh.halfedge_of(face);
                 for (std::size_t c = 0; c < 3; ++c, h = u.mesh.next(h)) {
                     triangle[c] = copied.vertices(u.slots[slot][c]);
-                    static_cast<void>(copied.points(u.mesh.from(h)));
-                    static_cast<void>(copied.edges(h / 2));
+                    static_cast<void>(copied.point(u.mesh.from(h)));
+                    static_cast<void>(copied.edge(edge_of(h)));
                 }
                 slots.push(triangle);
                 copied.old_face.push_back(face);
@@ -142,24 +150,24 @@ void copy_triangles(const Universe& u, std::span<Segment* const> order, AppendBu
 
 void copy_connectivity(const Universe& u, Copied& copied, SurfaceMesh& mesh)
 {
-    for (Index f = 0; f < copied.old_face.size(); ++f) {
-        std::array<Index, 3> h;
-        h[0] = u.mesh.halfedge_of_face(copied.old_face[f]);
+    for (std::size_t f = 0; f < copied.old_face.size(); ++f) {
+        std::array<HalfedgeId, 3> h;
+        h[0] = u.mesh.halfedge_of(copied.old_face[f]);
         h[1] = u.mesh.next(h[0]);
         h[2] = u.mesh.next(h[1]);
-        mesh.set_triangle(f, copied.halfedge(h[0]), copied.halfedge(h[1]), copied.halfedge(h[2]));
-        for (const Index old : h) {
-            mesh.set_to(copied.halfedge(old), copied.points(u.mesh.to(old)));
-            const Index across = u.mesh.opposite(old);
+        mesh.set_triangle(FaceId(int(f)), copied.halfedge(h[0]), copied.halfedge(h[1]), copied.halfedge(h[2]));
+        for (const HalfedgeId old : h) {
+            mesh.set_to(copied.halfedge(old), copied.point(u.mesh.to(old)));
+            const HalfedgeId across = opposite(old);
             if (!u.mesh.is_boundary(across)) continue;
-            mesh.set_to(copied.halfedge(across), copied.points(u.mesh.to(across)));
+            mesh.set_to(copied.halfedge(across), copied.point(u.mesh.to(across)));
             mesh.link(copied.halfedge(across), copied.halfedge(u.mesh.next(across)));
         }
     }
-    for (Index p = 0; p < copied.points.size(); ++p) {
-        const Index old = copied.points.old()[p];
-        mesh.set_halfedge_of_vertex(p, copied.halfedge(u.mesh.halfedge_of_vertex(old)));
-        mesh.set_point(p, u.mesh.point(old));
+    for (std::size_t p = 0; p < copied.points.size(); ++p) {
+        const PointId old(int(copied.points.old()[p])), point{int(p)};
+        mesh.set_halfedge_of(point, copied.halfedge(u.mesh.halfedge_of(old)));
+        mesh.set_position(point, u.mesh.position(old));
     }
 }
 
@@ -174,12 +182,12 @@ void copy_vertices(const Universe& u, std::span<const Index> old_vertices, Unive
     }
 }
 
-void copy_faces(const Universe& u, std::span<const Index> old_face, Universe& v)
+void copy_faces(const Universe& u, std::span<const FaceId> old_face, Universe& v)
 {
     v.stamp_of_face.set_size(old_face.size());
     std::fill(v.stamp_of_face.begin(), v.stamp_of_face.end(), Index(0));
-    for (Index f = 0; f < old_face.size(); ++f) {
-        v.face_of_slot.push(f);
+    for (std::size_t f = 0; f < old_face.size(); ++f) {
+        v.face_of_slot.push(FaceId(int(f)));
         v.source_of_face.push(u.source_of_face[old_face[f]]);
     }
 }
@@ -188,10 +196,10 @@ void copy_faces(const Universe& u, std::span<const Index> old_face, Universe& v)
 void plant_trees(std::span<Segment* const> order, std::span<const Segment> segments, std::span<ShellRoot> shells,
                  Universe& v)
 {
-    std::uint32_t first = 0;
+    SlotId first(0);
     for (Segment* segment : order) {
         segment->root = v.tree.make_run(v.geometry(), first, segment->count, segment->group);
-        first += segment->count;
+        first = first + segment->count;
     }
     for (std::size_t begin = 0, end; begin < segments.size(); begin = end) {
         end = begin;

@@ -8,13 +8,13 @@ namespace kerf::halfedge {
 IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
 {
     // Leaves by group, in the order in which groups are drawn; the tree's order within a group.
-    std::vector<std::vector<Index>> slots_of_group(u.groups.size());
+    std::vector<std::vector<SlotId>> slots_of_group(u.groups.size());
     std::size_t triangles = 0;
     for (const ShellRoot& shell : shells) {
         std::vector<TriangleTree::Run> runs;
         u.tree.append_runs(shell.root, runs);
         for (const TriangleTree::Run& run : runs) {
-            for (Index i = 0; i < run.count; ++i) slots_of_group[run.group].push_back(run.first + i);
+            for (Index i = 0; i < run.count; ++i) slots_of_group[run.group.number()].push_back(run.first + i);
             triangles += run.count;
         }
     }
@@ -30,7 +30,7 @@ IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
     mesh.sources.reserve(triangles);
     for (const Stream& stream : u.streams) mesh.streams.push_back({stream.name, stream.width, {}});
 
-    std::vector<Index> new_vertex(u.vertices.size(), kNone), new_point(u.mesh.vertices(), kNone);
+    std::vector<Index> new_vertex(u.vertices.size(), kNone), new_point(u.mesh.points(), kNone);
     // A vertex at which the surface fell apart belongs to several points: one copy for each.
     std::map<std::pair<Index, Index>, Index> copies;
     const auto add_vertex = [&](Index vertex, Index point) {
@@ -42,8 +42,8 @@ IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
         }
         return static_cast<Index>(mesh.vertices.size() - 1);
     };
-    const auto vertex_at = [&](Index vertex, Index halfedge_vertex) {
-        Index& point = new_point[halfedge_vertex];
+    const auto vertex_at = [&](Index vertex, PointId old_point) {
+        Index& point = new_point[number_of(old_point)];
         if (point == kNone) point = mesh.point_count++;
         Index& first = new_vertex[vertex];
         if (first == kNone) first = add_vertex(vertex, point);
@@ -56,9 +56,9 @@ IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
         const DrawGroup& group = u.groups[g];
         mesh.groups.push_back({static_cast<Index>(mesh.triangles.size()), static_cast<Index>(slots_of_group[g].size()),
                                group.material, group.solid, group.kind});
-        for (const Index slot : slots_of_group[g]) {
-            const Index face = u.face_of_slot[slot];
-            Index h = u.mesh.halfedge_of_face(face);
+        for (const SlotId slot : slots_of_group[g]) {
+            const FaceId face = u.face_of_slot[slot];
+            HalfedgeId h = u.mesh.halfedge_of(face);
             Triangle triangle;
             for (std::size_t c = 0; c < 3; ++c, h = u.mesh.next(h))
                 triangle[c] = vertex_at(u.slots[slot][c], u.mesh.from(h));

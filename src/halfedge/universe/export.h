@@ -8,14 +8,14 @@ namespace kerf::halfedge {
 
 /// Calls visit(slot) for each slot under a root, in tree order.
 template <class Visit>
-void for_each_slot(const Universe& universe, Index root, Visit visit)
+void for_each_slot(const Universe& universe, NodeId root, Visit visit)
 {
-    std::vector<Index> stack{root};
+    std::vector<NodeId> stack{root};
     while (!stack.empty()) {
         const Node& node = universe.tree.nodes[stack.back()];
         stack.pop_back();
         if (node.is_leaf()) {
-            for (Index slot = node.first; slot < node.first + node.count; ++slot) visit(slot);
+            for (SlotId slot = node.first; slot < node.first + node.count; ++slot) visit(slot);
         } else {
             stack.push_back(node.right);
             stack.push_back(node.left);

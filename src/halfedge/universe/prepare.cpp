@@ -93,35 +93,38 @@ std::vector<Index> spatial_order(const IndexedMesh& mesh, const std::vector<Inde
 }
 
 /// Builds connectivity without a search: faces, edges in the order of their first half-edge, the linked boundary.
-void build_connectivity(Universe& u, const std::vector<Triangle>& points, std::span<const Index> opposite)
+void build_connectivity(Universe& u, const std::vector<Triangle>& points, std::span<const Index> opposites)
 {
     SurfaceMesh& mesh = u.mesh;
-    std::vector<Index> id(opposite.size());
-    Index edges = 0;
-    for (Index h = 0; h < opposite.size(); ++h) {
-        if (opposite[h] != kNone && opposite[h] < h) {
-            id[h] = id[opposite[h]] ^ 1u;
+    std::vector<HalfedgeId> of_corner(opposites.size());
+    int edges = 0;
+    for (Index c = 0; c < opposites.size(); ++c) {
+        if (opposites[c] != kNone && opposites[c] < c) {
+            of_corner[c] = opposite(of_corner[opposites[c]]);
         } else {
-            id[h] = 2 * edges++;
+            of_corner[c] = first_halfedge(EdgeId(edges++));
         }
     }
-    for (Index f = 0; f < points.size(); ++f) {
-        const Index* h = &id[std::size_t{3} * f];
-        mesh.set_triangle(f, h[0], h[1], h[2]);
-        for (Index c = 0; c < 3; ++c) {
-            mesh.set_to(h[c], points[f][c == 2 ? 0 : c + 1]);
-            mesh.set_halfedge_of_vertex(points[f][c], h[c]);
+    const auto point_at = [&](std::size_t triangle, std::size_t corner) {
+        return PointId(int(points[triangle][corner % 3]));
+    };
+    for (std::size_t f = 0; f < points.size(); ++f) {
+        const HalfedgeId* h = &of_corner[3 * f];
+        mesh.set_triangle(FaceId(int(f)), h[0], h[1], h[2]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            mesh.set_to(h[c], point_at(f, c + 1));
+            mesh.set_halfedge_of(point_at(f, c), h[c]);
         }
     }
-    std::vector<Index> boundary;
-    for (Index h = 0; h < opposite.size(); ++h) {
-        if (opposite[h] != kNone) continue;
-        const Index outer = id[h] ^ 1u;
-        mesh.set_to(outer, points[h / 3][h % 3]);
-        mesh.set_halfedge_of_vertex(mesh.to(id[h]), outer);
+    std::vector<HalfedgeId> boundary;
+    for (std::size_t c = 0; c < opposites.size(); ++c) {
+        if (opposites[c] != kNone) continue;
+        const HalfedgeId outer = opposite(of_corner[c]);
+        mesh.set_to(outer, point_at(c / 3, c));
+        mesh.set_halfedge_of(mesh.to(of_corner[c]), outer);
         boundary.push_back(outer);
     }
-    for (const Index h : boundary) mesh.link(h, mesh.halfedge_of_vertex(mesh.to(h)));
+    for (const HalfedgeId h : boundary) mesh.link(h, mesh.halfedge_of(mesh.to(h)));
 }
 
 /// Vertices and points, numbered in the order of their first use.
@@ -133,7 +136,8 @@ struct Numbering
 };
 
 /// Writes the triangles to `slots`, which is empty.
-Numbering number_by_first_use(const IndexedMesh& mesh, std::span<const Index> order, AppendBuffer<Triangle>& slots)
+Numbering number_by_first_use(const IndexedMesh& mesh, std::span<const Index> order,
+                              AppendBuffer<Triangle, SlotId>& slots)
 {
     Numbering numbering;
     std::vector<Index> new_vertex(mesh.vertices.size(), kNone), new_point(mesh.point_count, kNone);
@@ -148,7 +152,7 @@ Numbering number_by_first_use(const IndexedMesh& mesh, std::span<const Index> or
                 new_vertex[t[c]] = static_cast<Index>(numbering.old_vertex.size());
                 numbering.old_vertex.push_back(t[c]);
             }
-            slots[i][c] = new_vertex[t[c]];
+            slots[SlotId(Index(i))][c] = new_vertex[t[c]];
             Index& point = new_point[mesh.points[t[c]]];
             if (point == kNone) point = numbering.point_count++;
             numbering.corner_points[i][c] = point;
@@ -181,9 +185,12 @@ void copy_faces(const IndexedMesh& mesh, std::span<const Index> order, std::span
     u.source_of_face.set_size(order.size());
     u.stamp_of_face.set_size(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        u.face_of_slot[i] = static_cast<Index>(i);
-        u.source_of_face[i] = mesh.sources[order[i]];
-        for (std::size_t c = 0; c < 3; ++c) u.mesh.set_point(corner_points[i][c], u.vertices[u.slots[i][c]].position);
+        const SlotId slot(static_cast<Index>(i));
+        const FaceId face(static_cast<int>(i));
+        u.face_of_slot[slot] = face;
+        u.source_of_face[face] = mesh.sources[order[i]];
+        for (std::size_t c = 0; c < 3; ++c)
+            u.mesh.set_position(PointId(int(corner_points[i][c])), u.vertices[u.slots[slot][c]].position);
     }
 }
 
@@ -212,7 +219,8 @@ std::vector<ShellRoot> plant_trees(std::span<const Run> runs, Index shell_count,
     std::vector<ShellRoot> roots(shell_count);
     for (const Run& run : runs) {
         ShellRoot& shell = roots[run.shell];
-        shell.root = u.tree.join(shell.root, u.tree.make_run(u.geometry(), run.first, run.count, run.group));
+        const SlotId first(run.first);
+        shell.root = u.tree.join(shell.root, u.tree.make_run(u.geometry(), first, run.count, GroupId(run.group)));
         shell.solid = u.groups[run.group].solid;
     }
     return roots;

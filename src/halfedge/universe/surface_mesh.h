@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "common/mesh/index.h"
+#include "halfedge/universe/ids.h"
 
-// The half-edge mesh behind the back end: OpenMesh for connectivity and positions, nothing else. Indices are plain
-// 32-bit numbers outside this file, because the rest of the universe is arrays that run parallel to OpenMesh's.
+// The half-edge mesh behind the back end: OpenMesh for connectivity and positions, nothing else. What else is known of
+// faces lies in arrays of the universe that run parallel to OpenMesh's.
 
 namespace kerf::halfedge {
 
@@ -21,43 +21,36 @@ struct SurfaceTraits : OpenMesh::DefaultTraits
     FaceAttributes(0);
 };
 
-/// OpenMesh with index types. The opposite of half-edge h is h ^ 1. A half-edge without a face lies on the boundary.
+/// OpenMesh, as far as it is needed. A half-edge without a face lies on the boundary.
 class SurfaceMesh
 {
 public:
-    Index opposite(Index h) const { return h ^ 1u; }
-    Index next(Index h) const { return index(mesh_.next_halfedge_handle(halfedge(h))); }
-    Index prev(Index h) const { return index(mesh_.prev_halfedge_handle(halfedge(h))); }
-    Index to(Index h) const { return index(mesh_.to_vertex_handle(halfedge(h))); }
-    Index from(Index h) const { return to(h ^ 1u); }
-    Index face(Index h) const { return index(mesh_.face_handle(halfedge(h))); }
-    Index halfedge_of_face(Index f) const { return index(mesh_.halfedge_handle(OpenMesh::FaceHandle(int(f)))); }
-    Index halfedge_of_vertex(Index v) const { return index(mesh_.halfedge_handle(OpenMesh::VertexHandle(int(v)))); }
-    bool is_boundary(Index h) const { return face(h) == kNone; }
-    glm::vec3 point(Index v) const
+    HalfedgeId next(HalfedgeId h) const { return mesh_.next_halfedge_handle(h); }
+    HalfedgeId prev(HalfedgeId h) const { return mesh_.prev_halfedge_handle(h); }
+    PointId to(HalfedgeId h) const { return mesh_.to_vertex_handle(h); }
+    PointId from(HalfedgeId h) const { return to(opposite(h)); }
+    FaceId face(HalfedgeId h) const { return mesh_.face_handle(h); }
+    HalfedgeId halfedge_of(FaceId f) const { return mesh_.halfedge_handle(f); }
+    HalfedgeId halfedge_of(PointId p) const { return mesh_.halfedge_handle(p); }
+    bool is_boundary(HalfedgeId h) const { return !face(h).is_valid(); }
+    glm::vec3 position(PointId point) const
     {
-        const auto& p = mesh_.point(OpenMesh::VertexHandle(int(v)));
+        const auto& p = mesh_.point(point);
         return {p[0], p[1], p[2]};
     }
 
-    void prefetch_face(Index f) const { __builtin_prefetch(&mesh_.face(OpenMesh::FaceHandle(int(f)))); }
-    void prefetch_halfedge(Index h) const { __builtin_prefetch(&mesh_.edge(OpenMesh::EdgeHandle(int(h >> 1)))); }
+    void prefetch(FaceId f) const { __builtin_prefetch(&mesh_.face(f)); }
+    void prefetch(HalfedgeId h) const { __builtin_prefetch(&mesh_.edge(edge_of(h))); }
 
-    void link(Index h, Index next) { mesh_.set_next_halfedge_handle(halfedge(h), halfedge(next)); }
-    void set_to(Index h, Index v) { mesh_.set_vertex_handle(halfedge(h), OpenMesh::VertexHandle(int(v))); }
-    void set_face(Index h, Index f) { mesh_.set_face_handle(halfedge(h), OpenMesh::FaceHandle(int(f))); }
-    void set_halfedge_of_face(Index f, Index h)
-    {
-        mesh_.set_halfedge_handle(OpenMesh::FaceHandle(int(f)), halfedge(h));
-    }
-    void set_halfedge_of_vertex(Index v, Index h)
-    {
-        mesh_.set_halfedge_handle(OpenMesh::VertexHandle(int(v)), halfedge(h));
-    }
-    void set_point(Index v, const glm::vec3& p) { mesh_.set_point(OpenMesh::VertexHandle(int(v)), {p.x, p.y, p.z}); }
+    void link(HalfedgeId h, HalfedgeId next) { mesh_.set_next_halfedge_handle(h, next); }
+    void set_to(HalfedgeId h, PointId p) { mesh_.set_vertex_handle(h, p); }
+    void set_face(HalfedgeId h, FaceId f) { mesh_.set_face_handle(h, f); }
+    void set_halfedge_of(FaceId f, HalfedgeId h) { mesh_.set_halfedge_handle(f, h); }
+    void set_halfedge_of(PointId p, HalfedgeId h) { mesh_.set_halfedge_handle(p, h); }
+    void set_position(PointId point, const glm::vec3& p) { mesh_.set_point(point, {p.x, p.y, p.z}); }
 
     /// Makes face f of three half-edges in order; the first one is that of corner 0.
-    void set_triangle(Index f, Index a, Index b, Index c)
+    void set_triangle(FaceId f, HalfedgeId a, HalfedgeId b, HalfedgeId c)
     {
         link(a, b);
         link(b, c);
@@ -65,23 +58,23 @@ public:
         set_face(a, f);
         set_face(b, f);
         set_face(c, f);
-        set_halfedge_of_face(f, a);
+        set_halfedge_of(f, a);
     }
 
-    std::size_t vertices() const { return mesh_.n_vertices(); }
+    std::size_t points() const { return mesh_.n_vertices(); }
     std::size_t edges() const { return mesh_.n_edges(); }
     std::size_t faces() const { return mesh_.n_faces(); }
 
     /// Sets the sizes. Within reserved room it cannot fail and costs O(added elements).
-    void resize(std::size_t vertices, std::size_t edges, std::size_t faces) { mesh_.resize(vertices, edges, faces); }
+    void resize(std::size_t points, std::size_t edges, std::size_t faces) { mesh_.resize(points, edges, faces); }
 
     /// Makes room for so many elements in all and touches it. As in AppendBuffer, memory for as much again is asked for
     /// but not touched. Throws std::bad_alloc.
-    void reserve(std::size_t vertices, std::size_t edges, std::size_t faces);
+    void reserve(std::size_t points, std::size_t edges, std::size_t faces);
 
     /// Makes room for more elements; returns the bytes by which the arrays grew. O(added elements), unless the memory
     /// that was asked for is used up.
-    std::size_t make_room(std::size_t vertices, std::size_t edges, std::size_t faces);
+    std::size_t make_room(std::size_t points, std::size_t edges, std::size_t faces);
 
     std::size_t bytes_reserved() const;
 
@@ -92,12 +85,9 @@ public:
     SurfaceMesh& operator=(SurfaceMesh&&) = default;
 
 private:
-    static OpenMesh::HalfedgeHandle halfedge(Index h) { return OpenMesh::HalfedgeHandle(int(h)); }
-    static Index index(const OpenMesh::BaseHandle& handle) { return Index(handle.idx()); }
-
     struct Sizes
     {
-        std::size_t vertices = 0, edges = 0, faces = 0;
+        std::size_t points = 0, edges = 0, faces = 0;
     };
     void ask_for(const Sizes& wanted);
 
@@ -108,13 +98,13 @@ private:
 /// Visits the half-edges that leave the origin of `start`, each once, by rotating around it. Stops at a boundary in
 /// both directions. `visit(h)` gets half-edges that have a face, and the one boundary half-edge that leaves, if any.
 template <class Visit>
-void for_each_outgoing(const SurfaceMesh& mesh, Index start, Visit visit)
+void for_each_outgoing(const SurfaceMesh& mesh, HalfedgeId start, Visit visit)
 {
-    Index h = start;
+    HalfedgeId h = start;
     if (!mesh.is_boundary(h)) {
         do {
             visit(h);
-            h = mesh.prev(h) ^ 1u;
+            h = opposite(mesh.prev(h));
         } while (h != start && !mesh.is_boundary(h));
         if (h == start) return;
         visit(h);
@@ -122,11 +112,11 @@ void for_each_outgoing(const SurfaceMesh& mesh, Index start, Visit visit)
         visit(h);
     }
     // The other way round: from the opposite of `start` onwards.
-    h = start ^ 1u;
+    h = opposite(start);
     while (!mesh.is_boundary(h)) {
         h = mesh.next(h);
         visit(h);
-        h ^= 1u;
+        h = opposite(h);
     }
 }
 

@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <limits>
 
 #include "common/cutting/cut_geometry.h"
+#include "common/mesh/four_floats.h"
 
 namespace kerf::halfedge {
 
 namespace {
 
 constexpr std::size_t kLines = kSupportDirections / 2;  // directions come in opposite pairs, i and i + kLines
-constexpr std::size_t kLanes = 4;
-
-// Four floats: what every x86-64 and every 64-bit ARM computes in one step.
-using Four = float __attribute__((vector_size(16)));
 
 /// One of each pair of directions, four at a time.
 struct Lines
@@ -39,24 +35,6 @@ const Lines& lines()
     return table;
 }
 
-Four load(const float* p)
-{
-    Four four;
-    std::memcpy(&four, p, sizeof four);
-    return four;
-}
-
-void store(float* p, const Four& four)
-{
-    std::memcpy(p, &four, sizeof four);
-}
-
-// Written to compile to one instruction.
-Four larger(Four a, Four b)
-{
-    return a > b ? a : b;
-}
-
 /// Maxima over vertices, in registers.
 class SupportSum
 {
@@ -75,7 +53,7 @@ public:
             // The order of operations is that of support_value().
             const Four value = (l.x[i] * p.x + l.y[i] * p.y) + l.z[i] * p.z;
             high_[i] = larger(value, high_[i]);
-            low_[i] = value < low_[i] ? value : low_[i];
+            low_[i] = smaller(value, low_[i]);
         }
     }
 
@@ -144,38 +122,38 @@ Box Support::box() const
     return box;
 }
 
-Index TriangleTree::make_leaf(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group)
+NodeId TriangleTree::make_leaf(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group)
 {
     const Lines& l = lines();
     SupportSum sum;
     SeenVertices seen;
     seen.clear();
-    for (std::uint32_t s = first; s < first + count; ++s)
-        for (const Index v : geometry.slots[s])
+    for (SlotId s = first; s < first + count; ++s)
+        for (const Index v : geometry.triangle(s))
             if (seen.is_new(v)) sum.add(l, geometry.vertices[v].position);
     const Support support = sum.support();
-    nodes.push({support.box(), kNone, kNone, first, count, group});
-    moments.push(mass_moments(geometry.vertices, geometry.slots.subspan(first, count), geometry.reference));
+    nodes.push({support.box(), NodeId(), NodeId(), first, count, group});
+    moments.push(mass_moments(geometry.vertices, geometry.slots.subspan(first.number(), count), geometry.reference));
     supports.push(support);
-    return static_cast<Index>(nodes.size() - 1);
+    return last();
 }
 
-Index TriangleTree::make_run(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group)
+NodeId TriangleTree::make_run(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group)
 {
-    if (count == 0) return kNone;
+    if (count == 0) return {};
     if (count <= kLeafTriangles) return make_leaf(geometry, first, count, group);
     // Halve the number of leaves, so that all but the last are full.
     const std::uint32_t leaves = (count + kLeafTriangles - 1) / kLeafTriangles;
     const std::uint32_t half = (leaves / 2) * kLeafTriangles;
-    const Index left = make_run(geometry, first, half, group);
-    const Index right = make_run(geometry, first + half, count - half, group);
+    const NodeId left = make_run(geometry, first, half, group);
+    const NodeId right = make_run(geometry, first + half, count - half, group);
     return join(left, right);
 }
 
-Index TriangleTree::join(Index left, Index right)
+NodeId TriangleTree::join(NodeId left, NodeId right)
 {
-    if (left == kNone) return right;
-    if (right == kNone) return left;
+    if (!left.is_valid()) return right;
+    if (!right.is_valid()) return left;
     Node node;
     const Node &l = nodes[left], &r = nodes[right];
     node.box = l.box;
@@ -184,16 +162,16 @@ Index TriangleTree::join(Index left, Index right)
     node.right = right;
     node.count = l.count + r.count;
     node.first = l.first;
-    node.group = l.group == r.group && l.first + l.count == r.first ? l.group : kMixed;
+    node.group = l.group == r.group && l.first + l.count == r.first ? l.group : GroupId();
     nodes.push(node);
     moments.push(moments[left]);
-    moments[moments.size() - 1].add(moments[right]);
+    moments[last()].add(moments[right]);
     supports.push(supports[left]);
-    supports[supports.size() - 1].add(supports[right]);
-    return static_cast<Index>(nodes.size() - 1);
+    supports[last()].add(supports[right]);
+    return last();
 }
 
-Index TriangleTree::merge_leaves(Index left, Index right)
+NodeId TriangleTree::merge_leaves(NodeId left, NodeId right)
 {
     nodes[left].box.add(nodes[right].box);
     nodes[left].count += nodes[right].count;
@@ -219,14 +197,14 @@ std::size_t TriangleTree::bytes_reserved() const
     return nodes.bytes_reserved() + moments.bytes_reserved() + supports.bytes_reserved();
 }
 
-void TriangleTree::append_runs(Index root, std::vector<Run>& runs) const
+void TriangleTree::append_runs(NodeId root, std::vector<Run>& runs) const
 {
-    std::vector<Index> stack;
-    if (root != kNone) stack.push_back(root);
+    std::vector<NodeId> stack;
+    if (root.is_valid()) stack.push_back(root);
     while (!stack.empty()) {
         const Node& node = nodes[stack.back()];
         stack.pop_back();
-        if (node.group == kMixed) {
+        if (node.is_mixed()) {
             stack.push_back(node.right);
             stack.push_back(node.left);
         } else if (!runs.empty() && runs.back().group == node.group &&
@@ -238,16 +216,16 @@ void TriangleTree::append_runs(Index root, std::vector<Run>& runs) const
     }
 }
 
-bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
+bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, NodeId root, const Plane& plane,
                     double limit, int sign, std::uint64_t& visited)
 {
-    const auto reach = [&](Index n) {
+    const auto reach = [&](NodeId n) {
         const auto [lo, hi] = plane.distance_range(tree.nodes[n].box);
         return sign > 0 ? std::array{lo, hi} : std::array{-hi, -lo};
     };
-    std::vector<Index> stack{root};
+    std::vector<NodeId> stack{root};
     while (!stack.empty()) {
-        const Index n = stack.back();
+        const NodeId n = stack.back();
         stack.pop_back();
         ++visited;
         const auto [near, far] = reach(n);
@@ -255,8 +233,8 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Inde
         if (near > limit) return true;
         const Node& node = tree.nodes[n];
         if (node.is_leaf()) {
-            for (std::uint32_t s = node.first; s < node.first + node.count; ++s)
-                for (const std::uint32_t v : geometry.slots[s])
+            for (SlotId s = node.first; s < node.first + node.count; ++s)
+                for (const std::uint32_t v : geometry.triangle(s))
                     if (sign * plane.signed_distance(geometry.vertices[v].position) > limit) return true;
             continue;
         }
@@ -268,13 +246,13 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Inde
 }
 
 std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
-                                                         std::span<const Index> roots)
+                                                         std::span<const NodeId> roots)
 {
     Support best = Support::none();
-    for (const Index root : roots) best.add(tree.supports[root]);
+    for (const NodeId root : roots) best.add(tree.supports[root]);
 
     std::array<glm::vec3, kSupportDirections> points;
-    std::vector<Index> stack;
+    std::vector<NodeId> stack;
     for (std::size_t d = 0; d < kSupportDirections; ++d) {
         const glm::vec3& direction = support_directions()[d];
         bool found = false;
@@ -283,14 +261,14 @@ std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tre
         // the point found holds nothing better.
         stack.assign(roots.rbegin(), roots.rend());
         while (!stack.empty()) {
-            const Index n = stack.back();
+            const NodeId n = stack.back();
             stack.pop_back();
             if (tree.supports[n].best[d] != best.best[d]) continue;
             const Node& node = tree.nodes[n];
             if (found && !lexicographically_less(node.box.lo, point)) continue;
             if (node.is_leaf()) {
-                for (std::uint32_t s = node.first; s < node.first + node.count; ++s)
-                    for (const std::uint32_t v : geometry.slots[s]) {
+                for (SlotId s = node.first; s < node.first + node.count; ++s)
+                    for (const std::uint32_t v : geometry.triangle(s)) {
                         const glm::vec3& p = geometry.vertices[v].position;
                         if (support_value(direction, p) != best.best[d]) continue;
                         if (!found || lexicographically_less(p, point)) point = p;

@@ -8,7 +8,7 @@
 #include "common/mesh/box.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
-#include "common/proxy/collision_proxy.h"
+#include "common/mesh/support_points.h"
 #include "halfedge/universe/append_buffer.h"
 #include "halfedge/universe/surface_mesh.h"
 
@@ -22,18 +22,16 @@ inline constexpr std::uint32_t kLeafTriangles = 32;
 /// A rewritten leaf is divided from here on, and small rewritten neighbours are joined up to here.
 inline constexpr std::uint32_t kMaxLeafTriangles = 48;
 
-/// Group of a subtree whose triangles differ in their group or don't lie in one run.
-inline constexpr Index kMixed = kNone;
-
 struct Node
 {
     Box box;
-    Index left = kNone, right = kNone;  ///< kNone: a leaf
-    std::uint32_t first = 0;            ///< first slot of the run; meaningless if mixed
-    std::uint32_t count = 0;            ///< triangles in the subtree
-    Index group = kMixed;               ///< the group of all triangles, if they lie in one run of slots
+    NodeId left, right;        ///< none: a leaf
+    SlotId first = SlotId(0);  ///< of the run; meaningless if mixed
+    std::uint32_t count = 0;   ///< triangles in the subtree
+    GroupId group;  ///< of all triangles, if they are of one group and lie in one run of slots; otherwise none
 
-    bool is_leaf() const { return left == kNone; }
+    bool is_leaf() const { return !left.is_valid(); }
+    bool is_mixed() const { return !group.is_valid(); }
 };
 
 /// Largest support_value() over a subtree for each of the fixed directions.
@@ -54,27 +52,28 @@ struct TreeGeometry
 {
     std::span<const Vertex> vertices;
     std::span<const Triangle> slots;
+    const Triangle& triangle(SlotId slot) const { return slots[slot.number()]; }
     glm::dvec3 reference{0.0};  ///< the point that mass moments are summed about
 };
 
 /// The pool of nodes of a universe.
 struct TriangleTree
 {
-    AppendBuffer<Node> nodes;
-    AppendBuffer<MassMoments> moments;
-    AppendBuffer<Support> supports;
+    AppendBuffer<Node, NodeId> nodes;
+    AppendBuffer<MassMoments, NodeId> moments;
+    AppendBuffer<Support, NodeId> supports;
 
     /// The following need room in the pool (reserve(), make_room()) and can't fail.
 
     /// A leaf over `count` slots from `first`, all of one group.
-    Index make_leaf(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group);
+    NodeId make_leaf(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group);
     /// A subtree over a run of slots of one group, in leaves of at most kLeafTriangles.
-    Index make_run(const TreeGeometry& geometry, std::uint32_t first, std::uint32_t count, Index group);
-    /// The parent of two subtrees; either may be kNone, then it is the other one.
-    Index join(Index left, Index right);
+    NodeId make_run(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group);
+    /// The parent of two subtrees; either may be none, then it is the other one.
+    NodeId join(NodeId left, NodeId right);
     /// Makes leaf `left` hold the triangles of leaf `right` too, which follow its own. Only for nodes that no fragment
     /// refers to yet.
-    Index merge_leaves(Index left, Index right);
+    NodeId merge_leaves(NodeId left, NodeId right);
 
     /// Upper bound on the nodes that make_run() needs.
     static std::size_t nodes_for_run(std::size_t count)
@@ -83,7 +82,7 @@ struct TriangleTree
     }
 
     /// Asks for the memory that join() will read.
-    void prefetch(Index node) const
+    void prefetch(NodeId node) const
     {
         __builtin_prefetch(&moments[node]);
         __builtin_prefetch(reinterpret_cast<const char*>(&moments[node]) + 64);
@@ -95,22 +94,25 @@ struct TriangleTree
     std::size_t make_room(std::size_t count);
     std::size_t bytes_reserved() const;
 
+    NodeId last() const { return NodeId(static_cast<Index>(nodes.size() - 1)); }
+
     /// Maximal runs of slots of one group under `root`, in tree order.
     struct Run
     {
-        std::uint32_t first, count;
-        Index group;
+        SlotId first;
+        std::uint32_t count;
+        GroupId group;
     };
-    void append_runs(Index root, std::vector<Run>& runs) const;
+    void append_runs(NodeId root, std::vector<Run>& runs) const;
 };
 
 /// True if some vertex under `root` has a signed distance > `limit` (sign = +1) or < -limit (sign = -1). O(log n) on
 /// ordinary shapes: the side that reaches farther is searched first. Adds the nodes that it looks at to `visited`.
-bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Index root, const Plane& plane,
+bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, NodeId root, const Plane& plane,
                     double limit, int sign, std::uint64_t& visited);
 
 /// For each support direction the extreme vertex under `roots`, as support_points() defines it.
 std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
-                                                         std::span<const Index> roots);
+                                                         std::span<const NodeId> roots);
 
 }  // namespace kerf::halfedge

@@ -49,12 +49,12 @@ struct Universe
     mutable FairSharedMutex mutex;
 
     SurfaceMesh mesh;
-    AppendBuffer<Vertex> vertices;       ///< the vertex buffer
-    std::vector<Stream> streams;         ///< run parallel to `vertices`
-    AppendBuffer<Triangle> slots;        ///< the index buffer
-    AppendBuffer<Index> face_of_slot;    ///< corner 0 of a slot is the origin of its face's half-edge
-    AppendBuffer<Index> source_of_face;  ///< input triangle, or kNoSource
-    AppendBuffer<Index> stamp_of_face;   ///< scratch of cuts: `stamp_base` + number of the crossing triangle
+    AppendBuffer<Vertex> vertices;               ///< the vertex buffer
+    std::vector<Stream> streams;                 ///< run parallel to `vertices`
+    AppendBuffer<Triangle, SlotId> slots;        ///< the index buffer
+    AppendBuffer<FaceId, SlotId> face_of_slot;   ///< corner 0 of a slot is the origin of its face's half-edge
+    AppendBuffer<Index, FaceId> source_of_face;  ///< input triangle, or kNoSource
+    AppendBuffer<Index, FaceId> stamp_of_face;   ///< scratch of cuts: `stamp_base` + number of the crossing triangle
     std::uint64_t stamp_base = 1;
     TriangleTree tree;
     std::vector<DrawGroup> groups;
@@ -73,6 +73,8 @@ struct Universe
     Universe(const Universe& other);
     Universe& operator=(const Universe&) = delete;
 
+    const DrawGroup& group(GroupId id) const { return groups[id.number()]; }
+
     TreeGeometry geometry() const
     {
         return {{vertices.data(), vertices.size()}, {slots.data(), slots.size()}, reference};
@@ -85,7 +87,7 @@ struct Universe
 /// A connected part of an object: what a shell of the prepared mesh has become.
 struct ShellRoot
 {
-    Index root = kNone;
+    NodeId root;
     std::uint32_t solid = 0;
     /// The triangles, caps included, are known to be connected by edges and closed or bounded by boundary of the
     /// prepared mesh only. False: unknown.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/proxy/collision_proxy.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
@@ -25,7 +26,7 @@ TEST(TriangleTree, BoundsMassAndProxyAreThoseOfTheMesh)
                     EXPECT_EQ(fragment->triangle_count(), mesh.triangles.size());
                     const MassProperties expected = mass_properties(mesh), mass = fragment->mass_properties();
                     EXPECT_NEAR(mass.volume, expected.volume, 1e-12 + 1e-9 * std::abs(expected.volume));
-                    const CollisionProxy proxy = fragment->collision_proxy(ProxyKind::bounded_hull),
+                    const CollisionProxy proxy = collision_proxy(*fragment, ProxyKind::bounded_hull),
                                          loop = collision_proxy(ProxyKind::bounded_hull, mesh.vertices);
                     EXPECT_EQ(proxy.points, loop.points);
                     EXPECT_EQ(proxy.faces, loop.faces);

@@ -1,4 +1,4 @@
-#include "halfedge/cut/components.h"
+#include "halfedge/cut/find_parts.h"
 
 #include <algorithm>
 
@@ -25,73 +25,77 @@ bool is_pinched(const Crossing& c, Side side)
 
 }  // namespace
 
-void Components::separate(Universe& universe, CutScratch& scratch)
+void PartFinder::separate(Universe& universe, const Section& section, Found& found, Pieces& pieces)
 {
     u_ = &universe;
-    s_ = &scratch;
-    crossing_mark_.assign(scratch.crossings.size(), {kNone, kNone});
-    any_pinched_ =
-        scratch.collapsed && std::any_of(scratch.crossings.begin(), scratch.crossings.end(),
-                                         [](const Crossing& c) { return is_pinched(c, opposite(c.split.lone_side)); });
+    section_ = &section;
+    found_ = &found;
+    pieces_ = &pieces;
+    crossing_mark_.assign(found.crossings.size(), {kNone, kNone});
+    any_pinched_ = section.coincidences.collapsed &&
+                   std::any_of(found.crossings.begin(), found.crossings.end(),
+                               [](const Crossing& c) { return is_pinched(c, opposite(c.split.lone_side)); });
     in_plane_edges_.clear();
-    for (const InPlaneEdge& e : scratch.in_plane) in_plane_edges_.insert(e.negative_halfedge / 2);
+    for (const InPlaneEdge& e : found.in_plane) in_plane_edges_.insert(edge_of(e.negative_halfedge));
     for (auto& glued : glued_) glued.clear();
-    for (const auto& [a, b] : scratch.cancelled)
+    for (const auto& [a, b] : section.cancelled)
         for (const Side side : kSides) {
-            const Index f = scratch.face_of(a, side), g = scratch.face_of(b, side);
+            const FaceId f = found.face_of(a, side), g = found.face_of(b, side);
             glued_[side].emplace(f, g);
             glued_[side].emplace(g, f);
         }
-    for (Index i = 0; i < scratch.cut_shells.size(); ++i) {
-        const CutShell& shell = scratch.cut_shells[i];
+    for (Index i = 0; i < found.shells.size(); ++i) {
+        const CutShell& shell = found.shells[i];
         // One curve on a connected shell: nothing to search.
-        if (shell.connected && shell.loops <= 1 && scratch.loops_are_all_curves()) continue;
+        if (shell.connected && section.loops_on_shell[i] <= 1 && section.loops_are_all_curves()) continue;
         search_shell(i);
     }
 }
 
 // ----- searching -----
 
-void Components::search_shell(Index shell)
+void PartFinder::search_shell(Index shell)
 {
     searches_.clear();
+    met_.clear();
     // Stamps above those of the crossing triangles.
-    mark_base_ = u_->stamp_base + s_->crossings.size() + s_->extra_stamps;
-    const CutShell& cut = s_->cut_shells[shell];
+    mark_base_ = u_->stamp_base + found_->crossings.size() + stamps_used_;
+    const CutShell& cut = found_->shells[shell];
     // What the section cuts off has a triangle at the section, if only at a part of it that has shrunk away.
-    const auto start_both = [&](Index negative_face, Index positive_face) {
+    const auto start_both = [&](FaceId negative_face, FaceId positive_face) {
         start(negative_face, Side::negative);
         start(positive_face, Side::positive);
     };
     for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
-        start_both(s_->crossings[i].face, s_->crossings[i].face);
+        start_both(found_->crossings[i].face, found_->crossings[i].face);
     for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i)
-        start_both(s_->in_plane[i].negative_face, s_->in_plane[i].positive_face);
+        start_both(found_->in_plane[i].negative_face, found_->in_plane[i].positive_face);
     if (any_pinched_)
         for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i) {
             // What lies beyond a pinched triangle need not be at the section elsewhere.
-            const Crossing& c = s_->crossings[i];
+            const Crossing& c = found_->crossings[i];
             const Side far = opposite(c.split.lone_side);
-            const Index beyond = u_->mesh.face(c.halfedge[static_cast<std::size_t>(c.next())] ^ 1u);
-            if (is_pinched(c, far) && beyond != kNone) start(beyond, far);
+            const FaceId beyond = u_->mesh.face(opposite(c.halfedge[static_cast<std::size_t>(c.next())]));
+            if (is_pinched(c, far) && beyond.is_valid()) start(beyond, far);
         }
     if (!cut.connected) seed_whole_shell(shell);
 
     for (const Side side : kSides) search_side(side, cut.connected);
     assign_targets(shell);
     retarget(shell);
-    for (const Search& search : searches_) s_->triangles_read += search.faces.size();
+    for (const Search& search : searches_) found_->triangles_read += search.faces.size();
 }
 
 /// Searches that have something left take the same number of steps a round, until they all are one: the rest of a
 /// connected shell is theirs.
-void Components::search_side(Side side, bool connected)
+void PartFinder::search_side(Side side, bool connected)
 {
     std::vector<Index> active;
     for (Index i = 0; i < searches_.size(); ++i)
         if (searches_[i].side == side && !is_finished(i)) active.push_back(i);
     const auto are_one = [&] {
-        return std::all_of(active.begin(), active.end(), [&](Index i) { return find(i) == find(active.front()); });
+        return std::all_of(active.begin(), active.end(),
+                           [&](Index i) { return met_.find(i) == met_.find(active.front()); });
     };
     while (!active.empty() && !(connected && are_one())) {
         for (const Index i : active) advance(i);
@@ -99,23 +103,23 @@ void Components::search_side(Side side, bool connected)
     }
 }
 
-Index Components::crossing_of(Index face) const
+Index PartFinder::crossing_of(FaceId face) const
 {
     const std::uint64_t stamp = u_->stamp_of_face[face];
-    return stamp >= u_->stamp_base && stamp - u_->stamp_base < s_->crossings.size()
+    return stamp >= u_->stamp_base && stamp - u_->stamp_base < found_->crossings.size()
                ? static_cast<Index>(stamp - u_->stamp_base)
                : kNone;
 }
 
-bool Components::keeps_something(Index face, Side side) const
+bool PartFinder::keeps_something(FaceId face, Side side) const
 {
     const Index crossing = crossing_of(face);
     if (crossing == kNone) return true;
-    const TriangleSplit& split = s_->crossings[crossing].split;
+    const TriangleSplit& split = found_->crossings[crossing].split;
     return std::ranges::any_of(split.sub_triangles(), [&](const SubTriangle& t) { return t.side == side; });
 }
 
-void Components::start(Index face, Side side)
+void PartFinder::start(FaceId face, Side side)
 {
     const Index crossing = crossing_of(face);
     const std::uint64_t stamp = u_->stamp_of_face[face];
@@ -124,93 +128,81 @@ void Components::start(Index face, Side side)
     if (reached) return;
     Search search;
     search.side = side;
-    search.parent = static_cast<Index>(searches_.size());
     searches_.push_back(std::move(search));
-    ++s_->extra_stamps;  // before it is on any face: memory may run out half-way, and the next cut must know
+    met_.add();
+    ++stamps_used_;  // before it is on any face: memory may run out half-way, and the next cut must know
     reach(face, static_cast<Index>(searches_.size() - 1));
     // Follow the section first: one search for each curve instead of one for each of its triangles.
     while (searches_.back().next < searches_.back().faces.size()) {
-        const Index at = searches_.back().faces[searches_.back().next];
+        const FaceId at = searches_.back().faces[searches_.back().next];
         ++searches_.back().next;
-        for_each_neighbour(at, side, [&](Index neighbour) {
+        for_each_neighbour(at, side, [&](FaceId neighbour) {
             if (crossing_of(neighbour) != kNone) reach(neighbour, static_cast<Index>(searches_.size() - 1));
         });
     }
     searches_.back().next = 0;
 }
 
-void Components::reach(Index face, Index search)
+void PartFinder::reach(FaceId face, Index search)
 {
     const Index crossing = crossing_of(face);
     const Side side = searches_[search].side;
     if (crossing != kNone) {
         Index& mark = crossing_mark_[crossing][side];
-        if (mark != kNone) return meet(mark, search);
+        if (mark != kNone) return met_.unite(mark, search);
         mark = search;
     } else {
         Index& stamp = u_->stamp_of_face[face];
         if (stamp >= mark_base_ && stamp - mark_base_ < searches_.size())
-            return meet(static_cast<Index>(stamp - mark_base_), search);
+            return met_.unite(static_cast<Index>(stamp - mark_base_), search);
         stamp = static_cast<Index>(mark_base_ + search);
     }
     searches_[search].faces.push_back(face);
 }
 
-Index Components::find(Index search)
-{
-    while (searches_[search].parent != search)
-        search = searches_[search].parent = searches_[searches_[search].parent].parent;
-    return search;
-}
-
-void Components::meet(Index a, Index b)
-{
-    a = find(a);
-    b = find(b);
-    if (a != b) searches_[std::max(a, b)].parent = std::min(a, b);
-}
-
-void Components::advance(Index search)
+void PartFinder::advance(Index search)
 {
     constexpr int kSteps = 16;
     for (int i = 0; i < kSteps && searches_[search].next < searches_[search].faces.size(); ++i) {
-        const Index face = searches_[search].faces[searches_[search].next++];
-        for_each_neighbour(face, searches_[search].side, [&](Index neighbour) { reach(neighbour, search); });
+        const FaceId face = searches_[search].faces[searches_[search].next++];
+        for_each_neighbour(face, searches_[search].side, [&](FaceId neighbour) { reach(neighbour, search); });
     }
 }
 
 /// The half-edge by which one that enters a face leaves it again, if the face is pinched and shrinks to both of them;
-/// otherwise kNone.
-Index Components::beyond_pinched(Index halfedge, Side side) const
+/// otherwise none.
+HalfedgeId PartFinder::beyond_pinched(HalfedgeId halfedge, Side side) const
 {
     const Index number = crossing_of(u_->mesh.face(halfedge));
-    if (number == kNone || !is_pinched(s_->crossings[number], side)) return kNone;
-    const Crossing& c = s_->crossings[number];
-    const Index between = c.halfedge[static_cast<std::size_t>(c.next())];
-    const Index crossed =
+    if (number == kNone || !is_pinched(found_->crossings[number], side)) return HalfedgeId();
+    const Crossing& c = found_->crossings[number];
+    const HalfedgeId between = c.halfedge[static_cast<std::size_t>(c.next())];
+    const HalfedgeId crossed =
         c.halfedge[static_cast<std::size_t>(c.split.next_code == c.previous() ? c.lone() : c.previous())];
     if (halfedge == between) return crossed;
-    return halfedge == crossed ? between : kNone;
+    return halfedge == crossed ? between : HalfedgeId();
 }
 
 template <class Visit>
-void Components::for_each_neighbour(Index face, Side side, Visit visit) const
+void PartFinder::for_each_neighbour(FaceId face, Side side, Visit visit) const
 {
-    const auto across = [&](Index h) {
-        Index entered = kNone;
-        for (; h != kNone; h = any_pinched_ ? beyond_pinched(entered, side) : kNone) {
-            entered = h ^ 1u;
-            if (u_->mesh.is_boundary(entered) || (!in_plane_edges_.empty() && in_plane_edges_.count(h / 2) > 0)) return;
+    const auto across = [&](HalfedgeId h) {
+        HalfedgeId entered;
+        for (; h.is_valid(); h = any_pinched_ ? beyond_pinched(entered, side) : HalfedgeId()) {
+            entered = opposite(h);
+            if (u_->mesh.is_boundary(entered) || (!in_plane_edges_.empty() && in_plane_edges_.count(edge_of(h)) > 0))
+                return;
         }
         visit(u_->mesh.face(entered));
     };
     const Index number = crossing_of(face);
     if (number == kNone) {
-        Index h = u_->mesh.halfedge_of_face(face);
+        HalfedgeId h = u_->mesh.halfedge_of(face);
         for (int i = 0; i < 3; ++i, h = u_->mesh.next(h)) across(h);
     } else {
-        // Edges of which this side keeps something; pieces that vanish conduct as well, since their rims are glued.
-        const Crossing& c = s_->crossings[number];
+        // Edges of which this side keeps something; sub-triangles that vanish conduct, too, because their rims are
+        // glued.
+        const Crossing& c = found_->crossings[number];
         const bool near = side == c.split.lone_side;
         const auto keeps = [&](Index cut, bool end_is_lone) { return cut != kNone || end_is_lone != near; };
         const auto lone = static_cast<std::size_t>(c.lone()), next = static_cast<std::size_t>(c.next()),
@@ -230,25 +222,25 @@ void Components::for_each_neighbour(Index face, Side side, Visit visit) const
     for (auto it = first; it != last; ++it) visit(it->second);
 }
 
-void Components::seed_whole_shell(Index shell)
+void PartFinder::seed_whole_shell(Index shell)
 {
-    const CutShell& cut = s_->cut_shells[shell];
+    const CutShell& cut = found_->shells[shell];
     Index flooded = 0;
     for (std::size_t i = cut.first_op; i < cut.first_op + cut.op_count; ++i) {
-        const TreeOp op = s_->ops[i];
+        const TreeOp op = found_->ops[i];
         if (op.kind == TreeOp::Kind::whole) {
             for_each_slot(*u_, op.node,
-                          [&](Index slot) { start(u_->face_of_slot[slot], s_->targets[op.argument].side); });
+                          [&](SlotId slot) { start(u_->face_of_slot[slot], pieces_->targets[op.argument].side); });
         } else if (op.kind == TreeOp::Kind::leaf) {
             const Node& node = u_->tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                const LeafEntry entry = s_->entries[op.argument + e];
-                const Index face = u_->face_of_slot[node.first + e];
+                const LeafEntry entry = found_->entries[op.argument + e];
+                const FaceId face = u_->face_of_slot[node.first + e];
                 if (entry.is_crossing()) {
                     start(face, Side::negative);
                     start(face, Side::positive);
                 } else {
-                    start(face, s_->targets[entry.target()].side);
+                    start(face, pieces_->targets[entry.target()].side);
                 }
             }
         }
@@ -260,20 +252,20 @@ void Components::seed_whole_shell(Index shell)
 
 // ----- targets -----
 
-void Components::assign_targets(Index shell)
+void PartFinder::assign_targets(Index shell)
 {
     for (const Side side : kSides) {
         // The largest part keeps the target: the one that is not finished, or else the one with the most faces.
-        // Crossing triangles whose pieces vanished count for nothing: a part of such alone does not exist.
+        // Crossing triangles whose sub-triangles vanished count for nothing: a part of nothing else does not exist.
         Index largest = kNone;
         std::vector<std::size_t> size(searches_.size(), 0);
         std::vector<bool> unfinished(searches_.size(), false);
         for (Index i = 0; i < searches_.size(); ++i) {
             if (searches_[i].side != side) continue;
-            const Index root = find(i);
-            const std::vector<Index>& faces = searches_[i].faces;
+            const Index root = met_.find(i);
+            const std::vector<FaceId>& faces = searches_[i].faces;
             size[root] += static_cast<std::size_t>(
-                std::count_if(faces.begin(), faces.end(), [&](Index face) { return keeps_something(face, side); }));
+                std::count_if(faces.begin(), faces.end(), [&](FaceId face) { return keeps_something(face, side); }));
             if (!is_finished(i)) unfinished[root] = true;
         }
         const auto better = [&](Index a, Index b) {
@@ -281,16 +273,16 @@ void Components::assign_targets(Index shell)
             return size[a] > size[b];
         };
         for (Index i = 0; i < searches_.size(); ++i)
-            if (searches_[i].side == side && find(i) == i && (largest == kNone || better(i, largest))) largest = i;
+            if (searches_[i].side == side && met_.find(i) == i && (largest == kNone || better(i, largest))) largest = i;
         const Index default_target = first_target(shell, side);
-        if (largest != kNone) s_->targets[default_target].is_empty = size[largest] == 0 && !unfinished[largest];
+        if (largest != kNone) pieces_->targets[default_target].is_empty = size[largest] == 0 && !unfinished[largest];
 
         Box& small = small_parts_[side];
         small = Box();
         for (Index i = 0; i < searches_.size(); ++i) {
             if (searches_[i].side != side) continue;
             Search& search = searches_[i];
-            const Index root = find(i);
+            const Index root = met_.find(i);
             search.is_empty = size[root] == 0 && !unfinished[root];
             if (root != i) {
                 search.target = searches_[root].target;
@@ -300,20 +292,20 @@ void Components::assign_targets(Index shell)
                 Target t;
                 t.side = side;
                 t.shell = shell;
-                search.target = static_cast<Index>(s_->targets.size());
-                s_->targets.push_back(t);
+                search.target = static_cast<Index>(pieces_->targets.size());
+                pieces_->targets.push_back(t);
             }
             if (search.target == default_target) continue;
-            for (const Index face : search.faces) {
-                Index h = u_->mesh.halfedge_of_face(face);
+            for (const FaceId face : search.faces) {
+                HalfedgeId h = u_->mesh.halfedge_of(face);
                 for (int corner = 0; corner < 3; ++corner, h = u_->mesh.next(h))
-                    small.add(u_->mesh.point(u_->mesh.to(h)));
+                    small.add(u_->mesh.position(u_->mesh.to(h)));
             }
         }
     }
 }
 
-Index Components::target_of(Index face, Side side, Index shell) const
+Index PartFinder::target_of(FaceId face, Side side, Index shell) const
 {
     const std::uint64_t stamp = u_->stamp_of_face[face];
     return stamp >= mark_base_ && stamp - mark_base_ < searches_.size()
@@ -323,82 +315,82 @@ Index Components::target_of(Index face, Side side, Index shell) const
 
 /// Rewrites what is known of single triangles and edges, then the program: subtrees that reach into the small parts are
 /// opened.
-void Components::retarget(Index shell)
+void PartFinder::retarget(Index shell)
 {
-    CutShell& cut = s_->cut_shells[shell];
+    CutShell& cut = found_->shells[shell];
     for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
         for (const Side side : kSides) {
             const Index search = crossing_mark_[i][side];
             if (search == kNone) continue;
-            s_->crossings[i].target[side] = searches_[search].target;
-            s_->crossings[i].bounds_nothing[side] = searches_[search].is_empty;
+            found_->crossings[i].target[side] = searches_[search].target;
+            found_->crossings[i].bounds_nothing[side] = searches_[search].is_empty;
         }
     for (std::size_t i = cut.first_flush; i < cut.first_flush + cut.flush_count; ++i)
-        s_->flush[i].target = target_of(s_->flush[i].face, s_->flush[i].side, shell);
+        found_->flush[i].target = target_of(found_->flush[i].face, found_->flush[i].side, shell);
     for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i) {
-        InPlaneEdge& e = s_->in_plane[i];
+        InPlaneEdge& e = found_->in_plane[i];
         e.target = {target_of(e.negative_face, Side::negative, shell),
                     target_of(e.positive_face, Side::positive, shell)};
     }
 
-    ops_.assign(s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
-                s_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op + cut.op_count));
+    ops_.assign(found_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
+                found_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op + cut.op_count));
     // The program moves to the end of the list.
-    cut.first_op = s_->ops.size();
+    cut.first_op = found_->ops.size();
     for (const TreeOp& op : ops_) {
         if (op.kind == TreeOp::Kind::whole) {
-            open_subtree(op.node, s_->targets[op.argument].side, shell);
+            open_subtree(op.node, pieces_->targets[op.argument].side, shell);
             continue;
         }
         if (op.kind == TreeOp::Kind::leaf) {
             const Node& node = u_->tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                LeafEntry& entry = s_->entries[op.argument + e];
+                LeafEntry& entry = found_->entries[op.argument + e];
                 if (entry.is_crossing()) continue;
-                const Side side = s_->targets[entry.target()].side;
+                const Side side = pieces_->targets[entry.target()].side;
                 entry = LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell));
             }
         }
-        s_->ops.push_back(op);
+        found_->ops.push_back(op);
     }
-    cut.op_count = s_->ops.size() - cut.first_op;
+    cut.op_count = found_->ops.size() - cut.first_op;
 }
 
 /// Appends the program of a subtree that is kept on a side: as few nodes as keep the parts of that side apart.
-void Components::open_subtree(Index root, Side side, Index shell)
+void PartFinder::open_subtree(NodeId root, Side side, Index shell)
 {
     stack_.assign(1, {root, false});
     while (!stack_.empty()) {
         const auto [n, children_done] = stack_.back();
         stack_.pop_back();
         if (children_done) {
-            s_->ops.push_back({TreeOp::Kind::join, n, kNone});
+            found_->ops.push_back({TreeOp::Kind::join, n, kNone});
             continue;
         }
         const Node& node = u_->tree.nodes[n];
         if (disjoint(node.box, small_parts_[side])) {
-            s_->ops.push_back({TreeOp::Kind::whole, n, first_target(shell, side)});
+            found_->ops.push_back({TreeOp::Kind::whole, n, first_target(shell, side)});
             continue;
         }
-        ++s_->nodes_visited;
+        ++found_->nodes_visited;
         if (!node.is_leaf()) {
             stack_.push_back({n, true});
             stack_.push_back({node.right, false});
             stack_.push_back({node.left, false});
             continue;
         }
-        const Index first_entry = static_cast<Index>(s_->entries.size());
+        const Index first_entry = static_cast<Index>(found_->entries.size());
         bool uniform = true;
         for (Index e = 0; e < node.count; ++e) {
-            s_->entries.push_back(LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell)));
-            uniform = uniform && s_->entries.back() == s_->entries[first_entry];
+            found_->entries.push_back(LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell)));
+            uniform = uniform && found_->entries.back() == found_->entries[first_entry];
         }
         if (uniform) {
-            s_->ops.push_back({TreeOp::Kind::whole, n, s_->entries[first_entry].target()});
-            s_->entries.resize(first_entry);
-            s_->triangles_read += node.count;
+            found_->ops.push_back({TreeOp::Kind::whole, n, found_->entries[first_entry].target()});
+            found_->entries.resize(first_entry);
+            found_->triangles_read += node.count;
         } else {
-            s_->ops.push_back({TreeOp::Kind::leaf, n, first_entry});
+            found_->ops.push_back({TreeOp::Kind::leaf, n, first_entry});
         }
     }
 }

@@ -1,4 +1,4 @@
-#include "halfedge/cut/cap.h"
+#include "halfedge/cut/cap_planner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/halving_triangulator.h"
-#include "common/caps/section_area.h"
 #include "common/caps/untangling_triangulator.h"
 #include "common/geometry/dominant_axis.h"
 
@@ -19,8 +18,11 @@ CapPlanner::CapPlanner()
 {
 }
 
-void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
+void CapPlanner::plan(const Plane& plane, const Found& found, Section& section, Caps& caps)
 {
+    found_ = &found;
+    section_ = &section;
+    caps_ = &caps;
     const int dropped = dominant_axis(plane.normal);
     axis_u_ = (dropped + 1) % 3;
     axis_v_ = (dropped + 2) % 3;
@@ -29,14 +31,15 @@ void CapPlanner::plan(const Plane& plane, CutScratch& scratch)
     mesh_.steps = 0;
 
     std::vector<std::size_t> closed;
-    for (std::size_t i = 0; i < scratch.loops.size(); ++i)
-        if (scratch.loops[i].closed) closed.push_back(i);
-    std::stable_sort(closed.begin(), closed.end(),
-                     [&](std::size_t a, std::size_t b) { return scratch.loops[a].cap_set < scratch.loops[b].cap_set; });
+    for (std::size_t i = 0; i < section_->loops.size(); ++i)
+        if (section_->loops[i].closed) closed.push_back(i);
+    std::stable_sort(closed.begin(), closed.end(), [&](std::size_t a, std::size_t b) {
+        return section_->loops[a].cap_set < section_->loops[b].cap_set;
+    });
     for (std::size_t first = 0, last; first < closed.size(); first = last) {
-        const Index set = scratch.loops[closed[first]].cap_set;
-        for (last = first; last < closed.size() && scratch.loops[closed[last]].cap_set == set;) ++last;
-        close_set({closed.data() + first, last - first}, set, scratch);
+        const Index set = section_->loops[closed[first]].cap_set;
+        for (last = first; last < closed.size() && section_->loops[closed[last]].cap_set == set;) ++last;
+        close_set({closed.data() + first, last - first}, set);
     }
     excess_ /= std::abs(plane.normal[dropped]);
 }
@@ -50,10 +53,10 @@ void CapPlanner::clear_outline()
     edge_.clear();
 }
 
-void CapPlanner::append_point(std::size_t p, const CutScratch& scratch)
+void CapPlanner::append_point(std::size_t p)
 {
-    points_.push_back(projected(scratch.loop_points[p]));
-    positions_.push_back(scratch.loop_points[p]);
+    points_.push_back(projected(section_->loop_points[p]));
+    positions_.push_back(section_->loop_points[p]);
     global_.push_back(static_cast<Index>(p));
     edge_.push_back(CapLink::to_outline(static_cast<Index>(p)));
     box_.add(points_.back().x, points_.back().y);
@@ -67,28 +70,28 @@ void CapPlanner::drop_point()
     edge_.pop_back();
 }
 
-bool CapPlanner::append_loop(const Loop& loop, CutScratch& scratch)
+bool CapPlanner::append_loop(const Loop& loop)
 {
-    const auto place = [&](std::size_t i) { return projected(scratch.loop_points[loop.first + i % loop.count]); };
+    const auto place = [&](std::size_t i) { return projected(section_->loop_points[loop.first + i % loop.count]); };
     // Start where two points follow one another that don't fall together.
     std::size_t start = 0;
     while (start < loop.count && place(start) == place(start + 1)) ++start;
     if (start == loop.count) return false;
 
-    const std::size_t first = points_.size(), first_cap = scratch.caps.size();
+    const std::size_t first = points_.size(), first_cap = caps_->triangles.size();
     // Takes the last point away: the triangle from the one before it over it to `next`.
     const auto take_away = [&](std::size_t next) {
-        const Index t = static_cast<Index>(scratch.caps.size()), last = static_cast<Index>(points_.size() - 1);
-        scratch.caps.push_back({{global_[last - 1], global_[last], static_cast<Index>(next)}});
-        connect(CapLink::to_triangle(t, 0), edge_[last - 1], scratch);
-        connect(CapLink::to_triangle(t, 1), edge_[last], scratch);
+        const Index t = static_cast<Index>(caps_->triangles.size()), last = static_cast<Index>(points_.size() - 1);
+        caps_->triangles.push_back({{global_[last - 1], global_[last], static_cast<Index>(next)}});
+        connect(CapLink::to_triangle(t, 0), edge_[last - 1]);
+        connect(CapLink::to_triangle(t, 1), edge_[last]);
         drop_point();
         edge_.back() = CapLink::to_triangle(t, 2);
     };
     for (std::size_t i = 0; i < loop.count; ++i) {
         const std::size_t p = loop.first + (start + i) % loop.count;
-        if (i > 0 && points_.back() == projected(scratch.loop_points[p])) take_away(p);
-        append_point(p, scratch);
+        if (i > 0 && points_.back() == projected(section_->loop_points[p])) take_away(p);
+        append_point(p);
     }
     while (points_.size() - first >= 2 && points_.back() == points_[first]) take_away(global_[first]);
     if (points_.size() - first >= 3) {
@@ -96,87 +99,86 @@ bool CapPlanner::append_loop(const Loop& loop, CutScratch& scratch)
         return true;
     }
     while (points_.size() > first) drop_point();
-    scratch.caps.resize(first_cap);
+    caps_->triangles.resize(first_cap);
     return false;
 }
 
-void CapPlanner::connect(CapLink a, CapLink b, CutScratch& scratch)
+void CapPlanner::connect(CapLink a, CapLink b)
 {
-    if (!kerf::connect(scratch.caps, a, b)) return;
-    scratch.cancelled.push_back({scratch.loop_edges[a.outline_edge()], scratch.loop_edges[b.outline_edge()]});
-    for (const OutlineEdgeId edge : scratch.cancelled.back()) scratch.share_ends(edge);
+    if (!kerf::connect(caps_->triangles, a, b)) return;
+    section_->cancelled.push_back({section_->loop_edges[a.outline_edge()], section_->loop_edges[b.outline_edge()]});
+    for (const OutlineEdgeId edge : section_->cancelled.back()) section_->share_ends(*found_, edge);
 }
 
-void CapPlanner::close_set(std::span<const std::size_t> loops, Index set, CutScratch& scratch)
+void CapPlanner::close_set(std::span<const std::size_t> loops, Index set)
 {
-    CapSet cap{set, scratch.caps.size(), 0};
+    CapSet cap{set, caps_->triangles.size(), 0};
     upright_.clear();
     box_ = {};
     clear_outline();
     for (const std::size_t i : loops)
-        if (!append_loop(scratch.loops[i], scratch)) upright_.push_back(i);
-    close_outline(scratch);
+        if (!append_loop(section_->loops[i])) upright_.push_back(i);
+    close_outline();
     // Loops without an inside are closed on their own, as they are: none of the others is the worse for them.
     clear_outline();
     for (const std::size_t i : upright_) {
-        const Loop& loop = scratch.loops[i];
+        const Loop& loop = section_->loops[i];
         starts_.push_back(static_cast<Index>(points_.size()));
-        for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) append_point(p, scratch);
+        for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) append_point(p);
     }
-    close_outline(scratch);
-    cap.count = scratch.caps.size() - cap.first;
-    scratch.cap_sets.push_back(cap);
-    order_spatially(cap, scratch);
+    close_outline();
+    cap.count = caps_->triangles.size() - cap.first;
+    caps_->sets.push_back(cap);
+    order_spatially(cap);
 }
 
-void CapPlanner::close_outline(CutScratch& scratch)
+void CapPlanner::close_outline()
 {
     if (starts_.empty()) return;
     starts_.push_back(static_cast<Index>(points_.size()));
     const CapOutline outline{points_, positions_, starts_, axis_u_, axis_v_};
     const auto way =
         std::find_if(ways_.begin(), ways_.end(), [&](const auto& each) { return each->triangulate(outline, mesh_); });
-    take_over(scratch);
+    take_over();
     // The first two turn no triangle over.
-    if (way - ways_.begin() >= 2) excess_ += 2.0 * turned_area(scratch);
+    if (way - ways_.begin() >= 2) excess_ += 2.0 * turned_area();
 }
 
-double CapPlanner::turned_area(const CutScratch& scratch) const
+double CapPlanner::turned_area() const
 {
     double twice = 0.0;
     for (const CapTriangle& t : mesh_.triangles) {
-        const auto place = [&](std::size_t i) { return projected(scratch.loop_points[global_[t.corner[i]]]); };
+        const auto place = [&](std::size_t i) { return projected(section_->loop_points[global_[t.corner[i]]]); };
         const glm::dvec2 p = place(1) - place(0), q = place(2) - place(0);
         twice -= std::min(0.0, p.x * q.y - p.y * q.x);
     }
     return 0.5 * twice;
 }
 
-void CapPlanner::take_over(CutScratch& scratch)
+void CapPlanner::take_over()
 {
-    const Index first = static_cast<Index>(scratch.caps.size());
+    const Index first = static_cast<Index>(caps_->triangles.size());
     for (const CrossingPoint& crossing : mesh_.crossing_points) {
-        global_.push_back(static_cast<Index>(scratch.loop_points.size()));
-        scratch.loop_points.push_back(crossing.position);
-        const OutlineEdgeId edge = scratch.loop_edges[global_[crossing.edge]];
-        scratch.loop_edges.push_back(edge);
-        scratch.share_point(global_.back());
+        global_.push_back(static_cast<Index>(section_->loop_points.size()));
+        section_->loop_points.push_back(crossing.position);
+        const OutlineEdgeId edge = section_->loop_edges[global_[crossing.edge]];
+        section_->loop_edges.push_back(edge);
+        section_->share_point(*found_, global_.back());
     }
     for (const CapTriangle& t : mesh_.triangles)
-        scratch.caps.push_back({{global_[t.corner[0]], global_[t.corner[1]], global_[t.corner[2]]}});
+        caps_->triangles.push_back({{global_[t.corner[0]], global_[t.corner[1]], global_[t.corner[2]]}});
     for (Index t = 0; t < mesh_.triangles.size(); ++t)
         for (Index i = 0; i < 3; ++i) {
             const CapLink link = mesh_.triangles[t].link[i];
             connect(CapLink::to_triangle(first + t, i),
                     link.is_outline() ? edge_[link.outline_edge()]
-                                      : CapLink::to_triangle(first + link.triangle(), link.corner()),
-                    scratch);
+                                      : CapLink::to_triangle(first + link.triangle(), link.corner()));
         }
-    for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b], scratch);
-    for (const Index i : mesh_.shared_points) scratch.share_point(global_[i]);
+    for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b]);
+    for (const Index i : mesh_.shared_points) section_->share_point(*found_, global_[i]);
 }
 
-void CapPlanner::order_spatially(const CapSet& cap, CutScratch& scratch)
+void CapPlanner::order_spatially(const CapSet& cap)
 {
     // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
     const glm::dvec2 lo(box_.lo_x, box_.lo_y);
@@ -191,7 +193,7 @@ void CapPlanner::order_spatially(const CapSet& cap, CutScratch& scratch)
     keys_.clear();
     for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) {
         glm::dvec2 cell{0.0};
-        for (const Index corner : scratch.caps[t].corner) cell += projected(scratch.loop_points[corner]) - lo;
+        for (const Index corner : caps_->triangles[t].corner) cell += projected(section_->loop_points[corner]) - lo;
         cell *= scale;
         keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), static_cast<Index>(t));
     }
@@ -204,30 +206,14 @@ void CapPlanner::order_spatially(const CapSet& cap, CutScratch& scratch)
         for (const auto& item : keys_) sorted_[start[(item.first >> shift) & 1023u]++] = item;
         keys_.swap(sorted_);
     }
-    for (const auto& [key, t] : keys_) scratch.cap_order.push_back(t);
+    for (const auto& [key, t] : keys_) caps_->order.push_back(t);
 }
 
-double section_area(const Plane& plane, const CutScratch& scratch)
+void Caps::reserve(std::size_t crossings_expected)
 {
-    return kerf::section_area(plane, [&](auto visit) {
-        for (const Loop& loop : scratch.loops) {
-            if (!loop.closed) continue;
-            const glm::vec3* p = &scratch.loop_points[loop.first];
-            for (std::size_t i = 0; i < loop.count; ++i) visit(p[i], p[i + 1 < loop.count ? i + 1 : 0]);
-        }
-    });
-}
-
-double section_length(const CutScratch& scratch)
-{
-    double length = 0.0;
-    for (const Loop& loop : scratch.loops) {
-        if (!loop.closed) continue;
-        const glm::vec3* p = &scratch.loop_points[loop.first];
-        for (std::size_t i = 0; i < loop.count; ++i)
-            length += glm::distance(glm::dvec3(p[i]), glm::dvec3(p[i + 1 < loop.count ? i + 1 : 0]));
-    }
-    return length;
+    reserve_touched(triangles, crossings_expected);
+    reserve_touched(order, crossings_expected);
+    reserve_touched(piece_shells, crossings_expected);
 }
 
 }  // namespace kerf::halfedge

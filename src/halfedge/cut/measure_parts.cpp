@@ -1,4 +1,4 @@
-#include "halfedge/cut/parts_of_side.h"
+#include "halfedge/cut/measure_parts.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -14,9 +14,9 @@ namespace {
 
 /// Calls add(ray, term) for the crossings of rays with a subtree; boxes that no ray meets are skipped.
 template <class Add>
-void count_crossings_below(const Universe& u, Index root, const ParallelRays& rays, Add add)
+void count_crossings_below(const Universe& u, NodeId root, const ParallelRays& rays, Add add)
 {
-    std::vector<Index> stack{root};
+    std::vector<NodeId> stack{root};
     while (!stack.empty()) {
         const Node& node = u.tree.nodes[stack.back()];
         stack.pop_back();
@@ -26,7 +26,7 @@ void count_crossings_below(const Universe& u, Index root, const ParallelRays& ra
             stack.push_back(node.right);
             continue;
         }
-        for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+        for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
             const Triangle& t = u.slots[slot];
             rays.for_each_crossing(u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position,
                                    add);
@@ -37,25 +37,26 @@ void count_crossings_below(const Universe& u, Index root, const ParallelRays& ra
 /// Visits what goes to the targets of a side, program by program: subtrees by `visit_node(target, node)`, single
 /// triangles by `visit_triangle(target, a, b, c)`.
 template <class VisitNode, class VisitTriangle>
-void for_each_on_side(const Universe& u, const CutScratch& s, Side side, VisitNode visit_node,
+void for_each_on_side(const Universe& u, const Found& found, const Pieces& pieces, Side side, VisitNode visit_node,
                       VisitTriangle visit_triangle)
 {
-    for (const CutShell& shell : s.cut_shells)
+    for (const CutShell& shell : found.shells)
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
-            const TreeOp& op = s.ops[i];
-            if (op.kind == TreeOp::Kind::whole && s.targets[op.argument].side == side) visit_node(op.argument, op.node);
+            const TreeOp& op = found.ops[i];
+            if (op.kind == TreeOp::Kind::whole && pieces.targets[op.argument].side == side)
+                visit_node(op.argument, op.node);
             if (op.kind != TreeOp::Kind::leaf) continue;
             const Node& node = u.tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                const LeafEntry entry = s.entries[op.argument + e];
+                const LeafEntry entry = found.entries[op.argument + e];
                 const Triangle& t = u.slots[node.first + e];
                 if (!entry.is_crossing()) {
-                    if (s.targets[entry.target()].side == side)
+                    if (pieces.targets[entry.target()].side == side)
                         visit_triangle(entry.target(), u.vertices[t[0]].position, u.vertices[t[1]].position,
                                        u.vertices[t[2]].position);
                     continue;
                 }
-                const Crossing& c = s.crossings[entry.crossing()];
+                const Crossing& c = found.crossings[entry.crossing()];
                 const auto position = [&](std::uint8_t code) {
                     if (code == TriangleSplit::kCutNext) return c.split.cut_next.position;
                     if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
@@ -76,7 +77,7 @@ class WholeShell
 public:
     explicit WholeShell(const Universe& universe) : u_(universe) {}
 
-    void add(Index root)
+    void add(NodeId root)
     {
         const Node& node = u_.tree.nodes[root];
         box_.add(node.box);
@@ -99,8 +100,8 @@ public:
         if (u_.has_boundary || std::abs(part.volume6) <= kLostDigits * far * far * far) {
             part.volume6 = sum_of_triangles(part.sample);
             MassMoments moments;
-            for (const Index root : roots_)
-                for_each_slot(u_, root, [&](Index slot) {
+            for (const NodeId root : roots_)
+                for_each_slot(u_, root, [&](SlotId slot) {
                     const Triangle& t = u_.slots[slot];
                     moments.add(part.sample, u_.vertices[t[0]].position, u_.vertices[t[1]].position,
                                 u_.vertices[t[2]].position);
@@ -118,19 +119,19 @@ private:
     {
         ShellSample sample;
         for (const auto& [a, b, c] : triangles_) sample.add(a, b, c);
-        std::vector<Index> stack(roots_);
+        std::vector<NodeId> stack(roots_);
         while (!stack.empty()) {
             const Node& node = u_.tree.nodes[stack.back()];
             stack.pop_back();
             if (lexicographically_less(sample.first_corner(), node.box.lo)) continue;
             if (node.is_leaf()) {
-                for (Index slot = node.first; slot < node.first + node.count; ++slot) {
+                for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
                     const Triangle& t = u_.slots[slot];
                     sample.add(u_.vertices[t[0]].position, u_.vertices[t[1]].position, u_.vertices[t[2]].position);
                 }
                 continue;
             }
-            Index nearer = node.left, other = node.right;
+            NodeId nearer = node.left, other = node.right;
             if (lexicographically_less(u_.tree.nodes[other].box.lo, u_.tree.nodes[nearer].box.lo))
                 std::swap(nearer, other);
             stack.push_back(other);
@@ -149,7 +150,7 @@ private:
     const Universe& u_;
     Box box_;
     double volume6_ = 0.0;
-    std::vector<Index> roots_;
+    std::vector<NodeId> roots_;
     std::vector<std::array<glm::vec3, 3>> triangles_;
 };
 
@@ -169,22 +170,22 @@ void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_sever
 {
     const int sign = side_ == Side::positive ? 1 : -1;
     const auto is_beyond = [&](double distance) { return sign * distance > u_.noise; };
-    for (const CutShell& shell : s_.cut_shells) {
+    for (const CutShell& shell : found_.shells) {
         if (!has_several(shell.solid)) continue;
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
-            const TreeOp& op = s_.ops[i];
+            const TreeOp& op = found_.ops[i];
             if (op.kind == TreeOp::Kind::whole) {
                 const Index part = of_target_[op.argument];
                 if (part != kNone && !is_far[part])
                     is_far[part] =
-                        reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign, s_.nodes_visited);
+                        reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign, found_.nodes_visited);
             }
             if (op.kind != TreeOp::Kind::leaf) continue;
             const Node& node = u_.tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
-                const LeafEntry entry = s_.entries[op.argument + e];
+                const LeafEntry entry = found_.entries[op.argument + e];
                 const bool crosses = entry.is_crossing();
-                const Crossing* const c = crosses ? &s_.crossings[entry.crossing()] : nullptr;
+                const Crossing* const c = crosses ? &found_.crossings[entry.crossing()] : nullptr;
                 const Index part = of_target_[crosses ? c->target[side_] : entry.target()];
                 if (part == kNone || is_far[part]) continue;
                 if (!crosses) {
@@ -202,17 +203,17 @@ void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_sever
 
 void PartsOfSide::list(DisjointSets& same)
 {
-    of_target_.assign(s_.targets.size(), kNone);
-    for (Index t = 0; t < s_.targets.size(); ++t) {
-        if (s_.targets[t].side != side_ || s_.targets[t].is_empty) continue;
+    of_target_.assign(pieces_.targets.size(), kNone);
+    for (Index t = 0; t < pieces_.targets.size(); ++t) {
+        if (pieces_.targets[t].side != side_ || pieces_.targets[t].is_empty) continue;
         Index& part = of_target_[same.find(t)];
         if (part == kNone) part = add(t);
         of_target_[t] = part;
     }
     // What has vanished is with what is left of its solid. A solid of which nothing is left makes no fragment.
     std::unordered_map<std::uint32_t, Index> first_of_solid;
-    for (Index t = 0; t < s_.targets.size(); ++t) {
-        if (s_.targets[t].side != side_ || !s_.targets[t].is_empty) continue;
+    for (Index t = 0; t < pieces_.targets.size(); ++t) {
+        if (pieces_.targets[t].side != side_ || !pieces_.targets[t].is_empty) continue;
         if (first_of_solid.empty())
             for (Index part = 0; part < parts_.size(); ++part) first_of_solid.emplace(parts_[part].solid, part);
         const auto [entry, is_new] = first_of_solid.try_emplace(solid_of(t), kNone);
@@ -259,8 +260,8 @@ void PartsOfSide::measure()
     // Only what an earlier cut has left in parts holds whole shells beside what is cut.
     if (std::any_of(whole_number.begin(), whole_number.begin() + cut_count_, [](Index n) { return n != kNone; }))
         for_each_on_side(
-            u_, s_, side_,
-            [&](Index target, Index node) {
+            u_, found_, pieces_, side_,
+            [&](Index target, NodeId node) {
                 if (WholeShell* const shell = shell_at(target)) shell->add(node);
             },
             [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -276,8 +277,8 @@ void PartsOfSide::count_crossings(std::span<const AxisRay> rays, const std::vect
     const ParallelRays bundle(rays);
     const auto add_to = [&](Index part) { return [&add, part](std::uint32_t ray, int term) { add(part, ray, term); }; };
     for_each_on_side(
-        u_, s_, side_,
-        [&](Index target, Index node) {
+        u_, found_, pieces_, side_,
+        [&](Index target, NodeId node) {
             if (is_wanted[of_target_[target]]) count_crossings_below(u_, node, bundle, add_to(of_target_[target]));
         },
         [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -287,8 +288,7 @@ void PartsOfSide::count_crossings(std::span<const AxisRay> rays, const std::vect
         if (is_wanted[cut_count_ + i]) count_crossings_below(u_, whole_[i].root, bundle, add_to(cut_count_ + i));
 }
 
-Index PartsOfSide::make_piece_shells(const std::vector<std::uint32_t>& piece, CutScratch& s,
-                                     std::vector<Index>& whole_fragment) const
+void PartsOfSide::make_piece_shells(const std::vector<std::uint32_t>& piece, Pieces& pieces) const
 {
     Index count = 0;
     for (const std::uint32_t p : piece) count = std::max(count, p + 1);
@@ -301,13 +301,13 @@ Index PartsOfSide::make_piece_shells(const std::vector<std::uint32_t>& piece, Cu
             b.side = side_;
             b.solid = solid_of(t);
             b.fragment = p;
-            piece_shell[p] = static_cast<Index>(s.piece_shells.size());
-            s.piece_shells.push_back(b);
+            piece_shell[p] = static_cast<Index>(pieces.shells.size());
+            pieces.shells.push_back(b);
         }
-        s.targets[t].piece_shell = piece_shell[p];
+        pieces.targets[t].piece_shell = piece_shell[p];
     }
-    whole_fragment.assign(piece.begin() + cut_count_, piece.end());
-    return count;
+    pieces.whole_fragment[side_].assign(piece.begin() + cut_count_, piece.end());
+    pieces.fragment_count[side_] = count;
 }
 
 }  // namespace kerf::halfedge

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "halfedge/cut/find.h"
+
+namespace kerf::halfedge {
+
+/// Which points of a section coincide with others. Nearly always none.
+struct Coincidences
+{
+    bool irregular = false;       ///< some cut points coincide with vertices or each other, or edges lie in the plane
+    bool collapsed = false;       ///< a cut point fell on a corner off the plane, or on another: sub-triangles vanish
+    bool meets_boundary = false;  ///< the section runs through a vertex on the boundary of the mesh
+};
+
+/// SPLIT: says of each crossing triangle how it falls apart. O(k).
+Coincidences split_crossings(const Universe& universe, Found& found);
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,169 @@
+#include "halfedge/cut/walk.h"
+
+#include <algorithm>
+
+#include "halfedge/cut/irregular/link_outline.h"
+
+namespace kerf::halfedge {
+
+namespace {
+
+class Walk
+{
+public:
+    Walk(Universe& universe, Found& found, Section& section, std::vector<Index>& chain)
+        : u_(universe), found_(found), section_(section), chain_(chain)
+    {
+    }
+
+    void run()
+    {
+        for (Index c = 0; c < found_.crossings.size(); ++c)
+            if (!found_.crossings[c].walked) trace(c);
+    }
+
+private:
+    /// One of the two crossed edges of a triangle.
+    struct Crossed
+    {
+        bool is_n;            ///< lone -> next, otherwise previous -> lone
+        HalfedgeId halfedge;  ///< of this triangle
+        Index from, to;       ///< its vertices
+        const CutPoint* point;
+        bool whole;         ///< the cut point is an end point: the edge is not divided
+        bool needs_vertex;  ///< a sub-triangle has the cut point as a corner
+    };
+
+    Crossed crossed(const Crossing& c, bool exit) const
+    {
+        Crossed e;
+        e.is_n = exit != c.lone_positive();
+        const int from = e.is_n ? c.lone() : c.previous(), to = e.is_n ? c.next() : c.lone();
+        e.halfedge = c.halfedge[static_cast<std::size_t>(from)];
+        e.from = c.corner[static_cast<std::size_t>(from)];
+        e.to = c.corner[static_cast<std::size_t>(to)];
+        e.point = e.is_n ? &c.split.cut_next : &c.split.cut_previous;
+        e.whole = same_position(e.point->position, u_.vertices[e.from].position) ||
+                  same_position(e.point->position, u_.vertices[e.to].position);
+        e.needs_vertex = e.is_n ? c.split.next_code == TriangleSplit::kCutNext
+                                : c.split.previous_code == TriangleSplit::kCutPrevious;
+        return e;
+    }
+
+    Index new_vertex(const Crossed& e)
+    {
+        const Index v = static_cast<Index>(u_.vertices.size() + section_.new_vertices++);
+        u_.vertices.data()[v] = interpolate(*e.point, u_.vertices[e.from], u_.vertices[e.to]);
+        for (Stream& stream : u_.streams) {
+            float* values = stream.values.data();
+            const std::size_t w = stream.width;
+            interpolate(*e.point, values + e.from * w, values + e.to * w, values + v * w, stream.width);
+        }
+        return v;
+    }
+
+    /// The crossing triangle of a face, or kNone.
+    Index crossing_of(FaceId face) const
+    {
+        const std::uint64_t stamp = u_.stamp_of_face[face];
+        return stamp >= u_.stamp_base && stamp - u_.stamp_base < found_.crossings.size()
+                   ? static_cast<Index>(stamp - u_.stamp_base)
+                   : kNone;
+    }
+
+    /// Over the exit (or entry) edge to the next crossing triangle; kNone where the chain ends.
+    Index step(Index from, bool exit)
+    {
+        Crossing& c = found_.crossings[from];
+        const Crossed e = crossed(c, exit);
+        if (e.whole) return kNone;
+
+        const Index cut_point = static_cast<Index>(section_.cut_points.size());
+        section_.cut_points.push_back(e.point->position);
+        Index vertex = e.needs_vertex ? new_vertex(e) : kNone;
+        (exit ? c.exit_cut_point : c.entry_cut_point) = cut_point;
+        (exit ? c.exit_vertex : c.entry_vertex) = vertex;
+
+        const HalfedgeId outer = opposite(e.halfedge);
+        const FaceId face = u_.mesh.face(outer);
+        if (!face.is_valid()) {
+            // A half-edge that leaves through the exit runs from negative to positive.
+            const PointId a = u_.mesh.to(outer), b = u_.mesh.to(e.halfedge);
+            section_.boundary_cuts.push_back({outer, cut_point, exit ? b : a, exit ? a : b});
+            return kNone;
+        }
+        const Index to = crossing_of(face);
+        Crossing& d = found_.crossings[to];
+        const Crossed f = crossed(d, !exit);
+        if (f.needs_vertex && !(vertex != kNone && f.from == e.to && f.to == e.from)) vertex = new_vertex(f);
+        (exit ? d.entry_cut_point : d.exit_cut_point) = cut_point;
+        (exit ? d.entry_vertex : d.exit_vertex) = f.needs_vertex ? vertex : kNone;
+        return to;
+    }
+
+    void trace(Index start)
+    {
+        chain_.clear();
+        Index c = start;
+        while (c != kNone && !found_.crossings[c].walked) {
+            found_.crossings[c].walked = true;
+            chain_.push_back(c);
+            c = step(c, true);
+        }
+        const bool closed = c == start;
+        if (!closed) {
+            // The walk ended: what lies before the start is still missing.
+            const std::size_t forward = chain_.size();
+            for (c = step(start, false); c != kNone && !found_.crossings[c].walked; c = step(c, false)) {
+                found_.crossings[c].walked = true;
+                chain_.push_back(c);
+            }
+            std::reverse(chain_.begin() + static_cast<std::ptrdiff_t>(forward), chain_.end());
+            std::rotate(chain_.begin(), chain_.begin() + static_cast<std::ptrdiff_t>(forward), chain_.end());
+        }
+        // Two triangles that share both crossed edges, back to back: the section runs forth and back.
+        if (closed && chain_.size() == 2) section_.coincidences.irregular = true;
+        // Coincidences change what follows what: then the outline is linked by its points instead.
+        if (section_.is_irregular()) return;
+        Loop loop;
+        loop.first = section_.loop_edges.size();
+        loop.count = chain_.size();
+        loop.closed = closed;
+        loop.solid = u_.group(found_.crossings[start].group).solid;
+        loop.shell = found_.crossings[start].shell;
+        for (const Index i : chain_) {
+            section_.loop_edges.push_back(found_.edge_of_crossing(i));
+            section_.loop_points.push_back(section_.cut_points[found_.crossings[i].entry_cut_point]);
+        }
+        if (!closed) loop.end = section_.cut_points[found_.crossings[chain_.back()].exit_cut_point];
+        section_.loops.push_back(loop);
+    }
+
+    Universe& u_;
+    Found& found_;
+    Section& section_;
+    std::vector<Index>& chain_;
+};
+
+}  // namespace
+
+void Walker::reserve(std::size_t crossings_expected)
+{
+    reserve_touched(chain_, crossings_expected);
+}
+
+void Walker::run(Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found,
+                 Section& section)
+{
+    section.coincidences = coincidences;
+    Walk(universe, found, section, chain_).run();
+    section.cut_point_is_shared.assign(section.cut_points.size(), 0);
+    if (section.is_irregular()) {
+        section.clear_loops();
+        link_outline(universe, plane, found, section);
+    }
+    section.loops_on_shell.assign(found.shells.size(), 0);
+    for (const Loop& loop : section.loops) ++section.loops_on_shell[loop.shell];
+}
+
+}  // namespace kerf::halfedge
