@@ -59,6 +59,25 @@ private:
     bool first_ = true;
 };
 
+/// Lets a cut end, at the latest when a test is left.
+class MayEnd
+{
+public:
+    explicit MayEnd(std::binary_semaphore& gate) : gate_(gate) {}
+    ~MayEnd() { now(); }
+    MayEnd(const MayEnd&) = delete;
+    MayEnd& operator=(const MayEnd&) = delete;
+
+    void now()
+    {
+        if (!std::exchange(is_open_, true)) gate_.release();
+    }
+
+private:
+    std::binary_semaphore& gate_;
+    bool is_open_ = false;
+};
+
 /// A duel with another scene for its second half.
 Duel unfair_duel(const std::shared_ptr<sim::ModelLibrary>& models,
                  const std::function<std::unique_ptr<sim::Scene>()>& second)
@@ -95,6 +114,7 @@ TEST(Duel, ASlowCutFreezesOnlyItsOwnHalf)
     for (const std::string& backend : kBackEnds) models->prepare(0, backend);
     std::binary_semaphore began{0}, may_end{0};
     Duel duel = unfair_duel(models, [&] { return std::make_unique<ACutThatWaits>(began, may_end); });
+    MayEnd cut_may_end(may_end);
     const std::vector<sim::InputEvent> swipe = one_swipe();
 
     bool is_cutting = false;
@@ -111,7 +131,7 @@ TEST(Duel, ASlowCutFreezesOnlyItsOwnHalf)
     EXPECT_EQ(most_behind_fast, 0);
     EXPECT_TRUE(is_cutting);
     EXPECT_GT(duel.now() - duel.half(1).done(), 20) << "the other half stands still while it cuts";
-    may_end.release();
+    cut_may_end.now();
     duel.finish();
     EXPECT_GE(duel.half(0).simulation().cuts().size(), 1u);
     EXPECT_EQ(duel.half(1).simulation().cuts().size(), duel.half(0).simulation().cuts().size());
@@ -189,6 +209,7 @@ TEST(Duel, EndsInTheMiddleOfACut)
     const auto models = library_of({"icosphere"});
     std::binary_semaphore began{0}, may_end{0};
     Duel duel = unfair_duel(models, [&] { return std::make_unique<ACutThatWaits>(began, may_end); });
+    MayEnd cut_may_end(may_end);
     for (int frame = 0; frame < 140; ++frame) duel.advance(2, between(one_swipe(), duel.now(), duel.now() + 2));
     // Until the second half is in the middle of its cut: leaving must neither hang nor crash.
     while (!began.try_acquire_for(1ms)) {
@@ -196,7 +217,7 @@ TEST(Duel, EndsInTheMiddleOfACut)
         duel.half(1).resume(duel.half(1).owed());
     }
     EXPECT_FALSE(duel.half(1).idle());
-    may_end.release();
+    cut_may_end.now();
 }
 
 TEST(Duel, HandsOnWhatGoesWrongInAHalf)

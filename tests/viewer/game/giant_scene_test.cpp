@@ -168,19 +168,26 @@ TEST(GiantScene, GivesTheSameStateTwice)
     }
 }
 
-// Two million triangles take the thread seconds, 120 ticks of an empty world take microseconds.
 TEST(GiantScene, NeverWaitsForAGiantInAWindow)
 {
-    sim::Simulation simulation = play(GiantArrival::when_ready);
-    simulation.command("size 2000000");
-    simulation.advance(120);
-    EXPECT_FALSE(state_of(simulation).is_held);
-    EXPECT_LT(state_of(simulation).progress, 1.0) << "a tick has waited";
-    simulation.command("size 10000");
-    simulation.advance(1);
-    wait_for_giant(simulation);
-    EXPECT_TRUE(state_of(simulation).is_held);
-    EXPECT_LT(simulation.bodies().back()->object().triangle_count(), 11'000u);
+    // The thread makes two million triangles in seconds, 120 ticks of an empty world take microseconds. If it is done all the same, because this thread had to
+    // wait, nothing is seen of that: once more.
+    constexpr int kMostTries = 20;
+    for (int i = 0; i < kMostTries; ++i) {
+        sim::Simulation simulation = play(GiantArrival::when_ready);
+        simulation.command("size 2000000");
+        simulation.advance(120);
+        const bool is_under_way = state_of(simulation).progress < 1.0;
+        if (!is_under_way && i + 1 < kMostTries) continue;
+        EXPECT_TRUE(is_under_way) << "a tick has waited";
+        EXPECT_FALSE(state_of(simulation).is_held);
+        simulation.command("size 10000");
+        simulation.advance(1);
+        wait_for_giant(simulation);
+        EXPECT_TRUE(state_of(simulation).is_held);
+        EXPECT_LT(simulation.bodies().back()->object().triangle_count(), 11'000u);
+        return;
+    }
 }
 
 TEST(GiantScene, ComesToAWindowWhenAllOfItIsOnTheGraphicsCard)

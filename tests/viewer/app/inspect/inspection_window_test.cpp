@@ -36,6 +36,7 @@ protected:
         for (const std::string& message : errors.messages()) ADD_FAILURE() << "GL: " << message;
     }
 
+    // Where a test waits for something that takes real time, it does so as long as ctest lets it: machines differ.
     void frames(int count)
     {
         for (int i = 0; i < count; ++i) ASSERT_TRUE(loop.frame());
@@ -161,8 +162,7 @@ TEST_F(InspectionWindowTest, SurvivesBeingMinimised)
 TEST_F(InspectionWindowTest, PausesWhileAnotherWindowHasTheFocus)
 {
     const auto wait_for_focus = [&](bool wanted) {
-        for (int i = 0; i < 50 && window.has_focus() != wanted; ++i) frames(1);
-        ASSERT_EQ(window.has_focus(), wanted);
+        while (window.has_focus() != wanted) frames(1);
         frames(1);
     };
     glfwFocusWindow(window.handle());
@@ -333,11 +333,9 @@ TEST_F(InspectionWindowTest, TheBackEndKeySwitchesForTheNextThrow)
     frames(1);
     const std::string first = inspection.simulation().backend();
     inspection.act(app::KeyAction::next_backend);
-    for (int i = 0; i < 100 && inspection.simulation().backend() == first; ++i) frames(1);
-    EXPECT_NE(inspection.simulation().backend(), first);
+    while (inspection.simulation().backend() == first) frames(1);
     inspection.act(app::KeyAction::next_backend);
-    for (int i = 0; i < 100 && inspection.simulation().backend() != first; ++i) frames(1);
-    EXPECT_EQ(inspection.simulation().backend(), first);
+    while (inspection.simulation().backend() != first) frames(1);
 }
 
 TEST_F(DraggingTest, CutsWhatThePointerCrosses)
