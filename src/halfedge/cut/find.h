@@ -71,8 +71,8 @@ inline Side side_of_target(Index first_target)
     return static_cast<Side>(first_target % 2);
 }
 
-/// An edge of the section's outline: the section edge of a crossing triangle, or an edge in the plane. Crossing triangles
-/// come first (Found::outline_edge()).
+/// An edge of the section's outline: the section edge of a crossing triangle, or an edge in the plane. Crossing
+/// triangles come first (Found::edge_of_crossing(), edge_in_plane()).
 using OutlineEdgeId = Id<struct OutlineEdgeKind>;
 
 /// The result of FIND. The plan of the pieces rewrites the program and the targets if a side falls apart.

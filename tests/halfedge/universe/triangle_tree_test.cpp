@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "common/proxy/collision_proxy.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
@@ -9,6 +11,17 @@
 
 namespace kerf::halfedge {
 namespace {
+
+TEST(Support, HasABoxWithoutMinusZero)
+{
+    Support support = Support::none();
+    for (const float zero : {0.0f, -0.0f}) support.add(glm::vec3(zero));
+    const Box box = support.box();
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_FALSE(std::signbit(box.lo[axis])) << axis;
+        EXPECT_FALSE(std::signbit(box.hi[axis])) << axis;
+    }
+}
 
 TEST(TriangleTree, BoundsMassAndProxyAreThoseOfTheMesh)
 {
