@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/support/stopwatch.h"
+#include "tools/mesh_measures.h"
 #include "tools/open_edges.h"
 #include "tools/section_facts.h"
 #include "tools/text.h"
@@ -18,70 +19,6 @@ namespace {
 
 /// Planes that are tried when they miss a piece.
 constexpr std::uint64_t kTries = 4;
-
-/// Signed volume over the centre of the bounds.
-double volume_of(const IndexedMesh& mesh)
-{
-    const glm::dvec3 origin = mesh.bounds().centre();
-    double six = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[t[i]].position) - origin; };
-        six += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-    }
-    return six / 6.0;
-}
-
-double area_of(const IndexedMesh& mesh)
-{
-    double twice = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[t[i]].position); };
-        twice += glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
-    }
-    return twice / 2.0;
-}
-
-std::uint64_t degenerate_triangles(const IndexedMesh& mesh)
-{
-    return static_cast<std::uint64_t>(
-        std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-            const glm::vec3 &a = mesh.vertices[t[0]].position, &b = mesh.vertices[t[1]].position,
-                            &c = mesh.vertices[t[2]].position;
-            return a == b || b == c || c == a;
-        }));
-}
-
-/// Vertices that no file can hold and no cut takes: with a coordinate, a normal or a uv that is not finite.
-std::uint64_t vertices_without_number(const IndexedMesh& mesh)
-{
-    return static_cast<std::uint64_t>(std::count_if(mesh.vertices.begin(), mesh.vertices.end(), [](const Vertex& v) {
-        for (const float number :
-             {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.uv.x, v.uv.y})
-            if (!std::isfinite(number)) return true;
-        return false;
-    }));
-}
-
-/// Area, in the plane, of the caps with this material, each triangle counted positive.
-double cap_area_of(const IndexedMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
-{
-    double twice = 0.0;
-    for (const TriangleGroup& group : mesh.groups) {
-        if (group.kind != TriangleKind::cap || group.material != material) continue;
-        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
-            const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.vertices[mesh.triangles[t][i]].position); };
-            twice += std::abs(glm::dot(normal, glm::cross(corner(1) - corner(0), corner(2) - corner(0))));
-        }
-    }
-    return 0.5 * twice;
-}
-
-double overhang_of(const IndexedMesh& mesh, const Plane& plane, double sign)
-{
-    double worst = 0.0;
-    for (const Vertex& v : mesh.vertices) worst = std::max(worst, -sign * plane.signed_distance(v.position));
-    return worst;
-}
 
 /// The positive and the negative fragment of one back end.
 struct Halves
