@@ -51,7 +51,7 @@ std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t co
     return planes;
 }
 
-std::string check_cut(const Cuttable& object, const Plane& plane, CutStatistics* counted)
+std::string check_cut(const Cuttable& object, const Plane& plane, CutCounts* counted)
 {
     constexpr double kShare = 1e-6;  // of the whole: what rounding cut points to float may change
     const double volume = object.mass_properties().volume, area = surface_area(object.to_indexed_mesh());
@@ -60,11 +60,11 @@ std::string check_cut(const Cuttable& object, const Plane& plane, CutStatistics*
     if (result.status != Status::done) return "status " + std::string(name_of(result.status));
     if (counted) {
         const CutStatistics& s = result.statistics;
-        counted->crossing_triangles += s.crossing_triangles;
-        counted->triangles_touched += s.triangles_touched;
-        counted->nodes_visited += s.nodes_visited;
-        counted->bytes_to_upload += s.bytes_to_upload;
-        counted->vertex_comparisons += s.vertex_comparisons;
+        counted->all.crossing_triangles += s.crossing_triangles;
+        counted->all.triangles_touched += s.triangles_touched;
+        counted->all.nodes_visited += s.nodes_visited;
+        counted->all.bytes_to_upload += s.bytes_to_upload;
+        counted->report.vertex_comparisons += baseline::report_costs(result).vertex_comparisons;
     }
     double volume_sum = 0.0, area_sum = 0.0;
     for (const auto* side : {&result.positive, &result.negative})

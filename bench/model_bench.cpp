@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "baseline/baseline.h"
+#include "baseline/report_proxy/every_vertex.h"
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/models.h"
@@ -68,7 +69,31 @@ void cut_model(benchmark::State& state, const Backend& backend, const Model& mod
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(cuts) / triangles;
 }
 
-void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind kind, const Model& model)
+/// A way to make a proxy, by the name that its benchmark has.
+struct TimedProxy
+{
+    std::string name;
+    bool differs_in_halfedge;  ///< hulls are read off the tree; the other proxies look at every vertex in both
+    CollisionProxy (*make)(const Cuttable&);
+};
+
+template <ProxyKind kind>
+CollisionProxy make_proxy(const Cuttable& object)
+{
+    return collision_proxy(object, kind);
+}
+
+const std::array<TimedProxy, 5>& timed_proxies()
+{
+    static const std::array<TimedProxy, 5> all{{{"box", false, make_proxy<ProxyKind::box>},
+                                                {"sphere", false, make_proxy<ProxyKind::sphere>},
+                                                {"bounded_hull", true, make_proxy<ProxyKind::bounded_hull>},
+                                                {"full_hull", true, make_proxy<ProxyKind::full_hull>},
+                                                {"every_vertex", false, baseline::every_vertex}}};
+    return all;
+}
+
+void build_proxies(benchmark::State& state, const Backend& backend, const TimedProxy& timed, const Model& model)
 {
     const auto planes = planes_of_model(model);
     const auto object = prepared(state, backend, model, planes);
@@ -79,7 +104,7 @@ void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind ki
 
     for (const CutResult& result : cuts)
         for (const auto* side : {&result.positive, &result.negative}) {
-            const CollisionProxy proxy = collision_proxy(*side->front(), kind);
+            const CollisionProxy proxy = timed.make(*side->front());
             const std::string error = check_proxy(proxy, side->front()->to_indexed_mesh().vertices);
             if (!error.empty()) return state.SkipWithError(error.c_str());
             volume += proxy_volume(proxy);
@@ -93,7 +118,7 @@ void build_proxies(benchmark::State& state, const Backend& backend, ProxyKind ki
         CpuStopwatch watch;
         for (const CutResult& result : cuts)
             for (const auto* side : {&result.positive, &result.negative}) {
-                const CollisionProxy proxy = collision_proxy(*side->front(), kind);
+                const CollisionProxy proxy = timed.make(*side->front());
                 benchmark::DoNotOptimize(proxy.points.data());
                 points += proxy.points.size();
             }
@@ -147,17 +172,14 @@ void register_model_benchmarks()
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond);
         }
-        for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull,
-                                     ProxyKind::every_vertex})
+        for (const TimedProxy& proxy : timed_proxies())
             for (const auto& backend : timed) {
                 const bool half_edge = backend->name() == "halfedge";
                 if (!half_edge && backend->name() != "baseline/remap") continue;  // all lookups build alike
-                // Only hulls are read off the tree; the other proxies look at every vertex in both.
-                if (half_edge && kind != ProxyKind::bounded_hull && kind != ProxyKind::full_hull) continue;
-                const std::string variant = (half_edge ? "halfedge/" : "") + std::string(name_of(kind));
-                benchmark::RegisterBenchmark(
-                    ("Proxy/" + variant + "/" + model.name).c_str(),
-                    [&, kind](benchmark::State& s) { build_proxies(s, *backend, kind, model); })
+                if (half_edge && !proxy.differs_in_halfedge) continue;
+                const std::string variant = (half_edge ? "halfedge/" : "") + proxy.name;
+                benchmark::RegisterBenchmark(("Proxy/" + variant + "/" + model.name).c_str(),
+                                             [&](benchmark::State& s) { build_proxies(s, *backend, proxy, model); })
                     ->UseManualTime()
                     ->Unit(benchmark::kMillisecond);
             }

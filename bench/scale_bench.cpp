@@ -32,8 +32,8 @@ struct Prepared
 {
     std::string key;
     std::unique_ptr<Cuttable> object;
-    CutStatistics counted;  ///< by one cut with each plane: the same on every run, however often is timed
-    std::string error;      ///< why a cut of it must not be timed
+    CutCounts counted;  ///< by one cut with each plane: the same on every run, however often is timed
+    std::string error;  ///< why a cut of it must not be timed
 };
 
 /// A mesh made ready and every cut of it that will be timed checked; kept for the repetitions and for the other extent.
@@ -97,7 +97,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
         seconds += round;
     }
     const auto n = double(cuts), triangles = double(mesh->triangles.size());
-    const CutStatistics& counted = prepared.counted;
+    const CutStatistics& counted = prepared.counted.all;
     const auto counts = double(planes.size());
     state.counters["triangles"] = triangles;
     state.counters["cuts_each"] = counts;
@@ -106,7 +106,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
     state.counters["ns_per_crossing"] = seconds * 1e9 / double(crossing);
     state.counters["touched"] = double(counted.triangles_touched) / counts;
     state.counters["nodes"] = double(counted.nodes_visited) / counts;
-    state.counters["comparisons"] = double(counted.vertex_comparisons) / counts;
+    state.counters["comparisons"] = double(prepared.counted.report.vertex_comparisons) / counts;
     state.counters["upload_bytes"] = double(counted.bytes_to_upload) / counts;
     for (std::size_t i = 0; i < kPhaseCount; ++i)
         if (phases.ms[i] > 0) state.counters["ms_" + std::string(name_of(static_cast<Phase>(i)))] = phases.ms[i] / n;

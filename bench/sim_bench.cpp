@@ -16,7 +16,7 @@
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/proxy_names.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/simulation.h"
 
 namespace kerf::bench {
@@ -131,7 +131,7 @@ void register_sim_benchmarks()
             ->Iterations(20)
             ->Unit(benchmark::kMillisecond);
     for (const ProxyKind proxy : sim::kProxyKinds)
-        benchmark::RegisterBenchmark(("Physics/" + std::string(name_of(proxy))).c_str(),
+        benchmark::RegisterBenchmark(("Physics/" + std::string(sim::proxy_name(proxy))).c_str(),
                                      [=](benchmark::State& state) { pieces(state, false, proxy); })
             ->Arg(300)
             ->UseManualTime()

@@ -1,6 +1,7 @@
 #include "baseline/baseline.h"
 
 #include "baseline/fragment.h"
+#include "baseline/report_costs.h"
 #include "baseline/slice.h"
 #include "common/cutting/back_end.h"
 #include "common/support/stopwatch.h"
@@ -33,7 +34,13 @@ struct Method
 class BaselineCuttable final : public Cuttable
 {
 public:
-    BaselineCuttable(Fragment fragment, Method method) : fragment_(std::move(fragment)), method_(method) {}
+    BaselineCuttable(Fragment fragment, Method method, const ReportCosts& costs = {})
+        : fragment_(std::move(fragment)), method_(method), costs_(costs)
+    {
+    }
+
+    /// Of the cut that made it.
+    const ReportCosts& costs() const { return costs_; }
 
     std::unique_ptr<Cuttable> clone() const override
     {
@@ -92,26 +99,33 @@ private:
         result.statistics = slices.statistics;
         if (slices.status == Status::missed) return result;
 
+        ReportCosts costs{slices.vertex_comparisons, 0.0};
+        if (method_.rewrite_pivots) costs.pivot_ms = rewrite_all(slices.positive) + rewrite_all(slices.negative);
         const auto hand_over = [&](std::vector<Fragment>& from, std::vector<std::unique_ptr<Cuttable>>& to) {
-            for (Fragment& fragment : from) {
-                if (method_.rewrite_pivots) {
-                    Stopwatch watch;
-                    Buffer<Vertex> scratch;
-                    rewrite_around_pivot(fragment.mesh, scratch);
-                    result.statistics.phases[Phase::pivot] += watch.lap();
-                }
-                to.push_back(std::make_unique<BaselineCuttable>(std::move(fragment), method_));
-            }
+            for (Fragment& fragment : from)
+                to.push_back(std::make_unique<BaselineCuttable>(std::move(fragment), method_, costs));
         };
         hand_over(slices.positive, result.positive);
         hand_over(slices.negative, result.negative);
         return result;
     }
 
+    /// Runs the report's loop over the vertices of all fragments; what it writes is thrown away. Milliseconds.
+    static double rewrite_all(const std::vector<Fragment>& fragments)
+    {
+        Stopwatch watch;
+        for (const Fragment& fragment : fragments) {
+            Buffer<Vertex> scratch;
+            rewrite_around_pivot(fragment.mesh, scratch);
+        }
+        return watch.lap();
+    }
+
     std::uint64_t buffers() const noexcept override { return serial_; }
 
     Fragment fragment_;
     Method method_;
+    ReportCosts costs_;
     const std::uint64_t serial_ = new_buffers_serial();
     bool is_uploaded_ = false;
 };
@@ -137,6 +151,14 @@ private:
 };
 
 }  // namespace
+
+ReportCosts report_costs(const CutResult& result)
+{
+    const auto& some = result.positive.empty() ? result.negative : result.positive;
+    if (some.empty()) return {};
+    const auto* const fragment = dynamic_cast<const BaselineCuttable*>(some.front().get());
+    return fragment ? fragment->costs() : ReportCosts{};
+}
 
 std::unique_ptr<Backend> make_backend(VertexLookup lookup, bool rewrite_pivots)
 {

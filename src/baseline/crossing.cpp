@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "baseline/pair_table.h"
+#include "common/geometry/pair_table.h"
 
 namespace kerf::baseline {
 

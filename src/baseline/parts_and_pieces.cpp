@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "baseline/pair_table.h"
 #include "common/geometry/disjoint_sets.h"
+#include "common/geometry/pair_table.h"
 #include "common/geometry/parallel_rays.h"
 #include "common/mesh/mass_properties.h"
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf::baseline {
 
@@ -130,19 +130,19 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
 
     // All triangles at an edge are connected. If more run one way than the other, the edge bounds the side.
-    const EdgeRuns runs(mesh.point_count, corners);
+    const HalfedgesByEdge runs(mesh.point_count, corners);
     DisjointSets joined(triangle_count);
     PairTable triangle_at;  // by the points of edges, the smaller one first
     triangle_at.reset(section.edges.size());
-    const auto note = [&](std::span<const EdgeRuns::Side> edge) {
+    const auto note = [&](std::span<const HalfedgesByEdge::Side> edge) {
         const std::uint32_t first = edge.front().halfedge / 3, corner = edge.front().halfedge % 3;
         const auto [smaller, larger] = std::minmax(corners[first][corner], corners[first][(corner + 1) % 3]);
         triangle_at(smaller, larger) = first;
     };
-    runs.for_each([&](std::span<const EdgeRuns::Side> edge) {
+    runs.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
         const std::uint32_t first = edge.front().halfedge / 3;
         std::int32_t surplus = 0;
-        for (const EdgeRuns::Side& side : edge) {
+        for (const HalfedgesByEdge::Side& side : edge) {
             joined.unite(first, side.halfedge / 3);
             surplus += corners[side.halfedge / 3][side.halfedge % 3] < side.larger_point ? 1 : -1;
         }
@@ -168,7 +168,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         std::vector<bool> is_on_section(mesh.point_count, false);
         for (std::uint32_t i = 0; i < section.points.size(); ++i)
             if (const std::uint32_t point = point_of(i); point < is_on_section.size()) is_on_section[point] = true;
-        runs.for_each([&](std::span<const EdgeRuns::Side> edge) {
+        runs.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
             const Triangle& t = corners[edge.front().halfedge / 3];
             const std::uint32_t corner = edge.front().halfedge % 3;
             if (is_on_section[t[corner]] && is_on_section[t[(corner + 1) % 3]]) note(edge);

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "baseline/pair_table.h"
 #include "baseline/slicer.h"
 #include "baseline/vertex_box.h"
+#include "common/geometry/pair_table.h"
 
 namespace kerf::baseline {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "baseline/pair_table.h"
 #include "common/caps/section_area.h"
+#include "common/geometry/pair_table.h"
 
 namespace kerf::baseline {
 

@@ -8,8 +8,8 @@
 
 #include "baseline/crossing.h"
 #include "baseline/fragment.h"
-#include "baseline/pair_table.h"
 #include "baseline/vertex_box.h"
+#include "common/geometry/pair_table.h"
 
 namespace kerf::baseline {
 

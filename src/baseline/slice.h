@@ -18,6 +18,7 @@ struct Slices
     double section_area = 0.0;
     bool caps_exceed_section = false;
     CutStatistics statistics;
+    std::uint64_t vertex_comparisons = 0;  ///< see ReportCosts
 };
 
 /// Cuts a fragment by the report's method (section 3.2): one loop over all triangles. A triangle that does not cross

@@ -11,7 +11,7 @@
 #include "baseline/section.h"
 #include "baseline/side_builder.h"
 #include "baseline/slice.h"
-#include "baseline/vertex_classes.h"
+#include "baseline/vertex_sides.h"
 #include "common/cutting/back_end.h"
 #include "common/cutting/cut_geometry.h"
 #include "common/support/stopwatch.h"
@@ -231,7 +231,7 @@ protected:
             });
 
         for (SideBuilder& b : builders_) {
-            slices_.statistics.vertex_comparisons += b.comparisons;
+            slices_.vertex_comparisons += b.comparisons;
             Fragment fragment;
             fragment.noise = whole_.noise;
             fragment.cap_material = added_cap_material_;
@@ -265,7 +265,7 @@ protected:
     const CutOptions& options_;
 
     Slices slices_;
-    VertexClasses classes_;
+    VertexSides classes_;
     std::vector<std::uint32_t> group_order_;
     Crossings crossings_;
     std::vector<std::uint32_t> point_table_ = std::vector<std::uint32_t>(mesh_.point_count, kNone);

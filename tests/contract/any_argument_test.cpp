@@ -106,11 +106,11 @@ TEST_P(AnyArgument, ACapMaterialThatDoesNotExistIsTheDefaultOne)
     }
 }
 
-TEST_P(AnyArgument, AProxyOfAKindThatDoesNotExistIsEmpty)
+TEST_P(AnyArgument, AProxyOfAKindThatIsNotMadeIsEmpty)
 {
     for (int kind = 0; kind < 256; ++kind) {
         const CollisionProxy proxy = collision_proxy(*object(), static_cast<ProxyKind>(kind));
-        if (kind > static_cast<int>(ProxyKind::every_vertex)) {
+        if (kind >= static_cast<int>(ProxyKind::points)) {
             EXPECT_TRUE(proxy.box.empty() && proxy.points.empty() && proxy.faces.empty() && proxy.radius == 0.0f);
         }
     }

@@ -186,8 +186,8 @@ TEST_P(Scale, UpToTheLargestFloatGivesClosedPiecesAndProxies)
         ASSERT_EQ(mesh.mesh->bounds().largest_coordinate(), kLargest);
         const PrepareResult prepared = backend_->prepare(mesh.mesh);
         EXPECT_FALSE(prepared.coarse_coordinates);
-        for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull,
-                                     ProxyKind::every_vertex}) {
+        for (const ProxyKind kind :
+             {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull}) {
             const CollisionProxy proxy = collision_proxy(*prepared.object, kind);
             EXPECT_TRUE(std::isfinite(proxy.radius) && std::isfinite(glm::dot(glm::dvec3(proxy.centre), {1, 1, 1})));
             for (const glm::vec3& p : proxy.points) EXPECT_LE(std::abs(p.x), kLargest);

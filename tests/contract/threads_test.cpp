@@ -131,9 +131,9 @@ const std::vector<Reading>& readings()
          [](const Cuttable& object) {
              return Bytes{std::uint32_t(collision_proxy(object, ProxyKind::bounded_hull).points.size())};
          }},
-        {"every_vertex",
+        {"full_hull",
          [](const Cuttable& object) {
-             return Bytes{std::uint32_t(collision_proxy(object, ProxyKind::every_vertex).points.size())};
+             return Bytes{std::uint32_t(collision_proxy(object, ProxyKind::full_hull).points.size())};
          }},
         {"section_loops",
          [](const Cuttable& object) {

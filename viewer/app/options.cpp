@@ -13,7 +13,7 @@
 #include "viewer/app/exit_status.h"
 #include "viewer/game/scenes.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/proxy_names.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/ui/screens.h"
 
 namespace kerf::app {
@@ -70,7 +70,7 @@ std::string joined(const std::vector<std::string>& words)
 std::vector<std::string> proxy_names()
 {
     std::vector<std::string> names;
-    for (const ProxyKind kind : sim::kProxyKinds) names.emplace_back(name_of(kind));
+    for (const ProxyKind kind : sim::kProxyKinds) names.emplace_back(sim::proxy_name(kind));
     return names;
 }
 

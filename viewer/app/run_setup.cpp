@@ -10,7 +10,7 @@
 #include "viewer/game/game_mode.h"
 #include "viewer/render/picture.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/proxy_names.h"
+#include "viewer/sim/body_proxies.h"
 
 namespace kerf::app {
 

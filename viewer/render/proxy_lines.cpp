@@ -85,7 +85,7 @@ void append_proxy_lines(const CollisionProxy& proxy, const glm::mat4& model, std
             break;
         case ProxyKind::bounded_hull:
         case ProxyKind::full_hull:
-        case ProxyKind::every_vertex:
+        case ProxyKind::points:
             add_hull(proxy, lines);
             break;
     }

@@ -9,6 +9,7 @@
 
 #include "common/proxy/collision_proxy.h"
 #include "common/support/stopwatch.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/bullet_glm.h"
 
 namespace kerf::sim {
@@ -29,7 +30,7 @@ Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& sol
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
     Stopwatch watch;
-    const CollisionProxy shape = collision_proxy(*object_, proxy);
+    const CollisionProxy shape = body_proxy(*object_, proxy);
     proxy_ms_ = watch.lap();
     embody(shape, pose, motion);
 }

@@ -9,6 +9,7 @@
 #include "common/io/mesh_file.h"
 #include "common/proxy/collision_proxy.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/body_proxies.h"
 
 namespace kerf::sim {
 
@@ -148,7 +149,7 @@ void ModelLibrary::measure_once(Prepared& entry, ProxyKind proxy)
     if (!entry.object) return;
     if (!entry.mass) entry.mass = entry.object->mass_properties();
     std::shared_ptr<const CollisionProxy>& known = entry.proxies[proxy];
-    if (!known) known = std::make_shared<const CollisionProxy>(collision_proxy(*entry.object, proxy));
+    if (!known) known = std::make_shared<const CollisionProxy>(body_proxy(*entry.object, proxy));
 }
 
 void ModelLibrary::stock(std::size_t index, const std::string& backend, ProxyKind proxy)

@@ -73,7 +73,7 @@ ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, co
     const double thinnest = std::min({side.x, side.y, side.z});
 
     const bool is_hull = proxy_.kind != ProxyKind::box && proxy_.points.size() >= 4 && thinnest >= kThinnestSide &&
-                         (proxy_.kind == ProxyKind::every_vertex || !proxy_.faces.empty());
+                         (proxy_.kind == ProxyKind::points || !proxy_.faces.empty());
     auto hull = std::make_unique<TightHullShape>();
     if (is_hull) {
         for (const glm::vec3& p : proxy_.points) hull->addPoint(local(glm::dvec3(p)), false);

@@ -5,9 +5,9 @@
 
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/blade_probe.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/crowd.h"
 #include "viewer/sim/cut_body.h"
-#include "viewer/sim/proxy_names.h"
 
 namespace kerf::sim {
 
@@ -284,7 +284,7 @@ Script Simulation::recording() const
     Script script;
     script.scene = settings_.scene;
     script.backend = settings_.backend;
-    script.proxy = name_of(settings_.proxy);
+    script.proxy = proxy_name(settings_.proxy);
     script.seed = settings_.seed;
     if (settings_.gesture != Gesture::blade)
         script.events.push_back({1, InputKind::command, {}, "gesture " + std::string(name_of(settings_.gesture))});

@@ -1,6 +1,6 @@
 #include "common/caps/clipping_triangulator.h"
 
-#include "common/caps/run_boxes.h"
+#include "common/caps/loop_boxes.h"
 #include "common/geometry/turn.h"
 
 // Ear clipping in layers. An ear is a convex corner whose triangle holds no reflex corner (Meisters 1975: every simple
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    RunBoxes boxes_;
+    LoopBoxes boxes_;
 };
 
 class ClippingTriangulator final : public CapTriangulator

@@ -11,8 +11,8 @@
 
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/halving_triangulator.h"
+#include "common/caps/loop_boxes.h"
 #include "common/caps/near_places.h"
-#include "common/caps/run_boxes.h"
 #include "common/geometry/turn.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/tolerances.h"
@@ -716,7 +716,7 @@ private:
     std::vector<Index> starts_;             ///< first edge of each loop, and their number at the end
     std::vector<Lead> leads_;
     std::vector<Index> route_;  ///< the points of an edge that is led over some
-    RunBoxes boxes_;
+    LoopBoxes boxes_;
     std::vector<Edge> path_, parts_;
     std::vector<Index> part_starts_, visits_;
     std::vector<Index> on_path_;                 ///< by point: its place on the current path

@@ -19,8 +19,6 @@ std::string_view name_of(Phase phase)
             return "cap";
         case Phase::rebuild:
             return "rebuild";
-        case Phase::pivot:
-            return "pivot";
         case Phase::components:
             return "components";
         case Phase::growth:

@@ -18,11 +18,10 @@ enum class Phase : std::uint8_t
     copy,        ///< baseline: untouched triangles and their vertices into the fragments
     cap,         ///< linking the section into loops and closing it
     rebuild,     ///< half-edge: trees and index ranges of the fragments
-    pivot,       ///< baseline: the report's loop that rewrites every vertex around the new pivot
     components,  ///< connected pieces
     growth,      ///< reallocation, when the room reserved by prepare is used up
 };
-inline constexpr std::size_t kPhaseCount = 9;
+inline constexpr std::size_t kPhaseCount = 8;
 std::string_view name_of(Phase phase);
 
 /// Wall-clock milliseconds for each phase.
@@ -46,8 +45,7 @@ struct CutStatistics
                                       ///< back end divides it by the same rule
     std::uint64_t open_chains = 0;    ///< section polylines that end at the boundary of an open mesh
     std::uint64_t nodes_visited = 0;  ///< tree nodes looked at
-    std::uint64_t triangles_touched = 0;   ///< distinct triangle records read or written
-    std::uint64_t vertex_comparisons = 0;  ///< baseline: vertices compared while looking for duplicates
+    std::uint64_t triangles_touched = 0;  ///< distinct triangle records read or written
     std::uint64_t cap_steps = 0;  ///< half-edge: corners and edges looked at, and predicates of CGAL's, to close the
                                   ///< section; 0 for convex ones
     std::uint64_t bytes_to_upload = 0;  ///< vertex and index bytes that the GPU does not have yet, both sides

@@ -1,7 +1,5 @@
 #include "common/proxy/collision_proxy.h"
 
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -40,8 +38,8 @@ std::string_view name_of(ProxyKind kind)
             return "bounded_hull";
         case ProxyKind::full_hull:
             return "full_hull";
-        case ProxyKind::every_vertex:
-            return "every_vertex";
+        case ProxyKind::points:
+            return "points";
     }
     return "unknown";
 }
@@ -93,18 +91,8 @@ CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices)
             use_hull(proxy, points);
             break;
         }
-        case ProxyKind::every_vertex: {
-            proxy.box = box_around(vertices);
-            // As the report's program does: the shape recomputes its bounding box with every point.
-            btConvexHullShape shape;
-            for (const Vertex& v : vertices) shape.addPoint(btVector3(v.position.x, v.position.y, v.position.z));
-            proxy.points.reserve(vertices.size());
-            for (int i = 0; i < shape.getNumPoints(); ++i) {
-                const btVector3& p = shape.getUnscaledPoints()[i];
-                proxy.points.emplace_back(float(p.x()), float(p.y()), float(p.z()));
-            }
+        case ProxyKind::points:
             break;
-        }
     }
     return proxy;
 }
@@ -121,7 +109,7 @@ CollisionProxy collision_proxy(const Cuttable& object, ProxyKind kind)
             return bounded_hull(object.bounds(), object.support_points());
         case ProxyKind::sphere:
         case ProxyKind::full_hull:
-        case ProxyKind::every_vertex:
+        case ProxyKind::points:
             break;
     }
     std::vector<Vertex> room;

@@ -21,7 +21,7 @@ enum class ProxyKind : std::uint8_t
     sphere,  ///< a sphere around all vertices: box centre, farthest vertex; at most sqrt(3) times the smallest one
     bounded_hull,  ///< convex hull of the vertices that are extreme along kSupportDirections fixed directions
     full_hull,     ///< convex hull of all vertices
-    every_vertex,  ///< as in the report: every vertex added to the physics engine's hull shape, one by one; quadratic
+    points,  ///< points whose hull is left to the physics engine; made elsewhere (baseline/report_proxy/every_vertex.h)
 };
 std::string_view name_of(ProxyKind kind);
 
@@ -32,10 +32,9 @@ struct CollisionProxy
     Box box;                 ///< bounds of the vertices; every kind
     glm::vec3 centre{0.0f};  ///< sphere: its centre
     float radius = 0.0f;     ///< sphere: its radius; at most the largest float, so vertices near it may lie outside
-    std::vector<glm::vec3>
-        points;  ///< hulls: corner points, all of them vertices of the mesh; every_vertex: all vertices
-    std::vector<Triangle> faces;  ///< full_hull and bounded_hull: the hull's triangles, counter-clockwise seen from
-                                  ///< outside; empty if the points are coplanar
+    std::vector<glm::vec3> points;  ///< hulls: corner points, all of them vertices of the mesh
+    std::vector<Triangle> faces;    ///< full_hull and bounded_hull: the hull's triangles, counter-clockwise seen from
+                                    ///< outside; empty if the points are coplanar
 };
 
 /// The bounded hull over support points that were found elsewhere (a tree keeps them). Inside the full hull. Its share
@@ -43,8 +42,8 @@ struct CollisionProxy
 /// for a sphere and 81 % for a torus. O(1).
 CollisionProxy bounded_hull(const Box& box, const std::array<glm::vec3, kSupportDirections>& points);
 
-/// The proxy of a set of vertices. Empty for no vertices and for a kind that does not exist; hulls leave out vertices
-/// that are not finite. O(n), full_hull O(n log n), every_vertex O(n^2).
+/// The proxy of a set of vertices. Empty for no vertices, for `points` and for a kind that does not exist; hulls leave
+/// out vertices that are not finite. O(n), full_hull O(n log n).
 CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices);
 
 /// The same of the vertices that an object uses. `bounded_hull` costs what Cuttable::support_points() costs, `box`

@@ -281,7 +281,7 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
 
     std::vector<NonmanifoldEdge> doubled;
     bool consistent = true;
-    EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+    HalfedgesByEdge(point_count, surface.corners).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
         if (edge.size() == 2) {
             const std::uint32_t a = edge[0].halfedge, b = edge[1].halfedge;
             const bool agree = surface.start(a) != surface.start(b);
@@ -293,7 +293,7 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
             consistent = consistent && agree;
         } else if (edge.size() > 2) {
             NonmanifoldEdge& sides = resolved.emplace_back();
-            for (const EdgeRuns::Side& side : edge) sides.push_back(side.halfedge);
+            for (const HalfedgesByEdge::Side& side : edge) sides.push_back(side.halfedge);
         }
     });
     surface.nonmanifold_edges = resolved.size();

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
 

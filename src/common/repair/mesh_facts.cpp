@@ -5,8 +5,8 @@
 
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/mass_properties.h"
-#include "common/repair/edge_runs.h"
 #include "common/repair/face_adjacency.h"
+#include "common/repair/halfedges_by_edge.h"
 #include "common/repair/triangle_faults.h"
 #include "common/repair/vertex_fans.h"
 #include "common/repair/weld.h"
@@ -37,12 +37,12 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
     facts.duplicate_triangles = faults.repeats;
     const auto triangle_count = static_cast<std::uint32_t>(corners.size());
     const auto start = [&](std::uint32_t h) { return corners[h / 3][h % 3]; };
-    const EdgeRuns edges(point_count, corners);
+    const HalfedgesByEdge edges(point_count, corners);
     DisjointSets shells(triangle_count), loops(point_count);
     Buffer<std::uint8_t> on_boundary(point_count, 0);
-    edges.for_each([&](std::span<const EdgeRuns::Side> edge) {
+    edges.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
         const std::uint32_t h = edge[0].halfedge;
-        for (const EdgeRuns::Side& side : edge.subspan(1)) shells.unite(h / 3, side.halfedge / 3);
+        for (const HalfedgesByEdge::Side& side : edge.subspan(1)) shells.unite(h / 3, side.halfedge / 3);
         if (edge.size() == 1) {
             ++facts.boundary_edges;
             on_boundary[start(h)] = on_boundary[start(next_halfedge(h))] = 1;
@@ -53,7 +53,7 @@ void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span
             ++facts.nonmanifold_edges;
         }
         std::int64_t balance = 0;
-        for (const EdgeRuns::Side& side : edge) balance += start(side.halfedge) == start(h) ? 1 : -1;
+        for (const HalfedgesByEdge::Side& side : edge) balance += start(side.halfedge) == start(h) ? 1 : -1;
         facts.unbalanced_edges += balance != 0;
     });
     facts.shells = count_sets(shells, triangle_count);

@@ -1,6 +1,6 @@
 #include "common/repair/proven_mesh.h"
 
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
 
@@ -64,7 +64,7 @@ private:
     {
         const Buffer<std::uint32_t> solid = solids();
         std::string fault;
-        EdgeRuns(mesh_.point_count, corners_).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        HalfedgesByEdge(mesh_.point_count, corners_).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
             if (edge.size() == 1 || !fault.empty()) return;
             const std::uint32_t g = edge[0].halfedge, h = edge[1].halfedge;
             const auto name_both = [&](std::uint32_t s, std::uint32_t t) {

@@ -216,8 +216,8 @@ Repaired repair(TriangleSoup soup)
         surface.flipped[t] ^= kept.turned_over[t];
     Fans fans = find_fans(surface, resolved);
     if (fans.count > count_used_points(weld.point_count, surface.corners))
-        repairs.nonmanifold_points =
-            count_umbrella_points(weld.point_count, surface.corners, EdgeRuns(weld.point_count, surface.corners));
+        repairs.nonmanifold_points = count_umbrella_points(weld.point_count, surface.corners,
+                                                           HalfedgesByEdge(weld.point_count, surface.corners));
 
     const Shells shells = find_shells(surface, fans, positions);
     const Solids solids = find_solids(surface, shells, positions);

@@ -7,7 +7,7 @@
 
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/index.h"
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 #include "common/repair/turned_sheets.h"
 
 namespace kerf {
@@ -84,7 +84,7 @@ private:
             next += is_repeat;
         }
 
-        EdgeRuns(point_count, near).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        HalfedgesByEdge(point_count, near).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
             int balance = 0;
             bool has_repeat = false;
             for (const auto& [larger_point, h] : edge) {
@@ -96,12 +96,13 @@ private:
             }
             if (!has_repeat) return;
             balance_.push_back(balance);
-            const auto apex = [&](const EdgeRuns::Side& side) {
+            const auto apex = [&](const HalfedgesByEdge::Side& side) {
                 return near[side.halfedge / 3][previous_halfedge(side.halfedge) % 3];
             };
             may_be_turned_over_ |= balance != 0 && edge.size() % 2 == 0 &&
-                                   std::any_of(edge.begin() + 1, edge.end(),
-                                               [&](const EdgeRuns::Side& side) { return apex(side) != apex(edge[0]); });
+                                   std::any_of(edge.begin() + 1, edge.end(), [&](const HalfedgesByEdge::Side& side) {
+                                       return apex(side) != apex(edge[0]);
+                                   });
         });
         std::stable_sort(sides_.begin(), sides_.end(),
                          [&](const Side& a, const Side& b) { return layer_of(a) > layer_of(b); });
@@ -223,7 +224,7 @@ std::uint64_t count_open(std::uint32_t point_count, std::span<const Triangle> co
     kept.resize(count);
     if (faults.turned_over.empty()) kept = turn_over(kept, find_turned_sheets(point_count, kept));
     std::uint64_t open = 0;
-    EdgeRuns(point_count, kept).for_each([&](std::span<const EdgeRuns::Side> edge) {
+    HalfedgesByEdge(point_count, kept).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
         int balance = 0;
         for (const auto& [larger_point, h] : edge) balance += kept[h / 3][h % 3] == larger_point ? -1 : 1;
         open += static_cast<std::uint64_t>(std::abs(balance));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/mesh/index.h"
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
 
@@ -106,10 +106,10 @@ private:
         Buffer<Triangle> corners;
         for (const Sheet& sheet : sheets_) corners.push_back(copies_[sheet.first].points);
         neighbours_.assign(3 * corners.size(), kNone);
-        EdgeRuns(point_count, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+        HalfedgesByEdge(point_count, corners).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
             if (edge.size() == 1 && sheets_[edge[0].halfedge / 3].strength != 0) return;
             if (edge.size() == 2) link(edge[0].halfedge, edge[1].halfedge);
-            for (const EdgeRuns::Side& side : edge)
+            for (const HalfedgesByEdge::Side& side : edge)
                 sides_.push_back({side.halfedge / 3, edge_count_, direction(side.halfedge)});
             ++edge_count_;
         });

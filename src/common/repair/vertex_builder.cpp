@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <unordered_map>
 
+#include "common/geometry/pair_table.h"
 #include "common/mesh/index.h"
 #include "common/mesh/tolerances.h"
 #include "common/repair/smooth_normals.h"
@@ -12,15 +12,6 @@
 namespace kerf {
 
 namespace {
-
-struct KeyHash
-{
-    std::size_t operator()(const std::array<std::uint32_t, 2>& key) const
-    {
-        const std::uint64_t word = key[0] | std::uint64_t{key[1]} << 32;
-        return static_cast<std::size_t>((word * 0x9E3779B97F4A7C15u) >> 16);
-    }
-};
 
 /// Gives each pair of numbers an index, in the order of first use. Most first numbers come with one second number only,
 /// so the table is rarely needed.
@@ -34,9 +25,9 @@ public:
         Entry& entry = entry_[first];
         if (entry.index == kNone) entry = {second, count_++};
         if (entry.second == second) return entry.index;
-        const auto [place, is_new] = others_.try_emplace({first, second}, count_);
-        count_ += is_new;
-        return place->second;
+        std::uint32_t& index = others_(first, second);
+        if (index == kNone) index = count_++;
+        return index;
     }
 
     std::uint32_t count() const { return count_; }
@@ -47,7 +38,7 @@ private:
         std::uint32_t second, index;
     };
     Buffer<Entry> entry_;
-    std::unordered_map<std::array<std::uint32_t, 2>, std::uint32_t, KeyHash> others_;
+    PairTable others_;
     std::uint32_t count_ = 0;
 };
 

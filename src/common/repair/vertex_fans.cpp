@@ -199,14 +199,15 @@ Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved
     return fans;
 }
 
-std::uint64_t count_umbrella_points(std::uint32_t point_count, std::span<const Triangle> corners, const EdgeRuns& edges)
+std::uint64_t count_umbrella_points(std::uint32_t point_count, std::span<const Triangle> corners,
+                                    const HalfedgesByEdge& edges)
 {
     // Corner i of triangle t is number 3t + i, like the half-edge that starts there.
     DisjointSets umbrellas(static_cast<std::uint32_t>(corners.size() * 3));
     const auto point_at = [&](std::uint32_t corner) { return corners[corner / 3][corner % 3]; };
-    edges.for_each([&](std::span<const EdgeRuns::Side> edge) {
+    edges.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
         const std::uint32_t first = edge[0].halfedge;
-        for (const EdgeRuns::Side& side : edge.subspan(1)) {
+        for (const HalfedgesByEdge::Side& side : edge.subspan(1)) {
             std::uint32_t start = side.halfedge, end = next_halfedge(start);
             if (point_at(start) != point_at(first)) std::swap(start, end);
             umbrellas.unite(first, start);

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "common/repair/edge_runs.h"
 #include "common/repair/face_adjacency.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
 
@@ -29,6 +29,6 @@ Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved
 /// count as neighbours, however many meet there. `corners` holds three different point ids for each triangle and
 /// `edges` their edges. O(n) up to the inverse Ackermann function.
 std::uint64_t count_umbrella_points(std::uint32_t point_count, std::span<const Triangle> corners,
-                                    const EdgeRuns& edges);
+                                    const HalfedgesByEdge& edges);
 
 }  // namespace kerf

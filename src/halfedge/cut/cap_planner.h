@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/caps/cap_triangulator.h"
-#include "common/caps/run_boxes.h"
+#include "common/caps/loop_boxes.h"
 #include "halfedge/cut/caps.h"
 #include "halfedge/cut/section.h"
 

@@ -1,8 +1,8 @@
 #include "halfedge/universe/compaction.h"
 
 #include <algorithm>
-#include <unordered_map>
 
+#include "common/geometry/pair_table.h"
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/export.h"
 
@@ -17,7 +17,7 @@ public:
     Renumbering(std::size_t old_count, std::size_t expected) : sparse_(expected < old_count / 16)
     {
         if (sparse_)
-            map_.reserve(expected);
+            map_.reset(expected);
         else
             table_.assign(old_count, kNone);
         old_.reserve(expected);
@@ -25,7 +25,7 @@ public:
 
     Index operator()(Index old)
     {
-        Index& number = sparse_ ? map_.try_emplace(old, kNone).first->second : table_[old];
+        Index& number = sparse_ ? map_(old, 0) : table_[old];
         if (number == kNone) {
             number = static_cast<Index>(old_.size());
             old_.push_back(old);
@@ -39,7 +39,7 @@ public:
 private:
     bool sparse_;
     std::vector<Index> table_, old_;
-    std::unordered_map<Index, Index> map_;
+    PairTable map_;  ///< of (old, 0)
 };
 
 /// Slots of one shell and group that follow one another in the tree's order.

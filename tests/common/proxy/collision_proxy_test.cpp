@@ -98,8 +98,7 @@ RC_GTEST_PROP(SupportPoints, AreThoseOfASimpleLoopForAnyNumberOfVertices, ())
 
 TEST(CollisionProxy, OfNoVerticesIsEmpty)
 {
-    for (const ProxyKind kind :
-         {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull, ProxyKind::every_vertex}) {
+    for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull}) {
         const CollisionProxy proxy = collision_proxy(kind, {});
         EXPECT_EQ(proxy.kind, kind);
         EXPECT_TRUE(proxy.box.empty());
@@ -114,8 +113,7 @@ TEST(CollisionProxy, HasTheExactBoxWhateverItsKind)
     const TriangleSoup soup = shapes::asteroid(2000, 4);
     Box box;
     for (const Vertex& v : soup.vertices) box.add(v.position);
-    for (const ProxyKind kind :
-         {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull, ProxyKind::every_vertex}) {
+    for (const ProxyKind kind : {ProxyKind::box, ProxyKind::sphere, ProxyKind::bounded_hull, ProxyKind::full_hull}) {
         const CollisionProxy proxy = collision_proxy(kind, soup.vertices);
         EXPECT_EQ(proxy.kind, kind);
         EXPECT_EQ(proxy.box.lo, box.lo) << name_of(kind);
@@ -195,15 +193,6 @@ TEST(BoundedHull, OfOnePointOrAFlatSetHasNoFaces)
     const CollisionProxy flat = collision_proxy(ProxyKind::bounded_hull, square);
     EXPECT_EQ(flat.points.size(), 4u);
     EXPECT_TRUE(flat.faces.empty());
-}
-
-TEST(EveryVertex, KeepsAllOfThemInOrder)
-{
-    const TriangleSoup soup = shapes::cylinder(1.0f, 2.0f, 12);
-    const CollisionProxy proxy = collision_proxy(ProxyKind::every_vertex, soup.vertices);
-    ASSERT_EQ(proxy.points.size(), soup.vertices.size());
-    for (std::size_t i = 0; i < proxy.points.size(); ++i) EXPECT_EQ(proxy.points[i], soup.vertices[i].position);
-    EXPECT_TRUE(proxy.faces.empty());
 }
 
 }  // namespace

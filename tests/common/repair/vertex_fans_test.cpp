@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
 namespace {
@@ -132,9 +132,9 @@ TEST(FindFans, DividesTheSameFansOfAnySurfaceAndNumbersThemInTheSameOrder)
         }
         surface.opposite.assign(std::size_t{3} * triangle_count, kNone);
         std::vector<NonmanifoldEdge> resolved;
-        EdgeRuns(point_count, surface.corners).for_each([&](std::span<const EdgeRuns::Side> sides) {
+        HalfedgesByEdge(point_count, surface.corners).for_each([&](std::span<const HalfedgesByEdge::Side> sides) {
             NonmanifoldEdge &edge = resolved.emplace_back(), there, back;
-            for (const EdgeRuns::Side& side : sides) {
+            for (const HalfedgesByEdge::Side& side : sides) {
                 edge.push_back(side.halfedge);
                 (surface.start(side.halfedge) < side.larger_point ? there : back).push_back(side.halfedge);
             }

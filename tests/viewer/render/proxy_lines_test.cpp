@@ -50,8 +50,12 @@ TEST(ProxyLines, HullShowsEachEdgeOnce)
 
 TEST(ProxyLines, HullWithoutFacesShowsItsPoints)
 {
-    const CollisionProxy proxy = collision_proxy(ProxyKind::every_vertex, closed_shape("icosphere").vertices);
-    EXPECT_EQ(lines_of(ProxyKind::every_vertex).size(), 6 * proxy.points.size());
+    CollisionProxy proxy = collision_proxy(ProxyKind::full_hull, closed_shape("icosphere").vertices);
+    proxy.kind = ProxyKind::points;
+    proxy.faces.clear();
+    std::vector<glm::vec3> lines;
+    render::append_proxy_lines(proxy, glm::mat4(1.0f), lines);
+    EXPECT_EQ(lines.size(), 6 * proxy.points.size());
 }
 
 TEST(ProxyLines, StandWhereTheObjectStands)

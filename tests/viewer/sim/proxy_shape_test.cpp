@@ -1,5 +1,4 @@
 #include "viewer/sim/proxy_shape.h"
-#include "common/proxy/collision_proxy.h"
 
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 #include <gtest/gtest.h>
@@ -9,9 +8,11 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "baseline/report_proxy/every_vertex.h"
+#include "common/proxy/collision_proxy.h"
 #include "common/shapes/shapes.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/bullet_glm.h"
-#include "viewer/sim/proxy_names.h"
 #include "viewer/sim/solid.h"
 #include "viewer/support/stages.h"
 
@@ -29,7 +30,8 @@ Built build(const IndexedMesh& mesh, ProxyKind kind, double scale = 1.0)
 {
     Built built;
     built.solid = solid_of(mass_properties(mesh), mesh.bounds(), scale);
-    built.proxy = collision_proxy(kind, mesh.vertices);
+    built.proxy =
+        kind == ProxyKind::points ? baseline::every_vertex(mesh.vertices) : collision_proxy(kind, mesh.vertices);
     built.shape = std::make_unique<ProxyShape>(built.proxy, built.solid.centre, built.solid.axes, scale);
     return built;
 }
@@ -53,7 +55,7 @@ TEST(ProxyShape, HullsReachAsFarAsTheMeshFromItsCentreOfMass)
 {
     for (const char* name : {"asteroid", "l_step", "two_legs", "cone"}) {
         const IndexedMesh mesh = *test::shape(name);
-        for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::every_vertex}) {
+        for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::points}) {
             const double scale = 0.7;
             const Built built = build(mesh, kind, scale);
             for (const glm::dvec3 d : {glm::dvec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.6, 0.64, -0.48}}) {
@@ -83,7 +85,7 @@ TEST(ProxyShape, RadiusHoldsTheShape)
     for (const ProxyKind kind : kProxyKinds) {
         const Built built = build(mesh, kind);
         for (const glm::dvec3 d : {glm::dvec3{1, 0, 0}, {0, -1, 0}, {-1, -1, 1}, {0.6, 0.64, -0.48}})
-            EXPECT_GE(built.shape->radius(), reach(built, glm::normalize(d)) - 1e-5) << name_of(kind);
+            EXPECT_GE(built.shape->radius(), reach(built, glm::normalize(d)) - 1e-5) << proxy_name(kind);
     }
 }
 
@@ -113,7 +115,7 @@ TEST(ProxyShape, FlatAndTinyPiecesGetABoxThatBulletCanHandle)
 
 TEST(ProxyNames, EveryKindIsFoundByItsName)
 {
-    for (const ProxyKind kind : kProxyKinds) EXPECT_EQ(find_proxy(name_of(kind)), kind);
+    for (const ProxyKind kind : kProxyKinds) EXPECT_EQ(find_proxy(proxy_name(kind)), kind);
     EXPECT_FALSE(find_proxy("capsule"));
 }
 

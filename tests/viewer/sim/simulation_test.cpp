@@ -13,8 +13,8 @@
 #include "common/support/random.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/bodies.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/pointer_sampler.h"
-#include "viewer/sim/proxy_names.h"
 #include "viewer/support/stages.h"
 
 namespace kerf::sim {

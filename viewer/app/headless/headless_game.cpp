@@ -13,6 +13,7 @@
 #include "viewer/app/user_interface.h"
 #include "viewer/render/gl_error_log.h"
 #include "viewer/render/offscreen_context.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/script.h"
 
 namespace kerf::app {
@@ -23,9 +24,12 @@ using Json = nlohmann::ordered_json;
 
 Json report_of(const sim::Simulation& simulation)
 {
-    return {{"scene", simulation.scene().name()},   {"backend", simulation.backend()},
-            {"proxy", name_of(simulation.proxy())}, {"ticks", simulation.now()},
-            {"cuts", simulation.cuts().size()},     {"state_hash", hexadecimal(simulation.state_hash())}};
+    return {{"scene", simulation.scene().name()},
+            {"backend", simulation.backend()},
+            {"proxy", sim::proxy_name(simulation.proxy())},
+            {"ticks", simulation.now()},
+            {"cuts", simulation.cuts().size()},
+            {"state_hash", hexadecimal(simulation.state_hash())}};
 }
 
 Json report_of(DuelView& view)

@@ -10,7 +10,7 @@
 #include "viewer/app/inspect/simulation_report.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/proxy_names.h"
+#include "viewer/sim/body_proxies.h"
 
 namespace kerf::app {
 
@@ -77,10 +77,10 @@ void show_choices(PanelState& state)
     }
     ImGui::SetNextItemWidth(wide);
     const ProxyKind proxy = state.simulation.proxy_to_come();
-    const std::string shown(name_of(proxy));
+    const std::string shown(sim::proxy_name(proxy));
     if (ImGui::BeginCombo("proxy", shown.c_str())) {
         for (const ProxyKind kind : sim::kProxyKinds) {
-            const std::string name(name_of(kind));
+            const std::string name(sim::proxy_name(kind));
             if (ImGui::Selectable(name.c_str(), kind == proxy)) state.commands.push_back("proxy " + name);
         }
         ImGui::EndCombo();

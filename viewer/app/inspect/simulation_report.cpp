@@ -3,6 +3,7 @@
 #include "viewer/app/hexadecimal.h"
 #include "viewer/game/game_report.h"
 #include "viewer/game/giant_scene.h"
+#include "viewer/sim/body_proxies.h"
 
 namespace kerf::app {
 
@@ -77,7 +78,7 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const GpuWor
     }
     Json report{{"scene", simulation.scene().name()},
                 {"backend", simulation.backend()},
-                {"proxy", name_of(simulation.proxy())},
+                {"proxy", sim::proxy_name(simulation.proxy())},
                 {"seed", simulation.settings().seed},
                 {"ticks", simulation.now()},
                 {"bodies", simulation.bodies().size()},

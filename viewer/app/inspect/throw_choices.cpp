@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "viewer/sim/back_ends.h"
-#include "viewer/sim/proxy_names.h"
+#include "viewer/sim/body_proxies.h"
 
 namespace kerf::app {
 
@@ -50,7 +50,7 @@ std::string ThrowChoices::next_lookup()
 
 std::string ThrowChoices::next_proxy()
 {
-    const std::string wanted(name_of(next_of(sim::kProxyKinds, simulation_.proxy_to_come())));
+    const std::string wanted(sim::proxy_name(next_of(sim::kProxyKinds, simulation_.proxy_to_come())));
     simulation_.command("proxy " + wanted);
     return "the next throw collides as " + wanted;
 }

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <unordered_set>
 
-#include "halfedge/cut/irregular/point_classes.h"
+#include "halfedge/cut/irregular/coinciding_points.h"
 
 namespace kerf::halfedge {
 
@@ -21,21 +21,21 @@ struct KeptEdge
     std::tuple<Side, Index, Index> place() const { return {side, from, to}; }
 };
 
-KeptEdge kept_edge(Side side, Index a, Index b, Index target, PointClasses& classes)
+KeptEdge kept_edge(Side side, Index a, Index b, Index target, CoincidingPoints& classes)
 {
     a = classes.find(a);
     b = classes.find(b);
     return {side, std::min(a, b), std::max(a, b), target};
 }
 
-KeptEdge kept_edge(const Universe& u, Side side, HalfedgeId halfedge, Index target, PointClasses& classes)
+KeptEdge kept_edge(const Universe& u, Side side, HalfedgeId halfedge, Index target, CoincidingPoints& classes)
 {
     const Index from = classes.of_point(u.mesh.from(halfedge));
     return kept_edge(side, from, classes.of_point(u.mesh.to(halfedge)), target, classes);
 }
 
 /// Those of sub-triangles, and those in the plane.
-std::vector<KeptEdge> kept_edges(const Universe& u, const Found& found, PointClasses& classes)
+std::vector<KeptEdge> kept_edges(const Universe& u, const Found& found, CoincidingPoints& classes)
 {
     std::vector<KeptEdge> edges;
     for (const Crossing& c : found.crossings)
@@ -55,7 +55,7 @@ std::vector<KeptEdge> kept_edges(const Universe& u, const Found& found, PointCla
 }
 
 /// Those of whole triangles beside crossing ones.
-void add_edges_beside_crossings(const Universe& u, const Found& found, PointClasses& classes,
+void add_edges_beside_crossings(const Universe& u, const Found& found, CoincidingPoints& classes,
                                 std::vector<KeptEdge>& edges)
 {
     std::unordered_set<FaceId> crosses;
@@ -89,7 +89,7 @@ bool has_triangle_at_section(const TriangleSplit& split, Side side)
 std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, const Found& found,
                                                            const Section& section)
 {
-    PointClasses classes(u, found, section);
+    CoincidingPoints classes(u, found, section);
     std::vector<KeptEdge> edges = kept_edges(u, found, classes);
     std::sort(edges.begin(), edges.end());
     std::vector<std::array<Index, 2>> pairs;
@@ -109,7 +109,7 @@ void find_edges_that_bound_nothing(const Universe& u, const Section& section, Fo
                 vanished.push_back({i, side});
     if (vanished.empty()) return;
 
-    PointClasses classes(u, found, section);
+    CoincidingPoints classes(u, found, section);
     std::vector<KeptEdge> edges = kept_edges(u, found, classes);
     add_edges_beside_crossings(u, found, classes, edges);
     std::sort(edges.begin(), edges.end());

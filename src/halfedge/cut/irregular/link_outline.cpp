@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "halfedge/cut/irregular/point_classes.h"
+#include "halfedge/cut/irregular/coinciding_points.h"
 
 namespace kerf::halfedge {
 
@@ -11,7 +11,7 @@ namespace {
 /// Collects the outline edges with the classes of their ends, and says which cut points are shared.
 void collect_outline_edges(const Universe& u, const Found& found, Section& section)
 {
-    PointClasses classes(u, found, section);
+    CoincidingPoints classes(u, found, section);
     const auto add = [&](OutlineEdgeId outline_edge, Index from, Index to) {
         from = classes.find(from);
         to = classes.find(to);

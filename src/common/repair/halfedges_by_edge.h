@@ -26,11 +26,11 @@ inline std::uint32_t previous_halfedge(std::uint32_t h)
 /// The half-edges of some triangles, sorted so that those of one undirected edge follow one another: edges by smaller
 /// point, then larger point, half-edges by number. Built by counting, without hashing: half-edges go into one bucket
 /// for each smaller point, buckets are sorted. O(n) for bounded valence, O(n log n) otherwise.
-class EdgeRuns
+class HalfedgesByEdge
 {
 public:
     /// `corners` holds the three point ids of each triangle, all below `point_count`.
-    EdgeRuns(std::uint32_t point_count, std::span<const Triangle> corners);
+    HalfedgesByEdge(std::uint32_t point_count, std::span<const Triangle> corners);
 
     /// Calls visit(std::span<const Side>) for each undirected edge; never an empty span.
     template <class Visit>

@@ -18,7 +18,7 @@ enum : std::uint8_t
 };
 
 /// Where all vertices of a fragment lie.
-struct VertexClasses
+struct VertexSides
 {
     Buffer<std::uint8_t> of_vertex;
     std::uint32_t on = 0, far_below = 0, far_above = 0;  ///< on the plane; farther from it than the noise

@@ -7,9 +7,9 @@
 
 #include "common/mesh/index.h"
 
-namespace kerf::baseline {
+namespace kerf {
 
-/// Open-addressing hash table from a pair of ids to an id, for crossed elements: O(1) per look-up, no removal.
+/// Open-addressing hash table from a pair of ids to an id: O(1) per look-up, no removal.
 class PairTable
 {
 public:
@@ -80,4 +80,4 @@ private:
     std::size_t size_ = 0;
 };
 
-}  // namespace kerf::baseline
+}  // namespace kerf

@@ -37,7 +37,7 @@ struct Box2
 
 /// Boxes over items along a loop, in runs of eight and pairs of runs above: neighbours in a loop are close, so its own
 /// order is a good tree.
-class RunBoxes
+class LoopBoxes
 {
 public:
     /// `add_to(i, box)` adds item i, or nothing, to a box. O(count).

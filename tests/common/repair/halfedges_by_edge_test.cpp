@@ -1,4 +1,4 @@
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace small_meshes;
 
-TEST(EdgeRuns, BringTheHalfEdgesOfEachEdgeTogetherInOrder)
+TEST(HalfedgesByEdge, BringsTheHalfEdgesOfEachEdgeTogetherInOrder)
 {
     const TriangleSoup mesh = cube() + cube();  // cube() twice at the same vertices
     Buffer<Triangle> corners = mesh.triangles;
@@ -23,7 +23,7 @@ TEST(EdgeRuns, BringTheHalfEdgesOfEachEdgeTogetherInOrder)
     for (std::uint32_t h = 0; h < 3 * corners.size(); ++h)
         expected[std::minmax(corners[h / 3][h % 3], corners[h / 3][(h + 1) % 3])].push_back(h);
     auto next = expected.begin();
-    EdgeRuns(8, corners).for_each([&](std::span<const EdgeRuns::Side> edge) {
+    HalfedgesByEdge(8, corners).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
         ASSERT_NE(next, expected.end());
         ASSERT_EQ(edge.size(), next->second.size());
         for (std::size_t i = 0; i < edge.size(); ++i) {
@@ -35,13 +35,13 @@ TEST(EdgeRuns, BringTheHalfEdgesOfEachEdgeTogetherInOrder)
     EXPECT_EQ(next, expected.end());
 }
 
-TEST(EdgeRuns, SortTheHubOfALargeFanToo)
+TEST(HalfedgesByEdge, SortsTheHubOfALargeFanToo)
 {
     const IndexedMesh cone = *repair(shapes::cone(1.0f, 1.0f, 1000)).mesh;
     Buffer<Triangle> corners = cone.triangles;
     for (Triangle& triangle : corners)
         for (std::uint32_t& corner : triangle) corner = cone.points[corner];
-    EdgeRuns(cone.point_count, corners).for_each([](std::span<const EdgeRuns::Side> edge) {
+    HalfedgesByEdge(cone.point_count, corners).for_each([](std::span<const HalfedgesByEdge::Side> edge) {
         ASSERT_EQ(edge.size(), 2u);
     });
 }

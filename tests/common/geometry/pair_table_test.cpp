@@ -1,4 +1,4 @@
-#include "baseline/pair_table.h"
+#include "common/geometry/pair_table.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace kerf::baseline {
+namespace kerf {
 namespace {
 
 TEST(PairTable, KnowsNothingAtFirst)
@@ -59,4 +59,4 @@ RC_GTEST_PROP(PairTable, HoldsWhatAMapHoldsHoweverLittleRoomWasAskedFor, ())
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf

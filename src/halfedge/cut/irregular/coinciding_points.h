@@ -9,11 +9,11 @@
 namespace kerf::halfedge {
 
 /// Classes of coinciding points: union-find over cut points and, as they turn up, points of the half-edge mesh.
-class PointClasses
+class CoincidingPoints
 {
 public:
     /// What split_triangle() found to coincide is one class.
-    PointClasses(const Universe& universe, const Found& found, const Section& section)
+    CoincidingPoints(const Universe& universe, const Found& found, const Section& section)
         : u_(universe), position_(section.cut_points), classes_(static_cast<Index>(position_.size()))
     {
         for (const Crossing& c : found.crossings) {

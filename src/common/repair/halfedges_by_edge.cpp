@@ -1,4 +1,4 @@
-#include "common/repair/edge_runs.h"
+#include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
 
@@ -7,20 +7,20 @@ namespace {
 /// Most buckets hold half a dozen half-edges: insertion beats std::sort there. Hubs of fans get std::sort.
 constexpr std::size_t kInsertionSortLimit = 24;
 
-bool before(const EdgeRuns::Side& a, const EdgeRuns::Side& b)
+bool before(const HalfedgesByEdge::Side& a, const HalfedgesByEdge::Side& b)
 {
     return a.larger_point != b.larger_point ? a.larger_point < b.larger_point : a.halfedge < b.halfedge;
 }
 
-void sort_bucket(EdgeRuns::Side* first, EdgeRuns::Side* last)
+void sort_bucket(HalfedgesByEdge::Side* first, HalfedgesByEdge::Side* last)
 {
     if (static_cast<std::size_t>(last - first) > kInsertionSortLimit) {
         std::sort(first, last, before);
         return;
     }
-    for (EdgeRuns::Side* next = first; next < last; ++next) {
-        const EdgeRuns::Side side = *next;
-        EdgeRuns::Side* hole = next;
+    for (HalfedgesByEdge::Side* next = first; next < last; ++next) {
+        const HalfedgesByEdge::Side side = *next;
+        HalfedgesByEdge::Side* hole = next;
         // Half-edges arrive in ascending order, so the larger point alone decides.
         for (; hole != first && (hole - 1)->larger_point > side.larger_point; --hole) *hole = *(hole - 1);
         *hole = side;
@@ -29,7 +29,7 @@ void sort_bucket(EdgeRuns::Side* first, EdgeRuns::Side* last)
 
 }  // namespace
 
-EdgeRuns::EdgeRuns(std::uint32_t point_count, std::span<const Triangle> corners)
+HalfedgesByEdge::HalfedgesByEdge(std::uint32_t point_count, std::span<const Triangle> corners)
 {
     // Count into the slot of each smaller point, turn counts into starts, scatter: the starts end up as ends.
     bucket_end_.assign(point_count, 0);

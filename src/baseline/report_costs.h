@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/cutting/cut.h"
+
+namespace kerf::baseline {
+
+/// What only the report's method does in a cut, counted for both sides together.
+struct ReportCosts
+{
+    std::uint64_t vertex_comparisons = 0;  ///< vertices compared while looking for duplicates; exact
+    double pivot_ms = 0.0;  ///< wall-clock time of the loop that rewrites every vertex around the new pivots
+};
+
+/// The costs of a cut by one of the baseline's back ends; zeros of a miss, and of a cut by another back end. Its
+/// fragments carry them: ask before they are moved away. O(1).
+ReportCosts report_costs(const CutResult& result);
+
+}  // namespace kerf::baseline
