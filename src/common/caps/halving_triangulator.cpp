@@ -125,7 +125,7 @@ private:
                 ring_.erase(ring_.begin());
             } else if (n >= 2 && at(ring_[n - 2]) == at(ring_[0])) {
                 cap.cancelled.push_back({ring_[n - 2], ring_[n - 1]});
-                ring_.resize(n - 2);
+                ring_.erase(ring_.end() - 2, ring_.end());
             } else {
                 return;
             }
@@ -139,7 +139,7 @@ private:
         while (ring_.size() >= 3 && at(ring_[ring_.size() - 3]) == at(ring_.back())) {
             const Index a = ring_[ring_.size() - 3], b = ring_[ring_.size() - 2], c = ring_.back();
             cap.cancelled.push_back({a, b});
-            ring_.resize(ring_.size() - 3);
+            ring_.erase(ring_.end() - 3, ring_.end());
             ring_.push_back(c);
         }
     }
