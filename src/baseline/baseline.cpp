@@ -3,7 +3,7 @@
 #include "baseline/fragment.h"
 #include "baseline/report_costs.h"
 #include "baseline/slice.h"
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "common/support/stopwatch.h"
 
 namespace kerf::baseline {

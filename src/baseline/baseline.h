@@ -6,6 +6,8 @@
 
 #include "common/cutting/cut.h"
 
+// The baseline: the report's slicer, a loop over all triangles with four ways to look up vertices and a fan for a cap.
+
 namespace kerf::baseline {
 
 /// How the baseline finds out whether a fragment has a vertex already. n is the number of triangles.

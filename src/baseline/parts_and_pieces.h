@@ -8,7 +8,7 @@
 #include "baseline/fragment.h"
 #include "baseline/section.h"
 #include "baseline/side_builder.h"
-#include "common/cutting/pieces.h"
+#include "common/cutting/group_pieces.h"
 
 namespace kerf::baseline {
 

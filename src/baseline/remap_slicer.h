@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "baseline/slicer.h"
+#include "baseline/slicing_steps.h"
 #include "baseline/vertex_box.h"
 #include "common/geometry/pair_table.h"
 

@@ -8,6 +8,8 @@
 #include "common/caps/outline_loops.h"
 #include "common/cutting/cut.h"
 
+// The baseline's section: outline edges of its crossing triangles, linked into paths.
+
 namespace kerf::baseline {
 
 /// A point of the section's outline: a point that existed before the cut, or a new one.

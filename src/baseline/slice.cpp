@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "baseline/remap_slicer.h"
-#include "baseline/slicer.h"
+#include "baseline/slicing_steps.h"
 #include "baseline/vertex_lookup.h"
 
 namespace kerf::baseline {

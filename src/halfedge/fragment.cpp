@@ -11,14 +11,15 @@
 
 namespace kerf::halfedge {
 
-Fragment::Fragment(std::shared_ptr<Family> family, std::span<const ShellRoot> shells, std::size_t material_count)
-    : Fragment(std::move(family), shells.size(), material_count)
+Fragment::Fragment(std::shared_ptr<SharedUniverse> shared, std::span<const ShellRoot> shells,
+                   std::size_t material_count)
+    : Fragment(std::move(shared), shells.size(), material_count)
 {
     for (const ShellRoot& shell : shells) add_shell(shell);
 }
 
-Fragment::Fragment(std::shared_ptr<Family> family, std::size_t shells, std::size_t material_count)
-    : family_(std::move(family)), material_count_(material_count)
+Fragment::Fragment(std::shared_ptr<SharedUniverse> shared, std::size_t shells, std::size_t material_count)
+    : shared_(std::move(shared)), material_count_(material_count)
 {
     shells_.reserve(shells);
 }
@@ -35,14 +36,14 @@ void Fragment::add_shell(const ShellRoot& shell)
     shells_.push_back(shell);
     triangle_count_ += root.count;
     box_.add(root.box);
-    family_->universe.live_slots += root.count;
+    shared_->universe.live_slots += root.count;
 }
 
 /// Lets go of all triangles.
 void Fragment::release()
 {
     // Without the lock and the tree: fragments end inside a cut that fails, and beside cuts of relatives.
-    family_->universe.live_slots -= triangle_count_;
+    shared_->universe.live_slots -= triangle_count_;
     triangle_count_ = 0;
     shells_.clear();
 }
@@ -52,8 +53,8 @@ std::unique_ptr<Cuttable> Fragment::clone() const
     const std::shared_lock lock(universe().mutex);
     // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
     const bool most = 2 * triangle_count_ > universe().slots.size();
-    auto copy =
-        most ? std::make_unique<Fragment>(std::make_shared<Family>(*family_), shells_, material_count_) : compacted();
+    auto copy = most ? std::make_unique<Fragment>(std::make_shared<SharedUniverse>(*shared_), shells_, material_count_)
+                     : compacted();
     copy->loops_ = loops_;
     return copy;
 }
@@ -61,10 +62,10 @@ std::unique_ptr<Cuttable> Fragment::clone() const
 /// Without loops; the caller holds the lock.
 std::unique_ptr<Fragment> Fragment::compacted() const
 {
-    auto family = std::make_shared<Family>();
-    const std::vector<ShellRoot> shells = compact_copy(universe(), shells_, family->universe);
-    family->make_room(family->universe.slots.size());
-    return std::make_unique<Fragment>(std::move(family), shells, material_count_);
+    auto shared = std::make_shared<SharedUniverse>();
+    const std::vector<ShellRoot> shells = compact_copy(universe(), shells_, shared->universe);
+    shared->make_room(shared->universe.slots.size());
+    return std::make_unique<Fragment>(std::move(shared), shells, material_count_);
 }
 
 bool Fragment::wants_compaction() const
@@ -85,7 +86,7 @@ void Fragment::compact()
         const std::shared_lock lock(universe().mutex);
         copy = compacted();
     }
-    std::swap(family_, copy->family_);
+    std::swap(shared_, copy->shared_);
     std::swap(shells_, copy->shells_);
 }
 
@@ -146,7 +147,7 @@ DrawView Fragment::draw_view() const
 
 void Fragment::mark_uploaded()
 {
-    Universe& u = family_->universe;
+    Universe& u = shared_->universe;
     const std::unique_lock lock(u.mutex);
     u.uploaded_vertices = u.vertices.size();
     u.uploaded_slots = u.slots.size();
@@ -211,7 +212,7 @@ Fragment::FragmentsBySide Fragment::planned_fragments(const Cutter& cutter) cons
     for (const Side side : kSides)
         for (PlannedFragment& planned : cutter.planned_fragments(side)) {
             auto& fragment = fragments[side].emplace_back(
-                std::make_unique<Fragment>(family_, planned.shells, cutter.material_count()));
+                std::make_unique<Fragment>(shared_, planned.shells, cutter.material_count()));
             fragment->loops_ = std::move(planned.loops);
         }
     return fragments;
@@ -221,7 +222,7 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
     const std::unique_lock lock(universe().mutex);
     CutResult result;
-    Cutter cutter(family_->universe, family_->workspace, shells_, material_count_);
+    Cutter cutter(shared_->universe, shared_->workspace, shells_, material_count_);
     if (!cutter.plan(plane, options, result)) return result;
     FragmentsBySide fragments = planned_fragments(cutter);
     result.negative.reserve(fragments[Side::negative].size());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/cutting/cut.h"
-#include "halfedge/family.h"
+#include "halfedge/shared_universe.h"
 
 namespace kerf::halfedge {
 
@@ -16,9 +16,9 @@ class Cutter;
 class Fragment final : public Cuttable
 {
 public:
-    Fragment(std::shared_ptr<Family> family, std::span<const ShellRoot> shells, std::size_t material_count);
+    Fragment(std::shared_ptr<SharedUniverse> shared, std::span<const ShellRoot> shells, std::size_t material_count);
     /// An empty fragment, to be filled without failing: has room for `shells`.
-    Fragment(std::shared_ptr<Family> family, std::size_t shells, std::size_t material_count);
+    Fragment(std::shared_ptr<SharedUniverse> shared, std::size_t shells, std::size_t material_count);
     ~Fragment() override;
 
     std::unique_ptr<Cuttable> clone() const override;
@@ -34,13 +34,13 @@ public:
     bool wants_compaction() const override;
     void compact() override;
 
-    const Universe& universe() const { return family_->universe; }
+    const Universe& universe() const { return shared_->universe; }
     const std::vector<ShellRoot>& shells() const { return shells_; }
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
-    std::uint64_t buffers() const noexcept override { return family_->serial; }
-    bool has_relatives() const noexcept override { return family_.use_count() > 1; }
+    std::uint64_t buffers() const noexcept override { return shared_->serial; }
+    bool has_relatives() const noexcept override { return shared_.use_count() > 1; }
 
     using FragmentsBySide = BySide<std::vector<std::unique_ptr<Fragment>>>;
 
@@ -54,7 +54,7 @@ private:
     std::vector<DrawRange> draw_ranges() const;
 
     // What follows is the fragment's own: reading it needs no lock, and a fragment can end while a relative is cut.
-    std::shared_ptr<Family> family_;
+    std::shared_ptr<SharedUniverse> shared_;
     std::vector<ShellRoot> shells_;
     std::uint64_t triangle_count_ = 0;
     Box box_;

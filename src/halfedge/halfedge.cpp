@@ -14,10 +14,10 @@ public:
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
     {
-        auto family = std::make_shared<Family>();
-        const std::vector<ShellRoot> shells = prepare_universe(mesh, family->universe);
-        family->make_room(mesh->triangles.size());
-        return std::make_unique<Fragment>(std::move(family), shells, mesh->materials.size());
+        auto shared = std::make_shared<SharedUniverse>();
+        const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe);
+        shared->make_room(mesh->triangles.size());
+        return std::make_unique<Fragment>(std::move(shared), shells, mesh->materials.size());
     }
 };
 

@@ -9,7 +9,8 @@
 
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
-#include "common/caps/halving_triangulator.h"
+#include "common/caps/convex_triangulator.h"
+#include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "baseline/baseline.h"
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "halfedge/halfedge.h"

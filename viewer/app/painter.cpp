@@ -4,7 +4,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <vector>
 
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "viewer/render/proxy_lines.h"
 #include "viewer/render/wall.h"
 #include "viewer/sim/camera.h"

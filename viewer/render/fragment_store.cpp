@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 
 namespace kerf::render {
 

@@ -7,8 +7,8 @@
 
 namespace kerf::baseline {
 
-/// The report's collision shape (section 3.2.4): every vertex added to the physics engine's hull shape, one by one, as its
-/// program does. The shape computes its bounding box anew with each of them, so this is quadratic; it is here to be
+/// The report's collision shape (section 3.2.4): every vertex added to the physics engine's hull shape, one by one, as
+/// its program does. The shape computes its bounding box anew with each of them, so this is quadratic; it is here to be
 /// compared with. The result is of the kind `points`; empty for no vertices. O(n^2).
 CollisionProxy every_vertex(std::span<const Vertex> vertices);
 

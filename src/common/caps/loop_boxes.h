@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+// A tree of boxes along the edges of a loop, to find those that a box meets.
+
 namespace kerf {
 
 /// A box in the plane of a section; initially empty.

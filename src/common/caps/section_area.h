@@ -6,6 +6,8 @@
 #include "common/mesh/box.h"
 #include "common/mesh/plane.h"
 
+// Signed area and length of sections, the same in whatever order their edges come.
+
 namespace kerf {
 
 /// Adds up numbers below a bound; the sum has the same bits in any order. Numbers are rounded to 2^-90 of the bound and

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "common/caps/clipping_triangulator.h"
-#include "common/caps/halving_triangulator.h"
+#include "common/caps/convex_triangulator.h"
 #include "common/caps/loop_boxes.h"
 #include "common/caps/near_places.h"
 #include "common/geometry/turn.h"

@@ -21,7 +21,9 @@
 
 // The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the
 // fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
-// docs/cutting-rules.md. Whether a cut misses is decided by each back end: Cutter::missed_side(), baseline::slice().
+// docs/cutting-rules.md. Whether a cut misses is decided by each back end in three places: the object may lie beyond
+// the plane, a side may keep no triangle, or nothing but what vanishes may cross. See halfedge/cut/cutter.cpp
+// (missed_side() and plan()), baseline/slice.cpp (bounds) and baseline/slicing_steps.h (vertices; sides that vanish).
 
 namespace kerf {
 
@@ -172,7 +174,7 @@ private:
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
 
-    /// DrawView::buffers, from new_buffers_serial() (cutting/back_end.h).
+    /// DrawView::buffers, from new_buffers_serial() (cutting/back_end_helpers.h).
     virtual std::uint64_t buffers() const noexcept = 0;
     /// Whether some other object has the same buffers.
     virtual bool has_relatives() const noexcept { return false; }

@@ -13,6 +13,8 @@
 
 // How a hole finds its outer loop.
 
+// How a hole of a section finds its outer loop. group_pieces.cpp sorts the loops by solid first.
+
 namespace kerf {
 
 /// The section as edges between points, without edges that run forth and back.

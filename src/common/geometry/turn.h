@@ -5,6 +5,8 @@
 
 #include "common/mesh/float_rules.h"
 
+// The exact sign of a turn: on which side of a directed line a point of the plane lies.
+
 namespace kerf {
 
 /// turn() for points at which rounding could decide its sign.

@@ -12,6 +12,8 @@
 #include "common/io/gltf_extensions.h"
 #include "common/io/mesh_file.h"
 
+// Accessors of glTF: typed arrays in buffers, sparse and normalised ones included.
+
 namespace kerf::io {
 
 /// Component types, by the format's numbers.

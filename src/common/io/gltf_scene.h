@@ -7,6 +7,8 @@
 #include "common/io/gltf_accessors.h"
 #include "common/io/gltf_document.h"
 
+// What a scene of glTF shows: meshes at their places, instances included.
+
 namespace kerf::io {
 
 /// Copies of a mesh in one place (EXT_mesh_gpu_instancing), each with a transform of its own.

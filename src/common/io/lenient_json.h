@@ -8,6 +8,8 @@
 
 #include "common/io/reading_notes.h"
 
+// JSON of glTF files, with the faults that other programs leave in it.
+
 namespace kerf::io {
 
 /// JSON text that cannot be read.

@@ -12,6 +12,8 @@
 #include "common/repair/mesh_facts.h"
 #include "common/repair/repair.h"
 
+// Reading and writing mesh files: what users of the library call.
+
 namespace kerf::io {
 
 /// A file that cannot be read or written. what() is one sentence that names the file and the reason.

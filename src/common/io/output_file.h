@@ -8,6 +8,8 @@
 
 #include "common/io/unfinished_files.h"
 
+// A written file appears complete or not at all.
+
 namespace kerf::io {
 
 /// The file that a name stands for: where symbolic links lead, existing or not; without links the name itself.

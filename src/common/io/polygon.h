@@ -6,6 +6,8 @@
 
 #include "common/mesh/indexed_mesh.h"
 
+// Triangulation of a file's polygons without a new vertex.
+
 namespace kerf::io {
 
 /// The most corners of a face that is not convex: triangulating it takes quadratic time, here about a second.

@@ -15,6 +15,8 @@
 #include "common/io/text_scanner.h"
 #include "common/mesh/triangle_soup.h"
 
+// What the readers of all formats have in common: numbers are cleaned here, and nowhere else.
+
 namespace kerf::io {
 
 /// The normal of a vertex for which the file gives none, until SoupBuilder::finish().

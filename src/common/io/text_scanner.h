@@ -10,6 +10,8 @@
 #include "common/io/reading_notes.h"
 #include "common/support/reason.h"
 
+// Words and numbers of text formats, with the line that a message names.
+
 namespace kerf::io {
 
 /// Why a piece of text is not a number that fits.

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 
+// Temporary files are removed if a signal ends the program.
+
 namespace kerf::io {
 
 /// The record of a temporary file for a signal handler.

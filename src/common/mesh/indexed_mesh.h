@@ -13,6 +13,8 @@
 #include "common/mesh/box.h"
 #include "common/mesh/buffer.h"
 
+// The mesh: vertices with attributes, triangles in groups, points that say which vertices are one.
+
 namespace kerf {
 
 /// What the GPU reads for one corner: 32 bytes, interleaved.

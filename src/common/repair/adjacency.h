@@ -7,7 +7,8 @@
 
 namespace kerf {
 
-/// The neighbours in a mesh. Half-edge 3 * triangle + corner runs from that corner's point to the next one's.
+/// The neighbours in a mesh that is repaired, or proven: a table. linked_surface.h finds out who they are. Half-edge 3
+/// * triangle + corner runs from that corner's point to the next one's.
 struct Adjacency
 {
     Buffer<Index> opposite;  ///< for each half-edge the one along the same points the other way; kNone at the boundary

@@ -5,8 +5,8 @@
 
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/mass_properties.h"
-#include "common/repair/face_adjacency.h"
 #include "common/repair/halfedges_by_edge.h"
+#include "common/repair/linked_surface.h"
 #include "common/repair/triangle_faults.h"
 #include "common/repair/vertex_fans.h"
 #include "common/repair/weld.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/repair/face_adjacency.h"
+#include "common/repair/linked_surface.h"
 #include "common/repair/shells.h"
 #include "common/repair/solids.h"
 #include "common/repair/triangle_faults.h"
@@ -13,8 +13,8 @@
 #include "common/support/reason.h"
 
 // Triangles that face the wrong way are turned over in three steps: sheets of triangles over the same points
-// (turned_sheets.h, if triangle_faults.h finds edges that need it), patches that are connected by edges of two triangles
-// (face_adjacency.h), and whole shells (solids.h).
+// (orient_sheets.h, if triangle_faults.h finds edges that need it), patches that are connected by edges of two
+// triangles (orient_patches.h), and whole shells (solids.h).
 
 namespace kerf {
 

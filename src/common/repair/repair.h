@@ -7,6 +7,8 @@
 #include "common/mesh/triangle_soup.h"
 #include "common/repair/proven_mesh.h"
 
+// From a soup of triangles to a mesh that keeps its promises: the steps are listed at the top of repair.cpp.
+
 namespace kerf {
 
 /// What repair() changed. Nothing here moves a vertex.

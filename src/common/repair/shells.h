@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mesh/box.h"
-#include "common/repair/face_adjacency.h"
+#include "common/repair/linked_surface.h"
 #include "common/repair/vertex_fans.h"
 
 namespace kerf {

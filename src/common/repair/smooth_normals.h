@@ -4,7 +4,9 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "common/repair/face_adjacency.h"
+#include "common/repair/linked_surface.h"
+
+// Normals for meshes that have none.
 
 namespace kerf {
 

@@ -8,7 +8,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/index.h"
 #include "common/repair/halfedges_by_edge.h"
-#include "common/repair/turned_sheets.h"
+#include "common/repair/orient_sheets.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "common/mesh/triangle_soup.h"
-#include "common/repair/face_adjacency.h"
+#include "common/repair/linked_surface.h"
 #include "common/repair/vertex_fans.h"
 
 namespace kerf {

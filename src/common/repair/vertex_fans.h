@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "common/repair/face_adjacency.h"
 #include "common/repair/halfedges_by_edge.h"
+#include "common/repair/linked_surface.h"
 
 namespace kerf {
 

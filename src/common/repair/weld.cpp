@@ -22,8 +22,8 @@ std::uint64_t bits(float a, float b)
     return std::bit_cast<std::uint32_t>(a) | std::uint64_t{std::bit_cast<std::uint32_t>(b)} << 32;
 }
 
-/// A hash table of indices whose keys stay where they are, in the arrays that are welded: the owner hashes and compares.
-/// Open addressing, linear probing.
+/// A hash table of indices whose keys stay where they are, in the arrays that are welded: the owner hashes and
+/// compares. Open addressing, linear probing.
 class IndexTable
 {
 public:

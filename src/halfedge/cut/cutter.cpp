@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "halfedge/cut/piece_plan.h"
 #include "halfedge/cut/split.h"
 

@@ -9,6 +9,8 @@
 #include "halfedge/cut/recycled.h"
 #include "halfedge/universe/universe.h"
 
+// FIND: which triangles the plane crosses and which parts of the tree go to a side as they are. Result: Found.
+
 namespace kerf::halfedge {
 
 /// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.

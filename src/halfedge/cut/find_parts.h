@@ -7,8 +7,11 @@
 
 #include "common/cutting/cut_geometry.h"
 #include "common/geometry/disjoint_sets.h"
-#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/section.h"
+
+// Which triangles of a side are connected: parts. Which parts make a piece: piece_plan.h, by
+// common/cutting/group_pieces.h.
 
 namespace kerf::halfedge {
 

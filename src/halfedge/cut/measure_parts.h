@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "common/cutting/pieces.h"
+#include "common/cutting/group_pieces.h"
 #include "common/geometry/disjoint_sets.h"
-#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/planned_pieces.h"
 
 namespace kerf::halfedge {
 

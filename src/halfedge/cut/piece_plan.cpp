@@ -4,7 +4,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "common/cutting/pieces.h"
+#include "common/cutting/group_pieces.h"
 #include "common/geometry/disjoint_sets.h"
 #include "halfedge/cut/irregular/kept_edges.h"
 #include "halfedge/cut/irregular/link_outline.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "halfedge/cut/caps.h"
-#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/section.h"
 
 namespace kerf::halfedge {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/stitch_plan.h"
 
 namespace kerf::halfedge {

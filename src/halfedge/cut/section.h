@@ -8,6 +8,8 @@
 #include "halfedge/cut/find.h"
 #include "halfedge/cut/split.h"
 
+// The section: what WALK makes of the crossing triangles. Outline edges, cut points, and loops of them.
+
 namespace kerf::halfedge {
 
 /// A closed loop of outline edges, or a chain that ends at boundary.

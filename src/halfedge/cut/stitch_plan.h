@@ -6,6 +6,8 @@
 #include "halfedge/cut/caps.h"
 #include "halfedge/cut/section.h"
 
+// What STITCH will do, worked out before anything is changed. Result: StitchPlan.
+
 namespace kerf::halfedge {
 
 /// One of the up to three sub-triangles of a crossing triangle, as a face.

@@ -5,7 +5,7 @@
 #include "halfedge/cut/cap_planner.h"
 #include "halfedge/cut/find.h"
 #include "halfedge/cut/find_parts.h"
-#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/rebuild.h"
 #include "halfedge/cut/section.h"
 #include "halfedge/cut/stitch.h"

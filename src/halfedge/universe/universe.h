@@ -12,6 +12,9 @@
 #include "halfedge/universe/surface_mesh.h"
 #include "halfedge/universe/triangle_tree.h"
 
+// The universe: one set of buffers (half-edges, vertices, slots, tree) that all fragments of one prepared mesh share,
+// with the lock that puts readers and cuts in order.
+
 namespace kerf::halfedge {
 
 /// The material, solid and kind of triangles that are drawn together.

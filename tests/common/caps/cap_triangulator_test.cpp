@@ -7,7 +7,8 @@
 
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
-#include "common/caps/halving_triangulator.h"
+#include "common/caps/convex_triangulator.h"
+#include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 
 namespace kerf {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "common/io/mesh_file.h"
 #include "common/support/random.h"
 #include "support/backends.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/caps/outline_loops.h"
-#include "halfedge/cut/pieces.h"
+#include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/section.h"
 
 namespace kerf::halfedge {

@@ -7,6 +7,9 @@
 
 #include "common/repair/halfedges_by_edge.h"
 
+// Who is whose neighbour, before a mesh is proven. Patches that face the wrong way are found in orient_patches.h and
+// orient_sheets.h, whole shells in solids.h; edges of more than two triangles are taken apart in edge_pairing.h.
+
 namespace kerf {
 
 /// An edge where more than two triangles met: all of its half-edges.

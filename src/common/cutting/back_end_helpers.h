@@ -5,7 +5,8 @@
 
 #include "common/cutting/cut.h"
 
-// What a back end needs to keep the contract, and its users do not.
+// What a back end needs to keep the contract, and its users do not: draw ranges, the material of caps, serial numbers
+// of buffers, and whether caps exceed their section.
 
 namespace kerf {
 

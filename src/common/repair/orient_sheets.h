@@ -5,6 +5,9 @@
 
 #include "common/mesh/indexed_mesh.h"
 
+// The first of three ways to find triangles that face the wrong way: at edges of more than two triangles. Ordinary
+// surfaces: orient_patches.h; whole shells: solids.h.
+
 namespace kerf {
 
 /// Finds triangles to turn over so that edges where more than two triangles meet are closed. Returns 1 for each of

@@ -1,4 +1,4 @@
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "common/cutting/pieces.h"
+#include "common/cutting/group_pieces.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "common/repair/turned_sheets.h"
+#include "common/repair/orient_sheets.h"
 
 #include <algorithm>
 #include <cstdlib>

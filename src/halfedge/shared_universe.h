@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "halfedge/cut/workspace.h"
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
@@ -9,20 +9,20 @@ namespace kerf::halfedge {
 
 /// What all objects that descend from one prepared mesh share: the universe that they lie in, and the memory that cuts
 /// of any of them are planned in. Both are guarded by the universe's lock.
-struct Family
+struct SharedUniverse
 {
     const std::uint64_t serial = new_buffers_serial();  ///< DrawView::buffers
     Universe universe;
     CutWorkspace workspace;
 
-    Family() = default;
+    SharedUniverse() = default;
     /// A copy with a lock of its own. Call it with `other` locked.
-    Family(const Family& other) : universe(other.universe)
+    SharedUniverse(const SharedUniverse& other) : universe(other.universe)
     {
         universe.stamp_base += other.workspace.stamps_used();  // the copied faces keep their stamps
         make_room(other.universe.slots.size());
     }
-    Family& operator=(const Family&) = delete;
+    SharedUniverse& operator=(const SharedUniverse&) = delete;
 
     /// For planning one cut of an object of so many triangles.
     void make_room(std::size_t triangles) { workspace.reserve(crossings_of_one_cut(triangles)); }

@@ -12,7 +12,7 @@
 #include "baseline/side_builder.h"
 #include "baseline/slice.h"
 #include "baseline/vertex_sides.h"
-#include "common/cutting/back_end.h"
+#include "common/cutting/back_end_helpers.h"
 #include "common/cutting/cut_geometry.h"
 #include "common/support/stopwatch.h"
 
