@@ -34,8 +34,8 @@ inline constexpr double kLargestHole = 0.1;
 /// Degrees: if normals are computed, edges whose triangles turn by more stay sharp.
 inline constexpr double kCreaseAngle = 40.0;
 
-/// Share of the section's area by which caps may exceed it: the cost of rounding cut points to float. A unit in the last
-/// place along the outline is allowed as well: caps_exceed_section(). A warning only.
+/// Share of the section's area by which caps may exceed it: the cost of rounding cut points to float. A unit in the
+/// last place along the outline is allowed as well: caps_exceed_section(). A warning only.
 inline constexpr double kCapAgreement = 1e-6;
 
 /// Share of the area of all other parts: clockwise parts of an outline that have no more area are not holes. Rounding
