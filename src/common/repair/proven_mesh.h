@@ -23,9 +23,9 @@ class ProvenMesh
 public:
     ProvenMesh() = default;
     ProvenMesh(const ProvenMesh&) = default;
-    ProvenMesh(ProvenMesh&& other) noexcept
-        : mesh_(std::exchange(other.mesh_, {})), adjacency_(std::exchange(other.adjacency_, {}))
+    ProvenMesh(ProvenMesh&& other) noexcept : mesh_(std::move(other.mesh_)), adjacency_(std::move(other.adjacency_))
     {
+        other.forget_counts();
     }
     ProvenMesh& operator=(ProvenMesh other) noexcept
     {
@@ -45,7 +45,9 @@ public:
     IndexedMesh operator*() &&
     {
         adjacency_ = {};
-        return std::exchange(mesh_, {});
+        IndexedMesh mesh = std::move(mesh_);
+        forget_counts();
+        return mesh;
     }
     /// The reference would dangle at the end of the line: write `*repair(soup).mesh`, which is a mesh of its own.
     operator const IndexedMesh&() const&& = delete;
@@ -63,6 +65,9 @@ private:
     friend Repaired repair(TriangleSoup soup);
     friend Proof prove(IndexedMesh mesh);
     ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency) : mesh_(std::move(mesh)), adjacency_(std::move(adjacency)) {}
+
+    /// After a move, which has emptied all arrays.
+    void forget_counts() noexcept { mesh_.point_count = adjacency_.shell_count = 0; }
 
     IndexedMesh mesh_;
     Adjacency adjacency_;
