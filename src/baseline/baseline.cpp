@@ -34,7 +34,7 @@ struct Method
 class BaselineCuttable final : public Cuttable
 {
 public:
-    BaselineCuttable(Fragment fragment, Method method, const ReportCosts& costs = {})
+    BaselineCuttable(Fragment&& fragment, Method method, const ReportCosts& costs = {})
         : fragment_(std::move(fragment)), method_(method), costs_(costs)
     {
     }
@@ -44,7 +44,7 @@ public:
 
     std::unique_ptr<Cuttable> clone() const override
     {
-        auto copy = std::make_unique<BaselineCuttable>(fragment_, method_);
+        auto copy = std::make_unique<BaselineCuttable>(Fragment(fragment_), method_);
         return copy;
     }
 
@@ -138,7 +138,7 @@ public:
     std::string name() const override { return "baseline/" + std::string(name_of(method_.lookup)); }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
     {
         Fragment fragment;
         fragment.mesh = *std::move(mesh);

@@ -12,7 +12,7 @@ public:
     std::string name() const override { return "halfedge"; }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
     {
         auto shared = std::make_shared<SharedUniverse>();
         const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe);

@@ -84,7 +84,7 @@ public:
     std::string name() const override { return "liar"; }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
     {
         return std::make_unique<LyingObject>(baseline::make_backend()->prepare(std::move(mesh)).object, spoil_, false);
     }

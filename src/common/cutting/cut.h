@@ -234,7 +234,7 @@ public:
 
 private:
     /// `mesh` has triangles. May throw std::bad_alloc.
-    virtual std::unique_ptr<Cuttable> make(ProvenMesh mesh) const = 0;
+    virtual std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const = 0;
 };
 
 }  // namespace kerf

@@ -17,14 +17,17 @@ double coordinate_grain(const Box& box)
 
 double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle> triangles)
 {
-    double shortest = std::numeric_limits<double>::infinity();
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    const auto square = [](const glm::dvec3& edge) {
+        const double length2 = glm::dot(edge, edge);
+        return length2 > 0.0 ? length2 : kInfinite;
+    };
+    double shortest = kInfinite;
     for (const auto& [a, b, c] : triangles) {
-        if (std::max({a, b, c}) >= vertices.size()) continue;
+        if (a >= vertices.size() || b >= vertices.size() || c >= vertices.size()) continue;
         const glm::dvec3 p(vertices[a].position), q(vertices[b].position), r(vertices[c].position);
-        for (const glm::dvec3& edge : {q - p, r - q, p - r}) {
-            const double square = glm::dot(edge, edge);
-            if (square > 0.0) shortest = std::min(shortest, square);
-        }
+        // One comparison with the least so far: each waits for the one before.
+        shortest = std::min(shortest, std::min(square(q - p), std::min(square(r - q), square(p - r))));
     }
     return std::sqrt(shortest);
 }
