@@ -17,17 +17,18 @@ double coordinate_grain(const Box& box)
 
 double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle> triangles)
 {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    const auto square = [](const glm::dvec3& edge) {
-        const double length2 = glm::dot(edge, edge);
-        return length2 > 0.0 ? length2 : kInfinite;
+    double shortest = std::numeric_limits<double>::infinity();
+    // A shorter edge is rare: a branch that is predicted costs less than a minimum that waits for the one before.
+    const auto compare = [&](const glm::dvec3& edge) {
+        const double square = glm::dot(edge, edge);
+        if (square < shortest && square > 0.0) shortest = square;
     };
-    double shortest = kInfinite;
     for (const auto& [a, b, c] : triangles) {
-        if (a >= vertices.size() || b >= vertices.size() || c >= vertices.size()) continue;
+        if (std::max({a, b, c}) >= vertices.size()) continue;
         const glm::dvec3 p(vertices[a].position), q(vertices[b].position), r(vertices[c].position);
-        // One comparison with the least so far: each waits for the one before.
-        shortest = std::min(shortest, std::min(square(q - p), std::min(square(r - q), square(p - r))));
+        compare(q - p);
+        compare(r - q);
+        compare(p - r);
     }
     return std::sqrt(shortest);
 }
