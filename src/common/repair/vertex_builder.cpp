@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <unordered_map>
 
 #include "common/geometry/pair_table.h"
 #include "common/mesh/index.h"
