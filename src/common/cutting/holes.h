@@ -11,8 +11,6 @@
 #include "common/mesh/box.h"
 #include "common/mesh/plane.h"
 
-// How a hole finds its outer loop.
-
 // How a hole of a section finds its outer loop. group_pieces.cpp sorts the loops by solid first.
 
 namespace kerf {

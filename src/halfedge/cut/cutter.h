@@ -10,7 +10,7 @@
 #include "halfedge/universe/universe.h"
 
 // A cut of the half-edge back end, from beginning to end: FIND, SPLIT, WALK, the parts and pieces, the caps (planned by
-// plan(), nothing is changed yet), STITCH, REBUILD (carried out by carry_out()). Each has a header of its own.
+// plan(), which changes no result), STITCH, REBUILD (carried out by carry_out()). Each has a header of its own.
 
 namespace kerf::halfedge {
 
