@@ -202,7 +202,7 @@ TEST(TextScanner, NamesFileAndLineInErrors)
     scanner.next_line();
     scanner.word();
     try {
-        scanner.to_number(scanner.word(), "a coordinate");
+        scanner.to_float(scanner.word(), "a coordinate");
         FAIL();
     } catch (const FileError& error) {
         EXPECT_STREQ(error.what(), "file.txt: line 3: a coordinate is 'x', which is not a number; write one");

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "common/io/read_formats.h"
-#include "common/mesh/tolerances.h"
 
 namespace kerf::io {
 
@@ -18,21 +17,6 @@ constexpr std::size_t kMostTriangles = std::numeric_limits<std::uint32_t>::max()
 bool is_finite(const glm::vec3& p)
 {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-glm::vec3 unit_or_none(const glm::vec3& n)
-{
-    if (!is_finite(n)) return kNoNormal;
-    const glm::dvec3 wide(n);
-    const double length = std::hypot(wide.x, wide.y, wide.z);
-    if (!(length > 0.0)) return kNoNormal;
-    return std::abs(length - 1.0) > kUnitTolerance ? glm::vec3(wide / length) : n;
-}
-
-glm::dvec3 area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
-{
-    const glm::dvec3 e = glm::dvec3(b) - glm::dvec3(a), f = glm::dvec3(c) - glm::dvec3(a);
-    return {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
 }
 
 }  // namespace
@@ -105,7 +89,6 @@ void SoupBuilder::finish_positions()
             }
         notes_.add(kUnusedVertices, unused);
     }
-    for (Vertex& v : soup.vertices) v.position += 0.0f;  // -0 becomes +0, so that equal positions have equal bits
 }
 
 void SoupBuilder::fail_at_unfit(std::uint32_t vertex) const
@@ -122,44 +105,10 @@ void SoupBuilder::fail_at_unfit(std::uint32_t vertex) const
 
 void SoupBuilder::finish_attributes()
 {
-    std::uint64_t missing = 0, bad_normals = 0, bad_uvs = 0, bad_values = 0;
-    for (Vertex& v : soup.vertices) {
-        bad_normals += !is_finite(v.normal);
-        v.normal = unit_or_none(v.normal);
-        missing += v.normal == kNoNormal;
-        if (!std::isfinite(v.uv.x) || !std::isfinite(v.uv.y)) {
-            v.uv = {};
-            ++bad_uvs;
-        }
-    }
-    for (VertexStream& stream : soup.streams)
-        for (float& value : stream.values)
-            if (!std::isfinite(value)) {
-                value = 0.0f;
-                ++bad_values;
-            }
-    notes_.add(kBadNormals, bad_normals);
-    notes_.add(kBadUvs, bad_uvs);
-    notes_.add(kBadValues, bad_values);
-    soup.has_normals = missing < soup.vertices.size();
-    if (soup.has_normals && missing > 0) fill_missing_normals();
-}
-
-/// Mean of the triangles' normals, weighted by area, for the vertices without one.
-void SoupBuilder::fill_missing_normals()
-{
-    std::vector<glm::dvec3> sum(soup.vertices.size(), glm::dvec3(0.0));
-    for (const Triangle& t : soup.triangles) {
-        const glm::dvec3 n =
-            area_vector(soup.vertices[t[0]].position, soup.vertices[t[1]].position, soup.vertices[t[2]].position);
-        for (const std::uint32_t corner : t) sum[corner] += n;
-    }
-    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
-        Vertex& v = soup.vertices[i];
-        if (v.normal != kNoNormal) continue;
-        const double length = std::hypot(sum[i].x, sum[i].y, sum[i].z);
-        v.normal = length > 0.0 ? glm::vec3(sum[i] / length) : glm::vec3(0.0f, 0.0f, 1.0f);
-    }
+    const UnfitAttributes unfit = clean(soup);
+    notes_.add(kBadNormals, unfit.normals);
+    notes_.add(kBadUvs, unfit.uvs);
+    notes_.add(kBadValues, clean_streams(soup));
 }
 
 }  // namespace kerf::io

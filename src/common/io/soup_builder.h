@@ -13,14 +13,13 @@
 #include "common/io/polygon.h"
 #include "common/io/reading_notes.h"
 #include "common/io/text_scanner.h"
+#include "common/mesh/index.h"
 #include "common/mesh/triangle_soup.h"
+#include "common/repair/clean_soup.h"
 
-// What the readers of all formats have in common: numbers are cleaned here, and nowhere else.
+// What the readers of all formats have in common. Numbers are cleaned by common/repair/clean_soup.h.
 
 namespace kerf::io {
-
-/// The normal of a vertex for which the file gives none, until SoupBuilder::finish().
-inline constexpr glm::vec3 kNoNormal{0.0f};
 
 /// Collects what a reader finds, and completes it in one way for all formats.
 class SoupBuilder
@@ -58,9 +57,9 @@ public:
     /// Following faces have this material of `soup.materials`.
     void use_material(std::uint32_t index) { material_ = index; }
 
-    /// Checks coordinates, turns -0 into +0, makes normals unit vectors and fills in those that are missing. Values
-    /// that are not finite and do not matter for the surface are noted and replaced: a normal is made anew, other
-    /// attributes are 0, and a vertex without faces moves to one that has some.
+    /// Checks coordinates and cleans numbers: clean(). Values that are not finite and do not matter for the surface are
+    /// noted and replaced: a normal is made anew, other attributes are 0, and a vertex without faces moves to one that
+    /// has some.
     /// @throws FileError  no triangle; a coordinate of a face that is not finite
     TriangleSoup finish();
 
@@ -75,17 +74,14 @@ private:
     void finish_positions();
     [[noreturn]] void fail_at_unfit(std::uint32_t vertex) const;
     void finish_attributes();
-    void fill_missing_normals();
 
     const std::filesystem::path& path_;
     ReadingNotes& notes_;
     ConcaveBudget concave_budget_;
     std::vector<Unfit> unfit_;
     std::uint64_t faces_ = 0, faces_without_surface_ = 0;
-    std::uint32_t material_ = kNone;
+    std::uint32_t material_ = kNone;  ///< none is named yet
     std::unordered_map<std::string, std::uint32_t> material_of_name_;
-
-    static constexpr std::uint32_t kNone = 0xFFFFFFFFu;  ///< no material named yet
 };
 
 }  // namespace kerf::io

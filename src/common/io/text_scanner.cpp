@@ -291,14 +291,6 @@ std::string_view TextScanner::rest()
     return text_.substr(first, last - first);
 }
 
-float TextScanner::to_number(std::string_view text, std::string_view what) const
-{
-    float value = 0.0f;
-    const NumberError error = parse_float(text, value);
-    if (error != NumberError::none) fail(explain(error, text, what));
-    return value;
-}
-
 float TextScanner::to_float(std::string_view text, std::string_view what) const
 {
     float value = 0.0f;

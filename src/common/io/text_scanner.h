@@ -92,10 +92,6 @@ public:
     /// Lines counted to tell whether records share them, at most as many as there are. Tests bound the cost by it.
     std::uint64_t lines_counted() const { return lines_counted_; }
 
-    /// A word as a finite number; an empty word is the end of the line or file. `what` names it in the error: "a
-    /// coordinate".
-    float to_number(std::string_view text, std::string_view what) const;
-
     /// A word as an integer; 8.0 is one, and is noted.
     std::int64_t to_integer(std::string_view text, std::string_view what) const;
 
@@ -105,7 +101,8 @@ public:
     /// A word as a number that the surface does not need: NaN if it is not a finite number.
     static float to_attribute(std::string_view text);
 
-    /// A word as a number that the surface may or may not need: NaN if it is not finite in single precision.
+    /// A word as a number that the surface may or may not need: NaN if it is not finite in single precision. `what`
+    /// names it in the error: "a coordinate".
     float to_float(std::string_view text, std::string_view what) const;
 
     /// Leaves the line: moves behind its end.
