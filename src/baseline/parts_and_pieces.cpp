@@ -134,15 +134,15 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
     DisjointSets joined(triangle_count);
     PairTable triangle_at;  // by the points of edges, the smaller one first
     triangle_at.reset(section.edges.size());
-    const auto note = [&](std::span<const HalfedgesByEdge::Side> edge) {
+    const auto note = [&](std::span<const HalfedgesByEdge::Entry> edge) {
         const std::uint32_t first = edge.front().halfedge / 3, corner = edge.front().halfedge % 3;
         const auto [smaller, larger] = std::minmax(corners[first][corner], corners[first][(corner + 1) % 3]);
         triangle_at(smaller, larger) = first;
     };
-    runs.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+    runs.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         const std::uint32_t first = edge.front().halfedge / 3;
         std::int32_t surplus = 0;
-        for (const HalfedgesByEdge::Side& side : edge) {
+        for (const HalfedgesByEdge::Entry& side : edge) {
             joined.unite(first, side.halfedge / 3);
             surplus += corners[side.halfedge / 3][side.halfedge % 3] < side.larger_point ? 1 : -1;
         }
@@ -168,7 +168,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         std::vector<bool> is_on_section(mesh.point_count, false);
         for (std::uint32_t i = 0; i < section.points.size(); ++i)
             if (const std::uint32_t point = point_of(i); point < is_on_section.size()) is_on_section[point] = true;
-        runs.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+        runs.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
             const Triangle& t = corners[edge.front().halfedge / 3];
             const std::uint32_t corner = edge.front().halfedge % 3;
             if (is_on_section[t[corner]] && is_on_section[t[(corner + 1) % 3]]) note(edge);

@@ -129,9 +129,10 @@ TEST(Prove, RefusesTwoConesThatShareTheirTip)
     cones.materials.emplace_back();
     cones.groups = {{0, 8, 0, 0, TriangleKind::surface}};
     EXPECT_EQ(check(cones), "");
-    EXPECT_EQ(prove(cones).error,
-              "the triangles around point 0 form several fans; give each a point of its own, or give the triangles to "
-              "repair()");
+    EXPECT_EQ(
+        prove(cones).error,
+        "the triangles around point 0 form several vertex fans; give each a point of its own, or give the triangles to "
+        "repair()");
 }
 
 TEST(Prove, KeepsTheBytesOfAMesh)

@@ -91,7 +91,7 @@ PrepareResult Backend::prepare(ProvenMesh mesh) const
     try {
         if (mesh->triangles.empty())
             return {Status::invalid_mesh, nullptr, "the mesh has no triangles; give it one at least"};
-        const bool is_coarse = has_coarse_coordinates(shortest_edge(mesh->vertices, mesh->triangles), mesh->bounds());
+        const bool is_coarse = has_coarse_coordinates(mesh.shortest_edge(), mesh->bounds());
         return {Status::done, make(std::move(mesh)), {}, is_coarse};
     } catch (const std::bad_alloc&) {
         return without_memory();

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "common/io/reading_notes.h"
-#include "common/repair/mesh_facts.h"
 #include "common/repair/repair.h"
 
 // Reading and writing mesh files: what users of the library call.
@@ -51,16 +50,15 @@ struct LoadedMesh
 {
     ProvenMesh mesh;
     std::vector<std::filesystem::path> files;  ///< all that were read: the mesh, its material libraries and buffers
-    MeshFacts facts;                           ///< before repair
+    MeshFacts facts;                           ///< before repair: Repaired::facts
     Repairs repairs;
     ReadingNotes notes;  ///< what the reader was lenient about
 
-    /// Whether the repaired mesh has no boundary: it is the surface of solids, whose back one never sees. O(n log n) if
-    /// something was repaired, otherwise O(1).
-    bool is_closed() const { return repairs.none() ? facts.closed() : measure(*mesh).closed(); }
+    /// Whether the repaired mesh has no boundary: it is the surface of solids, whose back one never sees. O(1).
+    bool is_closed() const { return facts.closed(); }
 };
 
-/// read_soup(), measure() and repair() in one.
+/// read_soup() and repair() in one.
 /// @throws FileError
 LoadedMesh read_mesh(const std::filesystem::path& path);
 

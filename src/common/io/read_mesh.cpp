@@ -16,10 +16,10 @@ LoadedMesh read_mesh(const std::filesystem::path& path)
         soup = read_soup(path, &loaded.notes);
     }
     try {
-        loaded.facts = measure(soup);
         Repaired repaired = repair(std::move(soup));
         if (!repaired.error.empty()) fail(path, repaired.error);
         loaded.mesh = std::move(repaired.mesh);
+        loaded.facts = repaired.facts;
         loaded.repairs = repaired.repairs;
         return loaded;
     } catch (const std::bad_alloc&) {

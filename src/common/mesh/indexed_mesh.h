@@ -74,7 +74,7 @@ struct VertexStream
 ///   a point. Connectivity is by point. Point ids are dense: every id below `point_count` is used. All vertices of a
 ///   point have equal positions. (Equal positions do not mean equal points: touching corners stay apart.)
 /// * No triangle has two corners at one position.
-/// * No directed edge (by point) occurs twice. The triangles around a point form one fan.
+/// * No directed edge (by point) occurs twice. The triangles around a point form one vertex fan.
 /// * `groups` cover the triangles in order, without gap or overlap, and name materials and kinds that exist.
 ///   Several may be alike, or empty. Triangles that share an edge are in groups of one solid.
 /// * Coordinates are finite, however large; -0 does not occur. Normals and uv are finite.

@@ -11,12 +11,8 @@ namespace kerf {
 inline constexpr double kNoiseInUnits = 4.0;
 
 /// Share of 1: how far from 1 the length of a unit vector may be. A vector that was stored as float or turned by a
-/// matrix still passes. A file's normal that is farther from 1 is made unit; a nearer one keeps its bits.
+/// matrix still passes. A vertex normal that is farther from 1 is made unit; a nearer one keeps its bits.
 inline constexpr double kUnitTolerance = 1e-6;
-
-/// Squared length by which a normal that is given to repair() may differ from 1 before it is made unit: a normal of
-/// about six digits is good enough and keeps its bits.
-inline constexpr double kRepairedUnitTolerance = 1e-3;
 
 /// Units in the last place of the largest coordinate: shorter edges are too short for their mesh. Hardly any floats lie
 /// between their ends for cut points, and volumes and areas are those of the mesh as it was rounded. With four bits a
@@ -27,8 +23,9 @@ inline constexpr double kCoarseUnits = 16.0;
 /// their corners turns them by a few 1e-7.
 inline constexpr double kSameAngle = 1e-6;
 
-/// Share of an open shell's area: the shell has an inside if fans over the centres of its boundary loops have no more
-/// area. A head with open eye sockets has one; a terrain or a bowl has none, and neither can be inside out.
+/// Share of an open shell's area: the shell has an inside if triangles from the centres of its boundary loops to their
+/// edges have no more. A head with open eye sockets has one; a terrain or a bowl has none, and neither can be inside
+/// out.
 inline constexpr double kLargestHole = 0.1;
 
 /// Degrees: if normals are computed, edges whose triangles turn by more stay sharp.

@@ -32,32 +32,32 @@ public:
     /// `corners` holds the three point ids of each triangle, all below `point_count`.
     HalfedgesByEdge(std::uint32_t point_count, std::span<const Triangle> corners);
 
-    /// Calls visit(std::span<const Side>) for each undirected edge; never an empty span.
+    /// Calls visit(std::span<const Entry>) for each undirected edge; never an empty span.
     template <class Visit>
     void for_each(Visit&& visit) const
     {
-        const Side* const end = sides_.data() + sides_.size();
+        const Entry* const end = entries_.data() + entries_.size();
         std::size_t bucket = 0;
-        for (const Side* first = sides_.data(); first != end;) {
-            while (static_cast<std::uint32_t>(first - sides_.data()) >= bucket_end_[bucket]) ++bucket;
-            const Side* const bucket_end = sides_.data() + bucket_end_[bucket];
-            const Side* last = first + 1;
+        for (const Entry* first = entries_.data(); first != end;) {
+            while (static_cast<std::uint32_t>(first - entries_.data()) >= bucket_end_[bucket]) ++bucket;
+            const Entry* const bucket_end = entries_.data() + bucket_end_[bucket];
+            const Entry* last = first + 1;
             while (last != bucket_end && last->larger_point == first->larger_point) ++last;
-            visit(std::span<const Side>(first, last));
+            visit(std::span<const Entry>(first, last));
             first = last;
         }
     }
 
     /// One half-edge in its bucket.
-    struct Side
+    struct Entry
     {
         std::uint32_t larger_point;
         std::uint32_t halfedge;
     };
 
 private:
-    Buffer<Side> sides_;
-    Buffer<std::uint32_t> bucket_end_;  ///< for each smaller point the end of its bucket in sides_
+    Buffer<Entry> entries_;
+    Buffer<std::uint32_t> bucket_end_;  ///< for each smaller point the end of its bucket in entries_
 };
 
 }  // namespace kerf

@@ -49,8 +49,8 @@ bool may_be_turned_over(const LinkedSurface& surface, std::span<const Nonmanifol
 
 /// Links triangles and orients patches. Edges of more than two triangles go to `resolved` and are not linked yet.
 /// `patch` stays empty if there is nothing to orient.
-LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, std::vector<NonmanifoldEdge>& resolved,
-                           Buffer<std::uint32_t>& patch)
+LinkedSurface link_patches(Buffer<Triangle> corners, const HalfedgesByEdge& edges, std::uint32_t point_count,
+                           std::vector<NonmanifoldEdge>& resolved, Buffer<std::uint32_t>& patch)
 {
     LinkedSurface surface;
     surface.corners = std::move(corners);
@@ -59,7 +59,7 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
 
     std::vector<NonmanifoldEdge> doubled;
     bool consistent = true;
-    HalfedgesByEdge(point_count, surface.corners).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+    edges.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         if (edge.size() == 2) {
             const std::uint32_t a = edge[0].halfedge, b = edge[1].halfedge;
             const bool agree = surface.start(a) != surface.start(b);
@@ -71,7 +71,7 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
             consistent = consistent && agree;
         } else if (edge.size() > 2) {
             NonmanifoldEdge& sides = resolved.emplace_back();
-            for (const HalfedgesByEdge::Side& side : edge) sides.push_back(side.halfedge);
+            for (const HalfedgesByEdge::Entry& entry : edge) sides.push_back(entry.halfedge);
         }
     });
     surface.nonmanifold_edges = resolved.size();
@@ -102,12 +102,12 @@ LinkedSurface link_patches(Buffer<Triangle> corners, std::uint32_t point_count, 
 
 }  // namespace
 
-LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
+LinkedSurface link_surface(Buffer<Triangle> corners, const HalfedgesByEdge& edges, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved)
 {
     Buffer<std::uint32_t> patch;
     LinkedSurface surface =
-        link_patches(std::move(corners), static_cast<std::uint32_t>(positions.size()), resolved, patch);
+        link_patches(std::move(corners), edges, static_cast<std::uint32_t>(positions.size()), resolved, patch);
     pair_at_edges(surface, resolved, positions, patch);
     return surface;
 }
@@ -116,7 +116,8 @@ std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_cou
 {
     std::vector<NonmanifoldEdge> resolved;
     Buffer<std::uint32_t> patch;
-    const LinkedSurface surface = link_patches(std::move(corners), point_count, resolved, patch);
+    const HalfedgesByEdge edges(point_count, corners);
+    const LinkedSurface surface = link_patches(std::move(corners), edges, point_count, resolved, patch);
     auto open = std::count(surface.opposite.begin(), surface.opposite.end(), kNone);
     for (const NonmanifoldEdge& edge : resolved) {
         const auto forward = count_forward(surface, edge);

@@ -56,9 +56,9 @@ inline std::uint32_t turned_over(std::uint32_t h)
 /// says. Where more than two triangles meet, they are sorted around the edge and paired so that two bound the same
 /// wedge of solid; a half-edge without a partner becomes boundary. Triangles that coincide are never neighbours. Once
 /// patches are oriented, as many half-edges of an edge stay without a partner as more run along it one way than the
-/// other. `corners` holds three different points for each triangle; `positions` belong to the points. `resolved`
-/// receives the edges of more than two triangles. O(n) plus sorting at each such edge.
-LinkedSurface link_surface(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
+/// other. `corners` holds three different points for each triangle, and `edges` their edges; `positions` belong to the
+/// points. `resolved` receives the edges of more than two triangles. O(n) plus sorting at each such edge.
+LinkedSurface link_surface(Buffer<Triangle> corners, const HalfedgesByEdge& edges, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved);
 
 /// The number of half-edges that link_surface() leaves without a neighbour, which does not depend on positions.

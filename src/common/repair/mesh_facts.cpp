@@ -7,6 +7,7 @@
 #include "common/mesh/mass_properties.h"
 #include "common/repair/halfedges_by_edge.h"
 #include "common/repair/linked_surface.h"
+#include "common/repair/measuring_steps.h"
 #include "common/repair/triangle_faults.h"
 #include "common/repair/vertex_fans.h"
 #include "common/repair/weld.h"
@@ -22,52 +23,114 @@ std::uint64_t count_sets(DisjointSets& sets, std::uint32_t size)
     return count;
 }
 
-/// Facts of connectivity; `all_corners` are point ids.
-void measure_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> all_corners)
+/// The loops of edges with one triangle: connected parts of the boundary.
+class BoundaryLoops
 {
-    Buffer<Triangle> corners;
-    corners.reserve(all_corners.size());
-    const Faults faults = find_faults(point_count, all_corners);
-    for (std::size_t t = 0; t < all_corners.size(); ++t) {
-        facts.degenerate_triangles += faults.of[t] == TriangleFault::degenerate;
-        if (faults.of[t] == TriangleFault::degenerate) continue;
-        corners.push_back(all_corners[t]);
+public:
+    explicit BoundaryLoops(std::uint32_t point_count) : point_count_(point_count), points_(0) {}
+
+    void add(std::uint32_t from, std::uint32_t to)
+    {
+        if (on_boundary_.empty()) {
+            on_boundary_.assign(point_count_, 0);
+            points_ = DisjointSets(point_count_);
+        }
+        on_boundary_[from] = on_boundary_[to] = 1;
+        points_.unite(from, to);
     }
 
+    std::uint64_t count()
+    {
+        std::uint64_t loops = 0;
+        for (std::uint32_t p = 0; p < on_boundary_.size(); ++p) loops += on_boundary_[p] && points_.find(p) == p;
+        return loops;
+    }
+
+private:
+    std::uint32_t point_count_;
+    DisjointSets points_;
+    Buffer<std::uint8_t> on_boundary_;  ///< empty without a boundary
+};
+
+MeshFacts measure(std::span<const Vertex> vertices, std::span<const std::uint32_t> points, std::uint32_t point_count,
+                  std::span<const Triangle> triangles)
+{
+    Buffer<Triangle> corners(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = points[triangles[t][i]];
+    const Faults faults = find_faults(point_count, corners);
+    MeshFacts facts = count_triangles(vertices.size(), point_count, faults);
+    count_connectivity(facts, point_count, corners, faults);
+    facts.open_edges = facts.boundary_edges;
+    if (!is_linked_plainly(facts))
+        facts.open_edges = count_open_edges(keep(std::move(corners), faults).corners, point_count);
+    measure_geometry(facts, vertices, triangles);
+    return facts;
+}
+
+}  // namespace
+
+MeshFacts count_triangles(std::size_t vertex_count, std::uint32_t point_count, const Faults& faults)
+{
+    MeshFacts facts;
+    facts.triangles = faults.of.size();
+    facts.vertices = vertex_count;
+    facts.welded_vertices = point_count;
+    facts.degenerate_triangles =
+        static_cast<std::uint64_t>(std::count(faults.of.begin(), faults.of.end(), TriangleFault::degenerate));
     facts.duplicate_triangles = faults.repeats;
-    const auto triangle_count = static_cast<std::uint32_t>(corners.size());
+    return facts;
+}
+
+void count_edges(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
+                 const HalfedgesByEdge& edges)
+{
     const auto start = [&](std::uint32_t h) { return corners[h / 3][h % 3]; };
-    const HalfedgesByEdge edges(point_count, corners);
-    DisjointSets shells(triangle_count), loops(point_count);
-    Buffer<std::uint8_t> on_boundary(point_count, 0);
-    edges.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+    BoundaryLoops loops(point_count);
+    edges.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         const std::uint32_t h = edge[0].halfedge;
-        for (const HalfedgesByEdge::Side& side : edge.subspan(1)) shells.unite(h / 3, side.halfedge / 3);
+        if (edge.size() == 2) {
+            const bool agree = start(h) != start(edge[1].halfedge);
+            facts.misoriented_edges += !agree;
+            facts.unbalanced_edges += !agree;
+            return;
+        }
         if (edge.size() == 1) {
             ++facts.boundary_edges;
-            on_boundary[start(h)] = on_boundary[start(next_halfedge(h))] = 1;
-            loops.unite(start(h), start(next_halfedge(h)));
-        } else if (edge.size() == 2) {
-            facts.misoriented_edges += start(h) == start(edge[1].halfedge);
+            loops.add(start(h), start(next_halfedge(h)));
         } else {
             ++facts.nonmanifold_edges;
         }
         std::int64_t balance = 0;
-        for (const HalfedgesByEdge::Side& side : edge) balance += start(side.halfedge) == start(h) ? 1 : -1;
+        for (const HalfedgesByEdge::Entry& entry : edge) balance += start(entry.halfedge) == start(h) ? 1 : -1;
         facts.unbalanced_edges += balance != 0;
     });
+    facts.boundary_loops = loops.count();
+}
+
+void count_components(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
+                      const HalfedgesByEdge& edges)
+{
+    const auto triangle_count = static_cast<std::uint32_t>(corners.size());
+    DisjointSets shells(triangle_count);
+    edges.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
+        for (const HalfedgesByEdge::Entry& entry : edge.subspan(1))
+            shells.unite(edge[0].halfedge / 3, entry.halfedge / 3);
+    });
     facts.shells = count_sets(shells, triangle_count);
-    for (std::uint32_t p = 0; p < point_count; ++p) facts.boundary_loops += on_boundary[p] && loops.find(p) == p;
-    facts.nonmanifold_points = count_umbrella_points(point_count, corners, edges);
-    facts.open_edges = facts.boundary_edges;
-    if (facts.misoriented_edges + facts.nonmanifold_edges + facts.duplicate_triangles == 0) return;
-    Buffer<Triangle> kept;
-    for (std::size_t t = 0; t < all_corners.size(); ++t)
-        if (is_kept(faults.of[t])) {
-            kept.push_back(all_corners[t]);
-            if (faults.is_turned_over(t)) std::swap(kept.back()[1], kept.back()[2]);
-        }
-    facts.open_edges = count_open_edges(std::move(kept), point_count);
+    facts.nonmanifold_points = count_nonmanifold_points(point_count, corners, edges);
+}
+
+void count_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
+                        const Faults& faults)
+{
+    Buffer<Triangle> others;
+    others.reserve(corners.size());
+    for (std::size_t t = 0; t < corners.size(); ++t)
+        if (faults.of[t] != TriangleFault::degenerate) others.push_back(corners[t]);
+    const HalfedgesByEdge edges(point_count, others);
+    count_edges(facts, point_count, others, edges);
+    count_components(facts, point_count, others, edges);
 }
 
 void measure_geometry(MeshFacts& facts, std::span<const Vertex> vertices, std::span<const Triangle> triangles)
@@ -84,23 +147,6 @@ void measure_geometry(MeshFacts& facts, std::span<const Vertex> vertices, std::s
     facts.volume = moments.volume6 / 6.0;
     facts.shortest_edge = shortest_edge(vertices, triangles);
 }
-
-MeshFacts measure(std::span<const Vertex> vertices, std::span<const std::uint32_t> points, std::uint32_t point_count,
-                  std::span<const Triangle> triangles)
-{
-    MeshFacts facts;
-    facts.triangles = triangles.size();
-    facts.vertices = vertices.size();
-    facts.welded_vertices = point_count;
-    Buffer<Triangle> corners(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = points[triangles[t][i]];
-    measure_connectivity(facts, point_count, corners);
-    measure_geometry(facts, vertices, triangles);
-    return facts;
-}
-
-}  // namespace
 
 MeshFacts measure(const TriangleSoup& soup)
 {

@@ -26,7 +26,7 @@ public:
     {
         const std::int64_t open = count_open([&](std::uint32_t s) { return sheets_[s].strength; });
         make_patches();
-        list_sides_of_patches();
+        list_uses_of_patches();
         settle();
         const auto chosen = [&](std::uint32_t s) { return sheets_[s].sign * patches_[sheets_[s].patch].strength; };
         if (count_open(chosen) >= open) return {};
@@ -62,7 +62,7 @@ private:
     };
 
     /// A place where a sheet, or a patch, meets an edge.
-    struct Side
+    struct EdgeUse
     {
         std::uint32_t owner, edge;
         int direction;  ///< of a patch: the sum of its sheets'
@@ -73,7 +73,7 @@ private:
         int count;  ///< copies in each sheet
         int strength;
         std::uint32_t size = 0;  ///< sheets
-        std::uint32_t first_side = 0, last_side = 0;
+        std::uint32_t first_use = 0, last_use = 0;
     };
 
     struct Move
@@ -106,11 +106,11 @@ private:
         Buffer<Triangle> corners;
         for (const Sheet& sheet : sheets_) corners.push_back(copies_[sheet.first].points);
         neighbours_.assign(3 * corners.size(), kNone);
-        HalfedgesByEdge(point_count, corners).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+        HalfedgesByEdge(point_count, corners).for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
             if (edge.size() == 1 && sheets_[edge[0].halfedge / 3].strength != 0) return;
             if (edge.size() == 2) link(edge[0].halfedge, edge[1].halfedge);
-            for (const HalfedgesByEdge::Side& side : edge)
-                sides_.push_back({side.halfedge / 3, edge_count_, direction(side.halfedge)});
+            for (const HalfedgesByEdge::Entry& entry : edge)
+                uses_.push_back({entry.halfedge / 3, edge_count_, direction(entry.halfedge)});
             ++edge_count_;
         });
     }
@@ -130,7 +130,7 @@ private:
     std::int64_t count_open(StrengthOf&& strength_of) const
     {
         std::vector<std::int64_t> balance(edge_count_, 0);
-        for (const Side& side : sides_) balance[side.edge] += side.direction * strength_of(side.owner);
+        for (const EdgeUse& use : uses_) balance[use.edge] += use.direction * strength_of(use.owner);
         return std::accumulate(balance.begin(), balance.end(), std::int64_t{0},
                                [](std::int64_t sum, std::int64_t b) { return sum + std::abs(b); });
     }
@@ -199,53 +199,54 @@ private:
         return first < 0 ? low : high;
     }
 
-    /// Lists sides by patch, those of a patch at one edge added up, and computes the balance of each edge.
-    void list_sides_of_patches()
+    /// Lists uses by patch, those of a patch at one edge added up, and computes the balance of each edge.
+    void list_uses_of_patches()
     {
-        for (const Side& side : sides_) {
-            const Sheet& sheet = sheets_[side.owner];
-            sides_of_patches_.push_back({sheet.patch, side.edge, side.direction * sheet.sign});
+        for (const EdgeUse& use : uses_) {
+            const Sheet& sheet = sheets_[use.owner];
+            uses_of_patches_.push_back({sheet.patch, use.edge, use.direction * sheet.sign});
         }
-        std::sort(sides_of_patches_.begin(), sides_of_patches_.end(),
-                  [](const Side& a, const Side& b) { return std::tie(a.owner, a.edge) < std::tie(b.owner, b.edge); });
+        std::sort(uses_of_patches_.begin(), uses_of_patches_.end(), [](const EdgeUse& a, const EdgeUse& b) {
+            return std::tie(a.owner, a.edge) < std::tie(b.owner, b.edge);
+        });
         std::size_t count = 0;
-        for (const Side& side : sides_of_patches_) {
-            if (count > 0 && sides_of_patches_[count - 1].owner == side.owner &&
-                sides_of_patches_[count - 1].edge == side.edge)
-                sides_of_patches_[count - 1].direction += side.direction;
+        for (const EdgeUse& use : uses_of_patches_) {
+            if (count > 0 && uses_of_patches_[count - 1].owner == use.owner &&
+                uses_of_patches_[count - 1].edge == use.edge)
+                uses_of_patches_[count - 1].direction += use.direction;
             else
-                sides_of_patches_[count++] = side;
+                uses_of_patches_[count++] = use;
         }
-        sides_of_patches_.resize(count);
-        std::erase_if(sides_of_patches_, [](const Side& side) { return side.direction == 0; });
+        uses_of_patches_.resize(count);
+        std::erase_if(uses_of_patches_, [](const EdgeUse& use) { return use.direction == 0; });
 
         balance_.assign(edge_count_, 0);
         patches_at_.assign(edge_count_ + 1, 0);
-        for (std::uint32_t i = 0; i < sides_of_patches_.size(); ++i) {
-            const Side& side = sides_of_patches_[i];
-            Patch& patch = patches_[side.owner];
-            if (patch.last_side == 0) patch.first_side = i;
-            patch.last_side = i + 1;
-            balance_[side.edge] += std::int64_t{side.direction} * patch.strength;
-            ++patches_at_[side.edge + 1];
+        for (std::uint32_t i = 0; i < uses_of_patches_.size(); ++i) {
+            const EdgeUse& use = uses_of_patches_[i];
+            Patch& patch = patches_[use.owner];
+            if (patch.last_use == 0) patch.first_use = i;
+            patch.last_use = i + 1;
+            balance_[use.edge] += std::int64_t{use.direction} * patch.strength;
+            ++patches_at_[use.edge + 1];
         }
         std::partial_sum(patches_at_.begin(), patches_at_.end(), patches_at_.begin());
-        patch_at_.resize(sides_of_patches_.size());
+        patch_at_.resize(uses_of_patches_.size());
         std::vector<std::uint32_t> next(patches_at_.begin(), patches_at_.end() - 1);
-        for (const Side& side : sides_of_patches_) patch_at_[next[side.edge]++] = side.owner;
+        for (const EdgeUse& use : uses_of_patches_) patch_at_[next[use.edge]++] = use.owner;
     }
 
-    std::span<const Side> sides_of(const Patch& patch) const
+    std::span<const EdgeUse> uses_of(const Patch& patch) const
     {
-        return std::span(sides_of_patches_).subspan(patch.first_side, patch.last_side - patch.first_side);
+        return std::span(uses_of_patches_).subspan(patch.first_use, patch.last_use - patch.first_use);
     }
 
     /// By how much the number of open sides would grow.
     std::int64_t cost(const Patch& patch, int change) const
     {
         std::int64_t cost = 0;
-        for (const Side& side : sides_of(patch)) {
-            const std::int64_t before = balance_[side.edge], after = before + std::int64_t{side.direction} * change;
+        for (const EdgeUse& use : uses_of(patch)) {
+            const std::int64_t before = balance_[use.edge], after = before + std::int64_t{use.direction} * change;
             cost += std::abs(after) - std::abs(before);
         }
         return cost;
@@ -256,15 +257,15 @@ private:
         Patch& patch = patches_[m.patch];
         open_ += cost(patch, m.change);
         patch.strength += m.change;
-        for (const Side& side : sides_of(patch)) balance_[side.edge] += std::int64_t{side.direction} * m.change;
+        for (const EdgeUse& use : uses_of(patch)) balance_[use.edge] += std::int64_t{use.direction} * m.change;
     }
 
     void move_and_queue(const Move& m)
     {
         move(m);
         moves_.push_back(m);
-        for (const Side& side : sides_of(patches_[m.patch])) {
-            const std::uint32_t first = patches_at_[side.edge], last = patches_at_[side.edge + 1];
+        for (const EdgeUse& use : uses_of(patches_[m.patch])) {
+            const std::uint32_t first = patches_at_[use.edge], last = patches_at_[use.edge + 1];
             look(last - first);
             for (std::uint32_t i = first; i < last; ++i) queue(patch_at_[i]);
         }
@@ -286,7 +287,7 @@ private:
             const std::uint32_t p = queue_[next];
             const Patch& patch = patches_[p];
             is_queued_[p] = 0;
-            look(3 * sides_of(patch).size());
+            look(3 * uses_of(patch).size());
             if (p == fixed || looks_left_ == 0) continue;
             int best = 0;
             std::int64_t least = 0;
@@ -323,7 +324,7 @@ private:
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return patches_[a].size < patches_[b].size; });
         is_queued_.assign(patches_.size(), 0);
-        looks_left_ = kMostLooks * sides_of_patches_.size();
+        looks_left_ = kMostLooks * uses_of_patches_.size();
         for (const std::uint32_t p : order) queue(p);
         descend(kNone);
         for (std::uint32_t e = 0; e < edge_count_; ++e)
@@ -349,10 +350,10 @@ private:
     std::vector<Copy> copies_;
     std::vector<Sheet> sheets_;
     std::vector<std::uint32_t> neighbours_;  ///< of each side of each sheet, or kNone
-    std::vector<Side> sides_;                ///< of sheets
+    std::vector<EdgeUse> uses_;              ///< of sheets
     std::uint32_t edge_count_ = 0;           ///< those that count
     std::vector<Patch> patches_;
-    std::vector<Side> sides_of_patches_;
+    std::vector<EdgeUse> uses_of_patches_;
     std::vector<std::int64_t> balance_;      ///< of each edge
     std::vector<std::uint32_t> patches_at_;  ///< for each edge the first in patch_at_
     std::vector<std::uint32_t> patch_at_;

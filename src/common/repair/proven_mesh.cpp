@@ -1,5 +1,6 @@
 #include "common/repair/proven_mesh.h"
 
+#include "common/mesh/coordinate_grain.h"
 #include "common/repair/halfedges_by_edge.h"
 
 namespace kerf {
@@ -64,7 +65,7 @@ private:
     {
         const Buffer<std::uint32_t> solid = solids();
         std::string fault;
-        HalfedgesByEdge(mesh_.point_count, corners_).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+        HalfedgesByEdge(mesh_.point_count, corners_).for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
             if (edge.size() == 1 || !fault.empty()) return;
             const std::uint32_t g = edge[0].halfedge, h = edge[1].halfedge;
             const auto name_both = [&](std::uint32_t s, std::uint32_t t) {
@@ -114,7 +115,7 @@ private:
         for (std::uint32_t point = 0; point < mesh_.point_count; ++point)
             if (count_fan(leaving[point]) != corners_at[point])
                 return "the triangles around point " + std::to_string(point) +
-                       " form several fans; give each a point of its own, or give the triangles to repair()";
+                       " form several vertex fans; give each a point of its own, or give the triangles to repair()";
         return {};
     }
 
@@ -132,7 +133,9 @@ Proof prove(IndexedMesh mesh)
     if (!proof.error.empty()) return proof;
     Neighbourhood neighbourhood(mesh);
     proof.error = neighbourhood.find_fault();
-    if (proof.error.empty()) proof.mesh = ProvenMesh(std::move(mesh), neighbourhood.take_adjacency());
+    if (!proof.error.empty()) return proof;
+    const double shortest = shortest_edge(mesh.vertices, mesh.triangles);
+    proof.mesh = ProvenMesh(std::move(mesh), neighbourhood.take_adjacency(), shortest);
     return proof;
 }
 

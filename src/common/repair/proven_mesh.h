@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,7 +24,10 @@ class ProvenMesh
 public:
     ProvenMesh() = default;
     ProvenMesh(const ProvenMesh&) = default;
-    ProvenMesh(ProvenMesh&& other) noexcept : mesh_(std::move(other.mesh_)), adjacency_(std::move(other.adjacency_))
+    ProvenMesh(ProvenMesh&& other) noexcept
+        : mesh_(std::move(other.mesh_)),
+          adjacency_(std::move(other.adjacency_)),
+          shortest_edge_(std::exchange(other.shortest_edge_, kNoEdge))
     {
         other.forget_counts();
     }
@@ -31,6 +35,7 @@ public:
     {
         mesh_ = std::move(other.mesh_);
         adjacency_ = std::move(other.adjacency_);
+        shortest_edge_ = other.shortest_edge_;
         return *this;
     }
 
@@ -41,10 +46,14 @@ public:
     /// Found by the proof; empty once the mesh has been taken out.
     const Adjacency& adjacency() const { return adjacency_; }
 
+    /// Length of the shortest edge, in mesh units; infinite without triangles, and once the mesh has been taken out.
+    double shortest_edge() const { return shortest_edge_; }
+
     /// Takes the mesh out.
     IndexedMesh operator*() &&
     {
         adjacency_ = {};
+        shortest_edge_ = kNoEdge;
         IndexedMesh mesh = std::move(mesh_);
         forget_counts();
         return mesh;
@@ -64,13 +73,19 @@ public:
 private:
     friend Repaired repair(TriangleSoup soup);
     friend Proof prove(IndexedMesh mesh);
-    ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency) : mesh_(std::move(mesh)), adjacency_(std::move(adjacency)) {}
+    ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency, double shortest_edge)
+        : mesh_(std::move(mesh)), adjacency_(std::move(adjacency)), shortest_edge_(shortest_edge)
+    {
+    }
+
+    static constexpr double kNoEdge = std::numeric_limits<double>::infinity();
 
     /// After a move, which has emptied all arrays.
     void forget_counts() noexcept { mesh_.point_count = adjacency_.shell_count = 0; }
 
     IndexedMesh mesh_;
     Adjacency adjacency_;
+    double shortest_edge_ = kNoEdge;
 };
 
 /// A mesh ready for a back end, or the reason why it can't be cut.
@@ -81,8 +96,8 @@ struct Proof
 };
 
 /// Proves that a mesh keeps what IndexedMesh promises: that it passes check(), that each directed edge occurs once, and
-/// that the triangles around each point form one fan. Pairs the half-edges. For meshes made by hand; the meshes of
-/// `repair()` are proven. O(n) time and memory. Throws std::bad_alloc.
+/// that the triangles around each point form one vertex fan. Pairs the half-edges. For meshes made by hand; the meshes
+/// of `repair()` are proven. O(n) time and memory. Throws std::bad_alloc.
 Proof prove(IndexedMesh mesh);
 
 }  // namespace kerf

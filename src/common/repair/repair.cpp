@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/repair/clean_soup.h"
 #include "common/repair/linked_surface.h"
+#include "common/repair/measuring_steps.h"
 #include "common/repair/shells.h"
 #include "common/repair/solids.h"
 #include "common/repair/triangle_faults.h"
@@ -53,55 +55,38 @@ std::string find_error(const TriangleSoup& soup)
     return {};
 }
 
-/// Sets normals and uv that are not finite to 0; build_vertices() replaces a normal of length 0 by that of its
-/// triangles. Returns the number of vertices it has changed.
-std::uint64_t replace_attributes(TriangleSoup& soup)
+/// The point ids of a soup's triangles.
+Buffer<Triangle> corners_by_point(const TriangleSoup& soup, const Weld& weld)
 {
-    std::uint64_t count = 0;
-    for (Vertex& v : soup.vertices) {
-        const bool has_normal =
-            !soup.has_normals || (std::isfinite(v.normal.x) && std::isfinite(v.normal.y) && std::isfinite(v.normal.z));
-        const bool has_uv = std::isfinite(v.uv.x) && std::isfinite(v.uv.y);
-        if (!has_normal) v.normal = glm::vec3(0.0f);
-        if (!has_uv) v.uv = glm::vec2(0.0f);
-        count += !has_normal || !has_uv;
-    }
-    return count;
+    Buffer<Triangle> corners(soup.triangles.size());
+    for (std::size_t t = 0; t < corners.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = weld.points[soup.triangles[t][i]];
+    return corners;
 }
 
-/// The triangles that are kept, by point.
-struct Kept
+void count_faults(Repairs& repairs, const Faults& faults)
 {
-    Buffer<Triangle> corners;              ///< point ids
-    Buffer<std::uint32_t> soup_triangles;  ///< for each the number in the soup
-    Buffer<std::uint8_t> turned_over;      ///< 1 for each that was turned over; empty: none was
-};
-
-Kept drop_faults(const TriangleSoup& soup, const Weld& weld, Repairs& repairs)
-{
-    Kept kept;
-    kept.corners.resize(soup.triangles.size());
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i) kept.corners[t][i] = weld.points[soup.triangles[t][i]];
-    const Faults faults = find_faults(weld.point_count, kept.corners);
-    if (!faults.turned_over.empty()) kept.turned_over.assign(soup.triangles.size(), 0);
-    kept.soup_triangles.resize(soup.triangles.size());
-    std::size_t count = 0;
-    for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
-        repairs.degenerate_triangles += faults.of[t] == TriangleFault::degenerate;
-        repairs.duplicate_triangles += faults.of[t] == TriangleFault::duplicate;
-        repairs.coinciding_triangles += faults.of[t] == TriangleFault::coinciding;
-        if (!is_kept(faults.of[t])) continue;
-        kept.corners[count] = kept.corners[t];
-        if (faults.is_turned_over(t)) {
-            std::swap(kept.corners[count][1], kept.corners[count][2]);
-            kept.turned_over[count] = 1;
-        }
-        kept.soup_triangles[count++] = t;
+    for (const TriangleFault fault : faults.of) {
+        repairs.degenerate_triangles += fault == TriangleFault::degenerate;
+        repairs.duplicate_triangles += fault == TriangleFault::duplicate;
+        repairs.coinciding_triangles += fault == TriangleFault::coinciding;
     }
-    kept.corners.resize(count);
-    kept.soup_triangles.resize(count);
-    return kept;
+}
+
+/// Links triangles. Counts the edges of the soup on the way, unless its duplicate triangles have been looked at
+/// already.
+LinkedSurface link_and_count(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
+                             std::vector<NonmanifoldEdge>& resolved, MeshFacts& facts)
+{
+    const auto point_count = static_cast<std::uint32_t>(positions.size());
+    const HalfedgesByEdge edges(point_count, corners);
+    if (facts.duplicate_triangles == 0) {
+        count_edges(facts, point_count, corners, edges);
+        if (!is_linked_plainly(facts)) count_components(facts, point_count, corners, edges);
+    }
+    LinkedSurface surface = link_surface(std::move(corners), edges, positions, resolved);
+    facts.open_edges = static_cast<std::uint64_t>(std::count(surface.opposite.begin(), surface.opposite.end(), kNone));
+    return surface;
 }
 
 std::uint64_t count_used_points(std::uint32_t point_count, std::span<const Triangle> corners)
@@ -113,7 +98,7 @@ std::uint64_t count_used_points(std::uint32_t point_count, std::span<const Trian
 }
 
 /// Turns over the shells that are inside out.
-void turn_over_shells(LinkedSurface& surface, Fans& fans, const Shells& shells, const Solids& solids)
+void turn_over_shells(LinkedSurface& surface, VertexFans& fans, const Shells& shells, const Solids& solids)
 {
     if (std::find(solids.flip.begin(), solids.flip.end(), 1) == solids.flip.end()) return;
     Buffer<std::uint8_t> flip(surface.corners.size());
@@ -192,13 +177,15 @@ Repaired repair(TriangleSoup soup)
     result.error = find_error(soup);
     if (!result.error.empty()) return result;
     Repairs& repairs = result.repairs;
-    IndexedMesh mesh;
 
-    // -0 becomes +0, so that equal positions have equal bits.
-    for (Vertex& v : soup.vertices) v.position += 0.0f;
-    repairs.replaced_attributes = replace_attributes(soup);
+    repairs.replaced_attributes = clean(soup).vertices;
     const Weld weld = weld_positions(soup.vertices);
-    Kept kept = drop_faults(soup, weld, repairs);
+    Buffer<Triangle> corners = corners_by_point(soup, weld);
+    const Faults faults = find_faults(weld.point_count, corners);
+    count_faults(repairs, faults);
+    MeshFacts facts = count_triangles(soup.vertices.size(), weld.point_count, faults);
+    if (faults.repeats > 0) count_connectivity(facts, weld.point_count, corners, faults);
+    KeptTriangles kept = keep(std::move(corners), faults);
     if (kept.corners.empty()) {
         result.error =
             "every triangle of the mesh is degenerate: two corners of each are at one position; export it again with "
@@ -209,36 +196,46 @@ Repaired repair(TriangleSoup soup)
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) positions[weld.points[v]] = soup.vertices[v].position;
 
     std::vector<NonmanifoldEdge> resolved;
-    LinkedSurface surface = link_surface(std::move(kept.corners), positions, resolved);
+    LinkedSurface surface = link_and_count(std::move(kept.corners), positions, resolved, facts);
     repairs.nonmanifold_edges = surface.nonmanifold_edges;
     repairs.unorientable_edges = surface.unorientable_edges;
     for (std::size_t t = 0; !kept.turned_over.empty() && t < surface.flipped.size(); ++t)
         surface.flipped[t] ^= kept.turned_over[t];
-    Fans fans = find_fans(surface, resolved);
+    VertexFans fans = find_vertex_fans(surface, resolved);
     if (fans.count > count_used_points(weld.point_count, surface.corners))
-        repairs.nonmanifold_points = count_umbrella_points(weld.point_count, surface.corners,
-                                                           HalfedgesByEdge(weld.point_count, surface.corners));
+        repairs.nonmanifold_points = count_nonmanifold_points(weld.point_count, surface.corners,
+                                                              HalfedgesByEdge(weld.point_count, surface.corners));
 
     const Shells shells = find_shells(surface, fans, positions);
+    if (is_linked_plainly(facts)) {
+        facts.shells = shells.shells.size();
+        facts.nonmanifold_points = repairs.nonmanifold_points;
+    }
+    measure_geometry(facts, soup.vertices, soup.triangles);
+    result.facts = facts;
+
     const Solids solids = find_solids(surface, shells, positions);
     turn_over_shells(surface, fans, shells, solids);
     repairs.flipped_triangles =
         static_cast<std::uint64_t>(std::count(surface.flipped.begin(), surface.flipped.end(), std::uint8_t{1}));
 
+    IndexedMesh mesh;
     mesh.materials = named_materials(std::move(soup.materials));
     const auto material_of = [&](std::uint32_t t) {
-        return soup.triangle_materials.empty() ? 0 : soup.triangle_materials[kept.soup_triangles[t]];
+        return soup.triangle_materials.empty() ? 0 : soup.triangle_materials[kept.from[t]];
     };
     const auto solid_of = [&](std::uint32_t t) { return solids.solid[shells.shell[t]]; };
     const std::size_t solid_count = std::size_t{*std::max_element(solids.solid.begin(), solids.solid.end())} + 1;
     const Buffer<std::uint32_t> order = make_groups(mesh, surface.corners.size(), solid_count, material_of, solid_of);
     mesh.sources.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) mesh.sources[i] = kept.soup_triangles[order[i]];
+    for (std::size_t i = 0; i < order.size(); ++i) mesh.sources[i] = kept.from[order[i]];
 
     const Buffer<std::uint32_t> first_equal =
         first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
-    build_vertices({soup, first_equal, kept.soup_triangles, surface, fans, positions}, order, mesh);
-    result.mesh = ProvenMesh(std::move(mesh), adjacency_in_order(surface.opposite, shells.shell, order));
+    build_vertices({soup, first_equal, kept.from, surface, fans, positions}, order, mesh);
+    const double shortest =
+        order.size() == soup.triangles.size() ? facts.shortest_edge : shortest_edge(mesh.vertices, mesh.triangles);
+    result.mesh = ProvenMesh(std::move(mesh), adjacency_in_order(surface.opposite, shells.shell, order), shortest);
     return result;
 }
 

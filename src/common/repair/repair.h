@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/mesh/triangle_soup.h"
+#include "common/repair/mesh_facts.h"
 #include "common/repair/proven_mesh.h"
 
 // From a soup of triangles to a mesh that keeps its promises: the steps are listed at the top of repair.cpp.
@@ -19,7 +20,7 @@ struct Repairs
                                              ///< once triangles are turned back
     std::uint64_t coinciding_triangles = 0;  ///< the same, but kept: without them a closed edge would be open
     std::uint64_t nonmanifold_edges = 0;     ///< more than two triangles met there: cut open or paired up
-    std::uint64_t nonmanifold_points = 0;    ///< several fans met in one point: split into one point for each
+    std::uint64_t nonmanifold_points = 0;    ///< several vertex fans met in one point: split into one point for each
     std::uint64_t flipped_triangles = 0;     ///< turned over to agree with their patch, or with the outside
     std::uint64_t unorientable_edges = 0;    ///< cut open because no orientation satisfies both sides (Moebius)
     std::uint64_t replaced_attributes = 0;   ///< vertices with a normal or uv that is not finite: the mean normal of
@@ -38,7 +39,8 @@ struct Repairs
 /// A mesh ready for a back end, or the reason why there is none.
 struct Repaired
 {
-    ProvenMesh mesh;  ///< without triangles if there is an error
+    ProvenMesh mesh;  ///< with its adjacency; without triangles if there is an error
+    MeshFacts facts;  ///< of the soup, as measure() finds them; all 0 unless there is a mesh
     Repairs repairs;
     std::string error;  ///< one sentence: no triangle, an index out of range, a coordinate that is not finite, ...
 };

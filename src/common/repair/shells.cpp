@@ -15,7 +15,7 @@ Shells label(const LinkedSurface& surface)
     Shells result;
     result.shells.resize(label_shells(surface.opposite, result.shell));
     for (std::uint32_t t = 0; t < result.shell.size(); ++t) {
-        Shell& shell = result.shells[result.shell[t]];
+        ConnectedShell& shell = result.shells[result.shell[t]];
         ++shell.triangle_count;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) shell.closed = shell.closed && surface.opposite[h] != kNone;
     }
@@ -46,7 +46,8 @@ double area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 }
 
 /// Adds the volume behind fans over the boundary loops, or sets the volume to 0 if the fans are too large.
-void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions)
+void close_holes(Shells& shells, const LinkedSurface& surface, const VertexFans& fans,
+                 std::span<const glm::vec3> positions)
 {
     std::vector<double> shell_area(shells.shells.size(), 0.0), hole_area(shells.shells.size(), 0.0);
     Buffer<std::uint32_t> boundary_from(fans.count, kNone);  // the boundary half-edge that leaves each fan
@@ -71,7 +72,7 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans,
         if (loop.empty()) continue;
         centre /= static_cast<double>(loop.size());
         const std::uint32_t s = shells.shell[loop.front() / 3];
-        Shell& shell = shells.shells[s];
+        ConnectedShell& shell = shells.shells[s];
         for (const std::uint32_t h : loop) {
             const glm::dvec3 a = positions[surface.start(h)], b = positions[surface.end(h)];
             shell.volume6 += volume6(shell.box.centre(), b, a, centre);
@@ -84,17 +85,17 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const Fans& fans,
 
 }  // namespace
 
-Shells find_shells(const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions)
+Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::span<const glm::vec3> positions)
 {
     Shells result = label(surface);
-    for_each_run(result, [&](Shell& shell, std::size_t first, std::size_t last) {
+    for_each_run(result, [&](ConnectedShell& shell, std::size_t first, std::size_t last) {
         Box box;
         for (std::size_t t = first; t < last; ++t)
             for (const std::uint32_t point : surface.corners[t]) box.add(positions[point]);
         shell.box.add(box);
     });
     bool all_closed = true;
-    for_each_run(result, [&](Shell& shell, std::size_t first, std::size_t last) {
+    for_each_run(result, [&](ConnectedShell& shell, std::size_t first, std::size_t last) {
         const glm::dvec3 centre = shell.box.centre();
         double sum = 0.0;
         for (std::size_t t = first; t < last; ++t) {

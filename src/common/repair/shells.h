@@ -12,7 +12,7 @@
 namespace kerf {
 
 /// A part of a surface that is connected by edges.
-struct Shell
+struct ConnectedShell
 {
     Box box;
     bool closed = true;    ///< no boundary
@@ -24,11 +24,11 @@ struct Shell
 struct Shells
 {
     Buffer<std::uint32_t> shell;  ///< for each triangle
-    std::vector<Shell> shells;
+    std::vector<ConnectedShell> shells;
 };
 
 /// A closed shell has an inside, and so has an open one whose holes are small (kLargestHole). Shells without an inside
 /// get volume 0. O(n).
-Shells find_shells(const LinkedSurface& surface, const Fans& fans, std::span<const glm::vec3> positions);
+Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::span<const glm::vec3> positions);
 
 }  // namespace kerf

@@ -33,7 +33,7 @@ public:
             sort_triangles();
             std::vector<Nestable> items;
             items.reserve(count);
-            for (const Shell& shell : shells_.shells)
+            for (const ConnectedShell& shell : shells_.shells)
                 items.push_back({shell.box, std::abs(shell.volume6), shell.closed && shell.volume6 != 0.0, true});
             container = smallest_containers(
                 items, [&](auto outer, auto candidates, auto lies_in) { decide(outer, candidates, lies_in); });
@@ -167,7 +167,7 @@ private:
         solids.solid.assign(count, kNone);
 
         Box box;
-        for (const Shell& shell : shells_.shells) box.add(shell.box);
+        for (const ConnectedShell& shell : shells_.shells) box.add(shell.box);
         const double noise = plane_noise(box.largest_coordinate());
         // A container is never smaller than its contents: containers come first in this order.
         std::vector<std::uint32_t> outside_in(count), owner(count);
@@ -176,7 +176,7 @@ private:
         std::sort(outside_in.begin(), outside_in.end(),
                   [&](std::uint32_t a, std::uint32_t b) { return size(a) != size(b) ? size(a) > size(b) : a < b; });
         for (const std::uint32_t s : outside_in) {
-            const Shell& shell = shells_.shells[s];
+            const ConnectedShell& shell = shells_.shells[s];
             const std::uint32_t around = container[s];
             solids.flip[s] = around == kNoContainer ? shell.volume6 < 0.0 : solids.flip[around];
             const double volume = solids.flip[s] ? -shell.volume6 : shell.volume6;

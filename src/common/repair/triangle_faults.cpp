@@ -39,9 +39,9 @@ public:
     RepeatJudge(std::uint32_t point_count, std::span<const Triangle> corners, std::span<const Repeat> repeats)
         : repeats_(repeats), patches_(static_cast<std::uint32_t>(repeats.size())), is_needed_(repeats.size(), 0)
     {
-        list_sides(point_count, corners);
-        for (auto first = sides_.begin(), last = first; first != sides_.end(); first = last) {
-            while (last != sides_.end() && layer_of(*last) == layer_of(*first)) ++last;
+        list_edges(point_count, corners);
+        for (auto first = edges_.begin(), last = first; first != edges_.end(); first = last) {
+            while (last != edges_.end() && layer_of(*last) == layer_of(*first)) ++last;
             judge_layer({first, last});
         }
     }
@@ -55,16 +55,16 @@ public:
 
 private:
     /// An edge of a repeat.
-    struct Side
+    struct RepeatEdge
     {
         std::uint32_t repeat, edge;
         int direction;  ///< 1 if it runs from the smaller point to the larger one, otherwise -1
     };
 
-    std::uint32_t layer_of(const Side& side) const { return repeats_[side.repeat].layer; }
+    std::uint32_t layer_of(const RepeatEdge& edge) const { return repeats_[edge.repeat].layer; }
 
-    /// Fills `sides_`, by layer from the last to the first and then by edge, and `balance_`.
-    void list_sides(std::uint32_t point_count, std::span<const Triangle> corners)
+    /// Fills `edges_`, by layer from the last to the first and then by edge, and `balance_`.
+    void list_edges(std::uint32_t point_count, std::span<const Triangle> corners)
     {
         Buffer<std::uint8_t> is_met(point_count, 0);
         for (const Repeat& repeat : repeats_)
@@ -84,7 +84,7 @@ private:
             next += is_repeat;
         }
 
-        HalfedgesByEdge(point_count, near).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+        HalfedgesByEdge(point_count, near).for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
             int balance = 0;
             bool has_repeat = false;
             for (const auto& [larger_point, h] : edge) {
@@ -92,26 +92,26 @@ private:
                 balance += direction;
                 if (repeat_of[h / 3] == kNone) continue;
                 has_repeat = true;
-                sides_.push_back({repeat_of[h / 3], static_cast<std::uint32_t>(balance_.size()), direction});
+                edges_.push_back({repeat_of[h / 3], static_cast<std::uint32_t>(balance_.size()), direction});
             }
             if (!has_repeat) return;
             balance_.push_back(balance);
-            const auto apex = [&](const HalfedgesByEdge::Side& side) {
-                return near[side.halfedge / 3][previous_halfedge(side.halfedge) % 3];
+            const auto apex = [&](const HalfedgesByEdge::Entry& entry) {
+                return near[entry.halfedge / 3][previous_halfedge(entry.halfedge) % 3];
             };
             may_be_turned_over_ |= balance != 0 && edge.size() % 2 == 0 &&
-                                   std::any_of(edge.begin() + 1, edge.end(), [&](const HalfedgesByEdge::Side& side) {
-                                       return apex(side) != apex(edge[0]);
+                                   std::any_of(edge.begin() + 1, edge.end(), [&](const HalfedgesByEdge::Entry& entry) {
+                                       return apex(entry) != apex(edge[0]);
                                    });
         });
-        std::stable_sort(sides_.begin(), sides_.end(),
-                         [&](const Side& a, const Side& b) { return layer_of(a) > layer_of(b); });
+        std::stable_sort(edges_.begin(), edges_.end(),
+                         [&](const RepeatEdge& a, const RepeatEdge& b) { return layer_of(a) > layer_of(b); });
     }
 
     /// Calls visit(edge, repeat, change) for each edge of a layer: with any repeat at it, and the layer's share of its
     /// balance.
     template <class Visit>
-    static void for_each_edge(std::span<const Side> layer, Visit&& visit)
+    static void for_each_edge(std::span<const RepeatEdge> layer, Visit&& visit)
     {
         for (std::size_t first = 0, last = 0; first < layer.size(); first = last) {
             int change = 0;
@@ -121,7 +121,7 @@ private:
         }
     }
 
-    void judge_layer(std::span<const Side> layer)
+    void judge_layer(std::span<const RepeatEdge> layer)
     {
         for (std::size_t i = 1; i < layer.size(); ++i)
             if (layer[i].edge == layer[i - 1].edge) patches_.unite(layer[i].repeat, layer[i - 1].repeat);
@@ -135,7 +135,7 @@ private:
     }
 
     std::span<const Repeat> repeats_;
-    std::vector<Side> sides_;
+    std::vector<RepeatEdge> edges_;
     bool may_be_turned_over_ = false;
     std::vector<int> balance_;             ///< of each edge of repeats, without dropped ones
     DisjointSets patches_;                 ///< of numbers in `repeats_`
@@ -217,14 +217,10 @@ Faults find_faults_of_turned(std::uint32_t point_count, std::span<const Triangle
 /// The number of sides without a partner, among the triangles that stay.
 std::uint64_t count_open(std::uint32_t point_count, std::span<const Triangle> corners, const Faults& faults)
 {
-    Buffer<Triangle> kept = turn_over(corners, faults.turned_over);
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < kept.size(); ++t)
-        if (is_kept(faults.of[t])) kept[count++] = kept[t];
-    kept.resize(count);
+    Buffer<Triangle> kept = keep({corners.begin(), corners.end()}, faults).corners;
     if (faults.turned_over.empty()) kept = turn_over(kept, find_turned_sheets(point_count, kept));
     std::uint64_t open = 0;
-    HalfedgesByEdge(point_count, kept).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+    HalfedgesByEdge(point_count, kept).for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         int balance = 0;
         for (const auto& [larger_point, h] : edge) balance += kept[h / 3][h % 3] == larger_point ? -1 : 1;
         open += static_cast<std::uint64_t>(std::abs(balance));
@@ -249,6 +245,27 @@ Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners)
     if (count_open(point_count, corners, turned) > count_open(point_count, corners, faults)) return faults;
     turned.repeats = faults.repeats;
     return turned;
+}
+
+KeptTriangles keep(Buffer<Triangle> corners, const Faults& faults)
+{
+    KeptTriangles kept;
+    if (!faults.turned_over.empty()) kept.turned_over.assign(corners.size(), 0);
+    kept.from.resize(corners.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t t = 0; t < corners.size(); ++t) {
+        if (!is_kept(faults.of[t])) continue;
+        corners[count] = corners[t];
+        if (faults.is_turned_over(t)) {
+            std::swap(corners[count][1], corners[count][2]);
+            kept.turned_over[count] = 1;
+        }
+        kept.from[count++] = t;
+    }
+    corners.resize(count);
+    kept.from.resize(count);
+    kept.corners = std::move(corners);
+    return kept;
 }
 
 }  // namespace kerf

@@ -54,4 +54,15 @@ struct Faults
 /// edge of a repeat, turned over, would close that edge and hold the repeat.
 Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners);
 
+/// The triangles that stay, turned over where their faults say so.
+struct KeptTriangles
+{
+    Buffer<Triangle> corners;          ///< point ids
+    Buffer<std::uint32_t> from;        ///< for each its number before others were dropped
+    Buffer<std::uint8_t> turned_over;  ///< 1 for each that was turned over; empty: none was
+};
+
+/// Drops triangles, in otherwise unchanged order, and turns others over. O(n).
+KeptTriangles keep(Buffer<Triangle> corners, const Faults& faults);
+
 }  // namespace kerf

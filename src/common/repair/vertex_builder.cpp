@@ -1,13 +1,9 @@
 #include "common/repair/vertex_builder.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
-#include <unordered_map>
 
 #include "common/geometry/pair_table.h"
 #include "common/mesh/index.h"
-#include "common/mesh/tolerances.h"
 #include "common/repair/smooth_normals.h"
 
 namespace kerf {
@@ -56,7 +52,6 @@ public:
             smooth_ = smooth_normals(in_.surface, in_.positions);
         number_vertices(order);
         fill_streams();
-        if (in_.soup.has_normals) repair_normals();
     }
 
 private:
@@ -134,37 +129,6 @@ private:
             for (std::size_t v = 0; v < origin_.size(); ++v)
                 std::copy_n(from.values.data() + std::size_t{origin_[v]} * from.width, from.width,
                             to.values.data() + v * from.width);
-        }
-    }
-
-    /// Makes normals unit; those without a direction become the mean of the triangles that use the vertex.
-    void repair_normals()
-    {
-        std::vector<std::uint8_t> lost;
-        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-            glm::vec3& normal = mesh_.vertices[v].normal;
-            const glm::dvec3 n = normal;
-            const double squared = glm::dot(n, n);
-            if (std::abs(squared - 1.0) <= kRepairedUnitTolerance) continue;
-            if (std::isfinite(squared) && squared > 0.0) {
-                normal = glm::vec3(n / std::sqrt(squared));
-            } else {
-                lost.resize(mesh_.vertices.size(), 0);
-                lost[v] = 1;
-            }
-        }
-        if (lost.empty()) return;
-        std::unordered_map<std::uint32_t, glm::dvec3> sums;
-        for (const Triangle& triangle : mesh_.triangles) {
-            if (!lost[triangle[0]] && !lost[triangle[1]] && !lost[triangle[2]]) continue;
-            const glm::dvec3 p = mesh_.vertices[triangle[0]].position, q = mesh_.vertices[triangle[1]].position,
-                             r = mesh_.vertices[triangle[2]].position;
-            for (const std::uint32_t v : triangle)
-                if (lost[v]) sums.try_emplace(v, 0.0).first->second += glm::cross(q - p, r - p);
-        }
-        for (const auto& [v, sum] : sums) {
-            const double squared = glm::dot(sum, sum);
-            mesh_.vertices[v].normal = squared > 0.0 ? glm::vec3(sum / std::sqrt(squared)) : glm::vec3(0, 0, 1);
         }
     }
 

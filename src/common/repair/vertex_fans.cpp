@@ -56,7 +56,7 @@ private:
 class FanDivider
 {
 public:
-    FanDivider(LinkedSurface& surface, Fans& fans) : surface_(surface), fans_(fans) {}
+    FanDivider(LinkedSurface& surface, VertexFans& fans) : surface_(surface), fans_(fans) {}
 
     /// Exchanging the partners of two links on the same cycle divides the cycle in two, and never joins two fans. So
     /// half-edges between the same two fans are a group, groups only fall apart, and one pass over each edge is enough.
@@ -162,7 +162,7 @@ private:
     }
 
     LinkedSurface& surface_;
-    Fans& fans_;
+    VertexFans& fans_;
     std::vector<std::uint32_t> number_;  // for each label; empty: labels are numbers
     FanWalk walk_a_, walk_b_;
     // Of one edge: places in its list of half-edges.
@@ -174,9 +174,9 @@ private:
 
 }  // namespace
 
-Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
+VertexFans find_vertex_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
 {
-    Fans fans;
+    VertexFans fans;
     fans.fan.assign(surface.opposite.size(), kNone);
     for (std::uint32_t h = 0; h < surface.opposite.size(); ++h) {
         if (fans.fan[h] != kNone) continue;
@@ -199,27 +199,27 @@ Fans find_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved
     return fans;
 }
 
-std::uint64_t count_umbrella_points(std::uint32_t point_count, std::span<const Triangle> corners,
-                                    const HalfedgesByEdge& edges)
+std::uint64_t count_nonmanifold_points(std::uint32_t point_count, std::span<const Triangle> corners,
+                                       const HalfedgesByEdge& edges)
 {
     // Corner i of triangle t is number 3t + i, like the half-edge that starts there.
-    DisjointSets umbrellas(static_cast<std::uint32_t>(corners.size() * 3));
+    DisjointSets fans(static_cast<std::uint32_t>(corners.size() * 3));
     const auto point_at = [&](std::uint32_t corner) { return corners[corner / 3][corner % 3]; };
-    edges.for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+    edges.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         const std::uint32_t first = edge[0].halfedge;
-        for (const HalfedgesByEdge::Side& side : edge.subspan(1)) {
-            std::uint32_t start = side.halfedge, end = next_halfedge(start);
+        for (const HalfedgesByEdge::Entry& entry : edge.subspan(1)) {
+            std::uint32_t start = entry.halfedge, end = next_halfedge(start);
             if (point_at(start) != point_at(first)) std::swap(start, end);
-            umbrellas.unite(first, start);
-            umbrellas.unite(next_halfedge(first), end);
+            fans.unite(first, start);
+            fans.unite(next_halfedge(first), end);
         }
     });
 
-    Buffer<std::uint32_t> umbrellas_at(point_count, 0);
+    Buffer<std::uint32_t> fans_at(point_count, 0);
     for (std::uint32_t corner = 0; corner < corners.size() * 3; ++corner)
-        if (umbrellas.find(corner) == corner) ++umbrellas_at[point_at(corner)];
+        if (fans.find(corner) == corner) ++fans_at[point_at(corner)];
     return static_cast<std::uint64_t>(
-        std::count_if(umbrellas_at.begin(), umbrellas_at.end(), [](std::uint32_t n) { return n > 1; }));
+        std::count_if(fans_at.begin(), fans_at.end(), [](std::uint32_t n) { return n > 1; }));
 }
 
 }  // namespace kerf

@@ -23,7 +23,7 @@ TEST(HalfedgesByEdge, BringsTheHalfEdgesOfEachEdgeTogetherInOrder)
     for (std::uint32_t h = 0; h < 3 * corners.size(); ++h)
         expected[std::minmax(corners[h / 3][h % 3], corners[h / 3][(h + 1) % 3])].push_back(h);
     auto next = expected.begin();
-    HalfedgesByEdge(8, corners).for_each([&](std::span<const HalfedgesByEdge::Side> edge) {
+    HalfedgesByEdge(8, corners).for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         ASSERT_NE(next, expected.end());
         ASSERT_EQ(edge.size(), next->second.size());
         for (std::size_t i = 0; i < edge.size(); ++i) {
@@ -41,7 +41,7 @@ TEST(HalfedgesByEdge, SortsTheHubOfALargeFanToo)
     Buffer<Triangle> corners = cone.triangles;
     for (Triangle& triangle : corners)
         for (std::uint32_t& corner : triangle) corner = cone.points[corner];
-    HalfedgesByEdge(cone.point_count, corners).for_each([](std::span<const HalfedgesByEdge::Side> edge) {
+    HalfedgesByEdge(cone.point_count, corners).for_each([](std::span<const HalfedgesByEdge::Entry> edge) {
         ASSERT_EQ(edge.size(), 2u);
     });
 }

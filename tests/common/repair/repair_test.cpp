@@ -20,11 +20,40 @@ namespace {
 
 using namespace small_meshes;
 
-/// Repairs and checks everything that IndexedMesh promises.
-Repaired repaired(TriangleSoup soup)
+/// What repair() says of a soup is what measure() says, and `open_edges` is the boundary that it leaves.
+void expect_facts(const TriangleSoup& soup, const Repaired& result)
 {
-    Repaired result = repair(std::move(soup));
+    const MeshFacts &facts = result.facts, expected = measure(soup);
+    EXPECT_EQ(facts.triangles, expected.triangles);
+    EXPECT_EQ(facts.vertices, expected.vertices);
+    EXPECT_EQ(facts.welded_vertices, expected.welded_vertices);
+    EXPECT_EQ(facts.degenerate_triangles, expected.degenerate_triangles);
+    EXPECT_EQ(facts.duplicate_triangles, expected.duplicate_triangles);
+    EXPECT_EQ(facts.boundary_edges, expected.boundary_edges);
+    EXPECT_EQ(facts.boundary_loops, expected.boundary_loops);
+    EXPECT_EQ(facts.nonmanifold_edges, expected.nonmanifold_edges);
+    EXPECT_EQ(facts.nonmanifold_points, expected.nonmanifold_points);
+    EXPECT_EQ(facts.misoriented_edges, expected.misoriented_edges);
+    EXPECT_EQ(facts.unbalanced_edges, expected.unbalanced_edges);
+    EXPECT_EQ(facts.open_edges, expected.open_edges);
+    EXPECT_EQ(facts.shells, expected.shells);
+    EXPECT_EQ(facts.shortest_edge, expected.shortest_edge);
+    EXPECT_EQ(facts.area, expected.area);
+    EXPECT_EQ(facts.volume, expected.volume);
+    EXPECT_EQ(facts.bounds.lo, expected.bounds.lo);
+    EXPECT_EQ(facts.bounds.hi, expected.bounds.hi);
+
+    const IndexedMesh& mesh = result.mesh;
+    EXPECT_EQ(facts.open_edges, surface_referee::judge(mesh).boundary_edges);
+    EXPECT_EQ(result.mesh.shortest_edge(), shortest_edge(mesh.vertices, mesh.triangles));
+}
+
+/// Repairs, and checks the facts and everything that IndexedMesh promises.
+Repaired repaired(const TriangleSoup& soup)
+{
+    Repaired result = repair(soup);
     EXPECT_EQ(result.error, "");
+    expect_facts(soup, result);
     EXPECT_EQ(check(result.mesh), "");
     EXPECT_EQ(surface_referee::judge(result.mesh).fault, "");
     return result;
@@ -341,6 +370,7 @@ RC_GTEST_PROP(Repair, KeepsItsPromisesForAnyTriangles, ())
         return;
     }
     expect_faithful(soup, result);
+    expect_facts(soup, result);
     RC_ASSERT(same_bytes(result.mesh, *repair(soup).mesh));
 }
 

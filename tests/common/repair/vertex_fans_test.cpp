@@ -59,10 +59,10 @@ void for_each_in_fan(const LinkedSurface& surface, std::uint32_t h, Visit&& visi
 }
 
 /// Fans by the rule in words, edge by edge: every pair of half-edges in order, and whole fans numbered anew.
-Fans fans_by_the_rule(LinkedSurface& surface, const std::vector<NonmanifoldEdge>& resolved)
+VertexFans fans_by_the_rule(LinkedSurface& surface, const std::vector<NonmanifoldEdge>& resolved)
 {
     constexpr std::uint32_t kNoFan = std::numeric_limits<std::uint32_t>::max();
-    Fans fans;
+    VertexFans fans;
     fans.fan.assign(surface.opposite.size(), kNoFan);
     const auto number = [&](std::uint32_t corner) {
         for_each_in_fan(surface, corner, [&](std::uint32_t c) { fans.fan[c] = fans.count; });
@@ -89,7 +89,7 @@ Fans fans_by_the_rule(LinkedSurface& surface, const std::vector<NonmanifoldEdge>
 void expect_the_rule(const LinkedSurface& surface, const std::vector<NonmanifoldEdge>& resolved)
 {
     LinkedSurface by_rule = surface, found = surface;
-    const Fans expected = fans_by_the_rule(by_rule, resolved), fans = find_fans(found, resolved);
+    const VertexFans expected = fans_by_the_rule(by_rule, resolved), fans = find_vertex_fans(found, resolved);
     EXPECT_EQ(fans.count, expected.count);
     EXPECT_EQ(fans.fan, expected.fan);
     EXPECT_EQ(found.opposite, by_rule.opposite);
@@ -108,7 +108,7 @@ TEST(FindFans, DividesAFanThatPassesAnEdgeAgainAndAgain)
         }
         SCOPED_TRACE(k);
         expect_the_rule(surface, {edge});
-        const Fans fans = find_fans(surface, std::span(&edge, 1));
+        const VertexFans fans = find_vertex_fans(surface, std::span(&edge, 1));
         // Two ends of the edge for each leaf, and its tip.
         EXPECT_EQ(fans.count, 3 * k);
     }
@@ -132,9 +132,9 @@ TEST(FindFans, DividesTheSameFansOfAnySurfaceAndNumbersThemInTheSameOrder)
         }
         surface.opposite.assign(std::size_t{3} * triangle_count, kNone);
         std::vector<NonmanifoldEdge> resolved;
-        HalfedgesByEdge(point_count, surface.corners).for_each([&](std::span<const HalfedgesByEdge::Side> sides) {
+        HalfedgesByEdge(point_count, surface.corners).for_each([&](std::span<const HalfedgesByEdge::Entry> sides) {
             NonmanifoldEdge &edge = resolved.emplace_back(), there, back;
-            for (const HalfedgesByEdge::Side& side : sides) {
+            for (const HalfedgesByEdge::Entry& side : sides) {
                 edge.push_back(side.halfedge);
                 (surface.start(side.halfedge) < side.larger_point ? there : back).push_back(side.halfedge);
             }
@@ -144,7 +144,7 @@ TEST(FindFans, DividesTheSameFansOfAnySurfaceAndNumbersThemInTheSameOrder)
         SCOPED_TRACE(round);
         expect_the_rule(surface, resolved);
         LinkedSurface divided = surface;
-        exchanges += find_fans(divided, resolved).count - find_fans(surface, {}).count;
+        exchanges += find_vertex_fans(divided, resolved).count - find_vertex_fans(surface, {}).count;
     }
     EXPECT_GT(exchanges, 1'000u);
 }
@@ -160,7 +160,7 @@ TEST(FindFans, TakesStepsInProportionToAnEdgeThatManyShare)
         if (!together) std::iota(next.begin(), next.end(), 0u);
         NonmanifoldEdge edge;
         LinkedSurface surface = leaves(next, edge);
-        return find_fans(surface, std::span(&edge, 1)).steps;
+        return find_vertex_fans(surface, std::span(&edge, 1)).steps;
     };
     for (const bool together : {false, true}) {
         EXPECT_GT(steps(kFew, together), kFew);
