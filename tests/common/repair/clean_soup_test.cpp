@@ -71,7 +71,7 @@ TEST(CleanSoup, MakesNormalsUnitThatAreFartherThanTheTolerance)
 
 TEST(CleanSoup, GivesAVertexWithoutNormalTheMeanOfItsTriangles)
 {
-    TriangleSoup sphere = shapes::icosphere(1.0f, 3);
+    TriangleSoup sphere = shapes::icosphere(1.0f, 16);
     sphere.vertices[3].normal = glm::vec3(0.0f);
     sphere.vertices[5].normal.x = kNan;
     const UnfitAttributes unfit = clean(sphere);
