@@ -13,6 +13,7 @@
 #include "common/geometry/containment.h"
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/dominant_axis.h"
+#include "common/mesh/index.h"
 
 namespace kerf {
 
@@ -118,7 +119,7 @@ public:
         std::sort(claims.begin(), claims.end(), [&](const Claim& a, const Claim& b) {
             return is_less(a, b) || (!is_less(b, a) && a.source < b.source);
         });
-        first_piece_.assign(solids_.size(), kNoContainer);
+        first_piece_.assign(solids_.size(), kNone);
         std::vector<bool> is_alone(solids_.size(), false);
         for (std::size_t first = 0, last; first < claims.size(); first = last) {
             last = first + 1;
@@ -127,7 +128,7 @@ public:
             const bool alone = std::all_of(claims.begin() + static_cast<std::ptrdiff_t>(first),
                                            claims.begin() + static_cast<std::ptrdiff_t>(last),
                                            [&](const Claim& c) { return c.piece == claims[first].piece; });
-            if (first_piece_[solid] != kNoContainer && (is_alone[solid] || !alone)) continue;
+            if (first_piece_[solid] != kNone && (is_alone[solid] || !alone)) continue;
             first_piece_[solid] = claims[first].piece;
             is_alone[solid] = alone;
         }
@@ -142,7 +143,7 @@ public:
         const std::vector<bool> has_volume = find_volume();
         for (std::uint32_t part = 0; part < side_.parts.size(); ++part) {
             const std::uint32_t first = first_piece_[solid_of_[part]];
-            if (side_.parts[part].is_flat && first != kNoContainer && !has_volume[pieces.find(part)])
+            if (side_.parts[part].is_flat && first != kNone && !has_volume[pieces.find(part)])
                 pieces.unite(part, first);
         }
     }
@@ -200,7 +201,7 @@ private:
             // A cavity that no count claims, because it touches the surface around it, goes to the first piece.
             if (outline != nullptr) find_first_pieces(*outline);
             for (Home& home : sought)
-                if (outline != nullptr && first_piece_[solid_of_[home.cavity]] != kNoContainer)
+                if (outline != nullptr && first_piece_[solid_of_[home.cavity]] != kNone)
                     home.piece = first_piece_[solid_of_[home.cavity]];
             look_for_homes(sought, direction, homes);
         }
@@ -261,7 +262,7 @@ void join_where_loops_need_it(const SectionOutline& outline, const BySide<SidePa
         std::int32_t leaves;  // +1 or -1
     };
     // At nearly every point one edge arrives and one leaves, between the same pieces: such points are left out.
-    std::vector<End> first_at(outline.points().size(), End{kNoContainer, 0, {}, 0}), ends;
+    std::vector<End> first_at(outline.points().size(), End{kNone, 0, {}, 0}), ends;
     std::vector<bool> is_plain(outline.points().size(), false);
     const auto visit_ends = [&](auto visit) {
         for (const OutlineEdge& edge : outline.edges()) {
@@ -275,7 +276,7 @@ void join_where_loops_need_it(const SectionOutline& outline, const BySide<SidePa
     };
     visit_ends([&](const End& end) {
         End& first = first_at[end.point];
-        if (first.point == kNoContainer) {
+        if (first.point == kNone) {
             first = end;
         } else {
             // The second end; any further one makes the point one to look at.
