@@ -8,19 +8,11 @@
 
 #include "common/proxy/convex_hull.h"
 #include "common/repair/mesh_facts.h"
+#include "common/support/random.h"
 
 namespace kerf::bench {
 
 namespace {
-
-/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers everywhere.
-double next_uniform(std::uint64_t& state)
-{
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15ull);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
 
 double surface_area(const IndexedMesh& mesh)
 {
@@ -41,9 +33,10 @@ double surface_area(const IndexedMesh& mesh)
 std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t count, std::uint64_t seed)
 {
     std::vector<Plane> planes;
+    Random random(seed);
     while (planes.size() < count) {
         // Uniform on the sphere: height and longitude are independent (Archimedes).
-        const double z = 2 * next_uniform(seed) - 1, angle = 6.283185307179586 * next_uniform(seed);
+        const double z = 2 * random.unit() - 1, angle = 6.283185307179586 * random.unit();
         const double r = std::sqrt(1 - z * z);
         if (const auto plane = Plane::through(bounds.centre(), {r * std::cos(angle), r * std::sin(angle), z}))
             planes.push_back(*plane);

@@ -174,10 +174,10 @@ void register_model_benchmarks()
         }
         for (const TimedProxy& proxy : timed_proxies())
             for (const auto& backend : timed) {
-                const bool half_edge = backend->name() == "halfedge";
-                if (!half_edge && backend->name() != "baseline/remap") continue;  // all lookups build alike
-                if (half_edge && !proxy.differs_in_halfedge) continue;
-                const std::string variant = (half_edge ? "halfedge/" : "") + proxy.name;
+                const bool is_halfedge = backend->name() == "halfedge";
+                if (!is_halfedge && backend->name() != "baseline/remap") continue;  // all lookups build alike
+                if (is_halfedge && !proxy.differs_in_halfedge) continue;
+                const std::string variant = (is_halfedge ? "halfedge/" : "") + proxy.name;
                 benchmark::RegisterBenchmark(("Proxy/" + variant + "/" + model.name).c_str(),
                                              [&](benchmark::State& s) { build_proxies(s, *backend, proxy, model); })
                     ->UseManualTime()

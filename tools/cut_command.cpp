@@ -1,5 +1,4 @@
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "common/io/mesh_file.h"
 #include "common/mesh/coordinate_grain.h"
 #include "common/repair/repair.h"
+#include "common/support/stopwatch.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
 #include "tools/notes_json.h"
@@ -73,16 +73,6 @@ struct CutReport
     SideReport positive, negative;
 };
 
-class Stopwatch
-{
-public:
-    double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
-};
-
 /// PREFIX.positive.obj, or PREFIX.positive.0.obj for one of several components.
 std::string file_name(const CutCommandOptions& options, const char* side, std::size_t component)
 {
@@ -123,18 +113,18 @@ CutReport perform(const CutCommandOptions& options)
     report.repairs = loaded.repairs;
     report.notes = std::move(loaded.notes);
 
-    const Stopwatch preparing;
+    Stopwatch watch;
     PrepareResult prepared = backend->prepare(std::move(loaded.mesh));
-    report.prepare_ms = preparing.ms();
+    report.prepare_ms = watch.lap();
     report.has_coarse_coordinates = prepared.coarse_coordinates;
     if (prepared.status != Status::done) throw std::runtime_error(options.file + ": " + prepared.reason);
 
     CutOptions cut_options;
     cut_options.build_caps = !options.no_cap;
     cut_options.split_components = options.components;
-    const Stopwatch cutting;
+    watch.lap();
     const CutResult result = cut(std::move(prepared.object), *plane, cut_options);
-    report.cut_ms = cutting.ms();
+    report.cut_ms = watch.lap();
     report.status = result.status;
     report.statistics = result.statistics;
     report.section_area = result.section_area;

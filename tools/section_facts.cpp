@@ -161,6 +161,7 @@ std::optional<std::vector<std::vector<SectionStep>>> keep_loops(std::span<const 
 
 std::optional<WindingFacts> measure_winding(std::span<const SectionStep> section, const glm::dvec3& normal)
 {
+    // Not dominant_axis(): a judge shares no code with what it judges.
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     int u = (dropped + 1) % 3, v = (dropped + 2) % 3;

@@ -150,7 +150,7 @@ protected:
         materials_ = mesh_.materials;
         const std::uint32_t material = material_of_caps();
         const glm::vec3 centre = section_centre(section_);
-        const double step = whole_.noise / kNoiseInUnits;
+        const double step = rounding_unit(whole_.noise);
         statistics.phases[Phase::cap] += watch.lap();
         BySide<PartsOfSide> parts;
         BySide<std::vector<std::uint32_t>> piece_of_part;

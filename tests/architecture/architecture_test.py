@@ -39,6 +39,12 @@ def wrong_arrows(path, text, rooms):
             if room_of(name, rooms) not in [room, *rooms[room]]]
 
 
+def unused_permissions(rooms, used):
+    """Permissions of the table that no include needs; `used` holds pairs of rooms: who includes whom."""
+    return [f"{room} may include {below}, and no file does" for room, may in rooms.items() for below in may
+            if (room, below) not in used]
+
+
 class Architecture(unittest.TestCase):
     def test_the_table_has_rooms_that_exist(self):
         for room in table():
@@ -62,6 +68,15 @@ class Architecture(unittest.TestCase):
             wrong += wrong_arrows(str(path.relative_to(ROOT)), path.read_text(), rooms)
         self.assertGreater(len(files()), 100)
         self.assertEqual([], wrong)
+
+    def test_each_permission_is_needed(self):
+        rooms = table()
+        used = set()
+        for path in files():
+            room = room_of(str(path.relative_to(ROOT)), rooms)
+            used |= {(room, room_of(name, rooms)) for name in includes(path.read_text())}
+        self.assertEqual([], unused_permissions(rooms, used))
+        self.assertEqual(["a may include b, and no file does"], unused_permissions({"a": ["b"], "b": []}, {("b", "a")}))
 
     def test_a_wrong_include_would_be_found(self):
         rooms = table()

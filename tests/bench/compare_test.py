@@ -75,10 +75,10 @@ class Revisions(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertEqual(done.stderr, "compare: there is no commit 'no-such-revision' in this repository\n")
 
-    def test_the_fixed_set_has_both_back_ends_and_small_and_large_meshes(self):
+    def test_the_fixed_set_has_both_back_ends_each_kind_and_small_and_large_meshes(self):
         names = [f"{kind}/{backend}/{mesh}/manual_time" for kind, mesh in (
             ("Cut", "cube"), ("Cut", "rook"), ("Scale", "asteroid/1000"), ("Scale", "asteroid/1000000"),
-            ("Geometry", "asteroid/100000"))
+            ("Geometry", "asteroid/100000"), ("Prepare", "rook"), ("Prepare", "asteroid/1000000"))
             for backend in ("baseline/remap", "halfedge")]
         for name in names:
             self.assertRegex(name, self.compare.BENCHMARKS)

@@ -222,13 +222,13 @@ void position_that_differs_within_a_point(IndexedMesh& mesh, Random& random)
 {
     const std::uint32_t v = random.below(static_cast<std::uint32_t>(mesh.vertices.size()));
     const glm::vec3 p = mesh.vertices[v].position;
-    const std::uint32_t twin =
+    const std::uint32_t moved =
         add_vertex(mesh, {std::nextafter(p.x, random.below(2) == 0 ? 1e30f : -1e30f) + 0.0f, p.y, p.z}, mesh.points[v]);
     // Used by one of the triangles there.
     for (Triangle& triangle : mesh.triangles)
         for (std::uint32_t& corner : triangle)
             if (corner == v) {
-                corner = twin;
+                corner = moved;
                 return;
             }
 }

@@ -9,8 +9,6 @@
 namespace kerf::game {
 namespace {
 
-using shapes::Random;
-
 // from  fruit   gap  volley bombs most special pause longest
 constexpr std::array<Difficulty, 7> kClassic{{
     {1, 1, 1, 60, 0, 0, 1, 0, 60, 300},

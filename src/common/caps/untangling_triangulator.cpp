@@ -48,15 +48,12 @@ constexpr int kMostRounds = 32;
 constexpr double kAnyShare = std::numeric_limits<double>::infinity();
 /// Work that an outline of n points may cost before it is given up, per round and in all.
 constexpr std::size_t kMostPairs = 64, kMostLooks = 16, kMostEdges = 4, kSmallOutline = 1024;
-/// This many points within rounding of one are a crowd.
+/// Points within rounding of one that make a crowd.
 constexpr std::size_t kCrowd = 8;
 /// Crowded outlines of up to so many points have few crossings, though these grow with the square of the points.
 constexpr std::size_t kFewPoints = 1024;
 /// Edges that crossings may add in all, beyond kMostEdges a point: some tens of milliseconds.
 constexpr std::size_t kMostCrossed = 32768;
-/// One point may be moved away from an edge by rounding for so many points of the outline. One in forty thousand was
-/// seen in sections that were capped rightly, one in ten in those that were not.
-constexpr std::size_t kPointsForMoved = 100;
 
 class UntanglingTriangulator final : public CapTriangulator
 {
@@ -391,7 +388,7 @@ private:
         // Points that differ only along the dropped axis are moved apart by less than a float can tell.
         double largest = 0.0;
         for (const glm::dvec2& p : places_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-        const double nudge = std::ldexp(largest, -48);
+        const double nudge = kNudge * largest;
         first_at_.resize(n);
         int nudges = 0;
         for (std::size_t i = 0; i < n; ++i) {

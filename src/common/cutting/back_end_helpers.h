@@ -7,6 +7,10 @@
 
 // What a back end needs to keep the contract, and its users do not: draw ranges, the material of caps, serial numbers
 // of buffers, and whether caps exceed their section.
+//
+// A cut misses for one of three reasons, which each back end finds where it has what it needs: the object lies beyond
+// the plane (halfedge/cut/cutter.cpp: missed_side(); baseline/slice.cpp: bounds), a side keeps no triangle, or nothing
+// crosses but what vanishes (cutter.cpp: plan(); baseline/slicing_steps.h: vertices, and sides that vanish).
 
 namespace kerf {
 

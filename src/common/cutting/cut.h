@@ -16,14 +16,11 @@
 #include "common/mesh/plane.h"
 #include "common/mesh/side.h"
 #include "common/mesh/support_points.h"
-#include "common/mesh/tolerances.h"
 #include "common/repair/proven_mesh.h"
 
 // The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the
 // fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
-// docs/cutting-rules.md. Whether a cut misses is decided by each back end in three places: the object may lie beyond
-// the plane, a side may keep no triangle, or nothing but what vanishes may cross. See halfedge/cut/cutter.cpp
-// (missed_side() and plan()), baseline/slice.cpp (bounds) and baseline/slicing_steps.h (vertices; sides that vanish).
+// docs/cutting-rules.md.
 
 namespace kerf {
 
@@ -140,7 +137,7 @@ public:
     /// O(n).
     virtual std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const = 0;
 
-    /// The outline of the last cut on this fragment; empty before any cut. Chains of an open section included.
+    /// The outline of the last cut on this fragment, with the chains of an open section; empty before any cut.
     virtual std::span<const SectionLoop> section_loops() const = 0;
 
     /// A compact copy: only what the fragment uses, dense point ids. O(n).
@@ -191,10 +188,10 @@ struct CutResult
     Side side_of_object = Side::negative;
     /// Signed sum of the closed loops' areas, mesh units squared: what caps should cover. 0 of a miss.
     double section_area = 0.0;
-    /// A warning: caps are closed and have the section's signed area, but some triangles are
-    /// turned over and others lie on them. Set if a section winds around something backwards (the surface runs
-    /// through itself inside out, or is open), if it crosses itself too often to be untangled, and by the baseline's
-    /// fan if the section is not star-shaped. Never set without caps.
+    /// A warning: the caps are closed and have the section's signed area, but some of their triangles are turned over,
+    /// and others lie on those. There are three causes: the section winds around something backwards (the surface runs
+    /// through itself inside out, or is open); it crosses itself too often to be untangled; or the baseline covers a
+    /// section by a fan that is not star-shaped. Never set without caps.
     bool caps_exceed_section = false;
     CutStatistics statistics;
 };

@@ -37,7 +37,7 @@ bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
 
 /// Adds three interior points of a loop, each at a height where no point of the loop is near: loops may touch one
 /// another in points and edges, but hardly there.
-void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<NestingSample>& samples)
+void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<WindingSample>& samples)
 {
     constexpr std::size_t kSamples = 3;  // odd, so that they always have a majority
     std::vector<float> heights;
@@ -68,7 +68,7 @@ void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<Nest
 void decide(std::span<const FlatLoop> loops, std::uint32_t outer, std::span<const std::uint32_t> candidates,
             std::span<std::uint8_t> lies_in)
 {
-    std::vector<NestingSample> samples;
+    std::vector<WindingSample> samples;
     for (std::uint32_t i = 0; i < candidates.size(); ++i) add_samples(loops[candidates[i]], i, samples);
     WindingNumbers windings(samples);
     for_each_edge(loops[outer], [&](const PlanarPoint& p, const PlanarPoint& q) {
@@ -111,7 +111,7 @@ FlatLoop flatten(const SectionOutline& outline, std::span<const std::uint32_t> p
 
 void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
 {
-    std::vector<Nestable> items;
+    std::vector<ContainableShape> items;
     items.reserve(loops.size());
     for (const FlatLoop& loop : loops)
         items.push_back({loop.box, std::abs(loop.area2), loop.area2 > 0.0, loop.area2 < 0.0});

@@ -7,17 +7,17 @@ namespace kerf {
 
 namespace {
 
-std::vector<glm::vec3> positions_of(std::span<const NestingSample> samples)
+std::vector<glm::vec3> positions_of(std::span<const WindingSample> samples)
 {
     std::vector<glm::vec3> positions;
     positions.reserve(samples.size());
-    for (const NestingSample& sample : samples) positions.push_back(sample.position);
+    for (const WindingSample& sample : samples) positions.push_back(sample.position);
     return positions;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> smallest_containers(std::span<const Nestable> items, const DecideContainment& decide)
+std::vector<std::uint32_t> smallest_containers(std::span<const ContainableShape> items, const DecideContainment& decide)
 {
     std::vector<std::uint32_t> container(items.size(), kNoContainer);
     if (items.size() < 2) return container;
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> smallest_containers(std::span<const Nestable> items, 
     // An item whose box lies in another box has its lower corner there.
     std::vector<glm::vec3> corners;
     corners.reserve(items.size());
-    for (const Nestable& item : items) corners.push_back(item.box.lo);
+    for (const ContainableShape& item : items) corners.push_back(item.box.lo);
     PointTree waiting(corners);
     for (std::uint32_t i = 0; i < items.size(); ++i)
         if (!items[i].can_lie_in || items[i].box.empty()) waiting.remove(i);
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> smallest_containers(std::span<const Nestable> items, 
     return container;
 }
 
-WindingNumbers::WindingNumbers(std::span<const NestingSample> samples)
+WindingNumbers::WindingNumbers(std::span<const WindingSample> samples)
     : samples_(samples), positions_(positions_of(samples)), tree_(positions_), windings_(samples.size(), 0)
 {
 }

@@ -24,7 +24,7 @@ inline bool encloses(const Box& outer, const Box& inner)
 }
 
 /// A shape that may lie in another one or contain others.
-struct Nestable
+struct ContainableShape
 {
     Box box;
     double size = 0.0;        ///< volume or area, at least 0: a container is larger than its contents
@@ -40,10 +40,11 @@ using DecideContainment = std::function<void(std::uint32_t container, std::span<
 /// items in their box that have found none yet; of items of equal size, those with larger numbers may lie in the
 /// others. O(n log n), and one decision for each pair of a box and an item in it that is tried: O(n) pairs if nested
 /// boxes belong to nested items.
-std::vector<std::uint32_t> smallest_containers(std::span<const Nestable> items, const DecideContainment& decide);
+std::vector<std::uint32_t> smallest_containers(std::span<const ContainableShape> items,
+                                               const DecideContainment& decide);
 
 /// A point to be tested, and the candidate it belongs to.
-struct NestingSample
+struct WindingSample
 {
     glm::vec3 position;
     std::uint32_t candidate = 0;
@@ -53,7 +54,7 @@ struct NestingSample
 class WindingNumbers
 {
 public:
-    explicit WindingNumbers(std::span<const NestingSample> samples);
+    explicit WindingNumbers(std::span<const WindingSample> samples);
 
     /// Adds term(position) to each sample in `reach`, outside of which the term must be 0.
     template <class Term>
@@ -66,7 +67,7 @@ public:
     void vote(std::span<std::uint8_t> lies_in) const;
 
 private:
-    std::span<const NestingSample> samples_;
+    std::span<const WindingSample> samples_;
     std::vector<glm::vec3> positions_;
     PointTree tree_;
     std::vector<int> windings_;

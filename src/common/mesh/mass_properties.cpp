@@ -8,6 +8,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "common/mesh/tolerances.h"
+
 namespace kerf {
 namespace {
 
@@ -139,8 +141,6 @@ bool has_no_volume(double volume6, const Box& box, double noise)
 glm::dvec3 mass_reference(const Box& bounds)
 {
     if (bounds.empty()) return glm::dvec3(0.0);
-    // Terms grow with the fifth power of the distance from the reference point: twice as far costs 5 of the 53 bits.
-    constexpr double kHalfSizesFromOrigin = 2.0;
     const glm::dvec3 centre = bounds.centre(), half = (glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo)) * 0.5;
     const double largest_half = std::max({half.x, half.y, half.z});
     const double distance = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});

@@ -69,4 +69,10 @@ struct PlaneFrame
 /// (Box::largest_coordinate).
 double plane_noise(float largest_coordinate);
 
+/// One unit in the last place of that coordinate, by which rounding moves a cut point at most along an axis.
+inline double rounding_unit(double plane_noise)
+{
+    return plane_noise / kNoiseInUnits;
+}
+
 }  // namespace kerf

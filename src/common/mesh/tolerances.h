@@ -1,7 +1,10 @@
 #pragma once
 
 // All tolerances of the library, each with its unit and its reason; docs/floating-point.md lists them in a table. None
-// of them moves a point of the surface. Limits of work (kMost..., kFew...) stand where they are used.
+// of them moves a point of the surface. Limits of work and of counts (kMost..., kFew..., kCrowd) stand where they are
+// used.
+
+#include <cstddef>
 
 namespace kerf {
 
@@ -38,6 +41,22 @@ inline constexpr double kCapAgreement = 1e-6;
 /// Share of the area of all other parts: clockwise parts of an outline that have no more area are not holes. Rounding
 /// has turned them over; if they are covered turned over as well, the error is negligible.
 inline constexpr double kTurnedShare = 1e-8;
+
+/// Points of an outline for each that rounding may have moved across an edge: with more, the outline is given up. One
+/// in forty thousand was seen in sections that were capped rightly, one in ten in those that were not.
+inline constexpr std::size_t kPointsForMoved = 100;
+
+/// Share of an outline's largest coordinate: points that differ only along the axis that is dropped are moved apart by
+/// this much, which is 2^24 times less than a float can tell.
+inline constexpr double kNudge = 0x1p-48;
+
+/// Half sizes of the box, along its largest side: a mesh whose centre is no farther from the origin is summed about the
+/// origin, which is cheapest. Terms grow with the fifth power of the distance: twice as far costs 5 of the 53 bits.
+inline constexpr double kHalfSizesFromOrigin = 2.0;
+
+/// Multiples of plane_noise(): how far sums about the mesh's reference point may reach at least, a quarter of the
+/// largest coordinate or more. With kLostDigits it decides which volumes have no digits left.
+inline constexpr double kReachInNoise = 0x1p20;
 
 /// Share of the cube of the distance: a sum about a point so far away has no digits left for a smaller volume. The
 /// volume is then summed again about a nearer point.

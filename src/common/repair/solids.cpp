@@ -31,7 +31,7 @@ public:
         std::vector<std::uint32_t> container(count, kNoContainer);
         if (count > 1) {
             sort_triangles();
-            std::vector<Nestable> items;
+            std::vector<ContainableShape> items;
             items.reserve(count);
             for (const ConnectedShell& shell : shells_.shells)
                 items.push_back({shell.box, std::abs(shell.volume6), shell.closed && shell.volume6 != 0.0, true});
@@ -67,7 +67,7 @@ private:
 
     void decide(std::uint32_t outer, std::span<const std::uint32_t> candidates, std::span<std::uint8_t> lies_in)
     {
-        std::vector<NestingSample> samples;
+        std::vector<WindingSample> samples;
         for (std::uint32_t i = 0; i < candidates.size(); ++i) {
             auto& own = samples_[candidates[i]];
             if (own.empty()) own = choose_samples(candidates[i]);

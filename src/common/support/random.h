@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace kerf::shapes {
+namespace kerf {
 
 /// SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", 2014). The distributions of the
 /// standard library differ between implementations; this gives the same numbers everywhere.
@@ -35,4 +35,4 @@ private:
     std::uint64_t state_;
 };
 
-}  // namespace kerf::shapes
+}  // namespace kerf

@@ -95,7 +95,7 @@ void Cutter::close_section(CutResult& result)
     result.statistics.cap_steps = w_.cap_planner.steps();
     if (const double excess = w_.cap_planner.excess(); excess > 0.0)
         result.caps_exceed_section =
-            caps_exceed_section(excess, result.section_area, section_length(w_.section), u_.noise / kNoiseInUnits);
+            caps_exceed_section(excess, result.section_area, section_length(w_.section), rounding_unit(u_.noise));
 }
 
 void Cutter::carry_out(CutResult& result) noexcept

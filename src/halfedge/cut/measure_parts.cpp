@@ -96,7 +96,7 @@ public:
         part.volume6 = volume6_ + sum_of_triangles(u_.reference);
         // Sums about a point far away have no digits left for what is very small; those of an open shell are about its
         // sample, and cost O(n).
-        const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kUnitsAcross * u_.noise;
+        const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kReachInNoise * u_.noise;
         if (u_.has_boundary || std::abs(part.volume6) <= kLostDigits * far * far * far) {
             part.volume6 = sum_of_triangles(part.sample);
             MassMoments moments;
@@ -112,8 +112,6 @@ public:
     }
 
 private:
-    static constexpr double kUnitsAcross = 0x1p20;  ///< noise units that a mesh reaches from the origin
-
     /// Nodes whose boxes begin behind the first corner are skipped.
     glm::vec3 sample() const
     {

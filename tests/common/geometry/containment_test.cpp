@@ -11,9 +11,9 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 
 /// A cube about a point of the x axis; its size is its volume.
-Nestable item_at(float centre, float half)
+ContainableShape item_at(float centre, float half)
 {
-    Nestable item;
+    ContainableShape item;
     item.box.add({centre - half, -half, -half});
     item.box.add({centre + half, half, half});
     item.size = 8.0 * half * half * half;
@@ -34,19 +34,19 @@ TEST(SmallestContainers, NothingOrOneThingLiesNowhere)
 
 TEST(SmallestContainers, OfNestedBoxesEachLiesInTheNextLarger)
 {
-    const std::vector<Nestable> dolls{item_at(0, 3), item_at(0, 1), item_at(0, 4), item_at(0, 2)};
+    const std::vector<ContainableShape> dolls{item_at(0, 3), item_at(0, 1), item_at(0, 4), item_at(0, 2)};
     EXPECT_EQ(smallest_containers(dolls, boxes_decide), (Numbers{2, 3, kNoContainer, 0}));
 }
 
 TEST(SmallestContainers, BesideAndAcrossIsNotIn)
 {
-    const std::vector<Nestable> items{item_at(0, 1), item_at(5, 1), item_at(0.75f, 0.5f)};
+    const std::vector<ContainableShape> items{item_at(0, 1), item_at(5, 1), item_at(0.75f, 0.5f)};
     EXPECT_EQ(smallest_containers(items, boxes_decide), (Numbers(3, kNoContainer)));
 }
 
 TEST(SmallestContainers, WhatIsDecidedCountsAndNotTheBox)
 {
-    const std::vector<Nestable> items{item_at(0, 3), item_at(0, 2), item_at(0, 1)};
+    const std::vector<ContainableShape> items{item_at(0, 3), item_at(0, 2), item_at(0, 1)};
     const auto not_in_the_middle_one = [](std::uint32_t container, std::span<const std::uint32_t>,
                                           std::span<std::uint8_t> lies_in) {
         for (std::uint8_t& lies : lies_in) lies = container != 1;
@@ -56,7 +56,7 @@ TEST(SmallestContainers, WhatIsDecidedCountsAndNotTheBox)
 
 TEST(SmallestContainers, OnlyWhatMayContainContainsAndOnlyWhatMayLieLies)
 {
-    std::vector<Nestable> items{item_at(0, 3), item_at(0, 2), item_at(0, 1)};
+    std::vector<ContainableShape> items{item_at(0, 3), item_at(0, 2), item_at(0, 1)};
     items[1].can_contain = false;
     EXPECT_EQ(smallest_containers(items, boxes_decide), (Numbers{kNoContainer, 0, 0}));
     items[2].can_lie_in = false;
@@ -66,7 +66,7 @@ TEST(SmallestContainers, OnlyWhatMayContainContainsAndOnlyWhatMayLieLies)
 TEST(SmallestContainers, OfTwoAtOnePlaceTheOneThatCanContainDoes)
 {
     for (const bool first_contains : {true, false}) {
-        std::vector<Nestable> items{item_at(0, 1), item_at(0, 1)};
+        std::vector<ContainableShape> items{item_at(0, 1), item_at(0, 1)};
         items[0].can_contain = first_contains;
         items[1].can_contain = !first_contains;
         const std::uint32_t outer = first_contains ? 0 : 1;
@@ -80,7 +80,7 @@ RC_GTEST_PROP(SmallestContainers, AreTheSmallestOfAllThatEnclose, ())
 {
     // Different sizes and boxes that decide: a search over all pairs says the same.
     const auto n = *rc::gen::inRange(2u, 40u);
-    std::vector<Nestable> items;
+    std::vector<ContainableShape> items;
     for (std::uint32_t i = 0; i < n; ++i)
         items.push_back(item_at(float(*rc::gen::inRange(-20, 20)), 1.0f + 0.5f * float(*rc::gen::inRange(0, 30))));
     for (std::uint32_t i = 0; i < n; ++i) items[i].size += 1e-6 * i;
@@ -97,7 +97,7 @@ RC_GTEST_PROP(SmallestContainers, AreTheSmallestOfAllThatEnclose, ())
 
 TEST(WindingNumbers, TheMostOfItsSamplesDecidesForACandidate)
 {
-    const std::vector<NestingSample> samples{{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{9, 0, 0}, 0},
+    const std::vector<WindingSample> samples{{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{9, 0, 0}, 0},
                                              {{0, 1, 0}, 1}, {{8, 0, 0}, 1}, {{9, 1, 0}, 1}};
     WindingNumbers windings(samples);
     windings.add(item_at(0, 2).box, [](const glm::vec3&) { return 1; });
@@ -108,7 +108,7 @@ TEST(WindingNumbers, TheMostOfItsSamplesDecidesForACandidate)
 
 TEST(WindingNumbers, WhatWindsBackAgainIsNotAround)
 {
-    const std::vector<NestingSample> samples{{{0, 0, 0}, 0}};
+    const std::vector<WindingSample> samples{{{0, 0, 0}, 0}};
     for (const int second : {-1, 1}) {
         WindingNumbers windings(samples);
         windings.add(item_at(0, 2).box, [](const glm::vec3&) { return 1; });
@@ -121,7 +121,7 @@ TEST(WindingNumbers, WhatWindsBackAgainIsNotAround)
 
 TEST(WindingNumbers, OnlySamplesInReachAreAsked)
 {
-    const std::vector<NestingSample> samples{{{0, 0, 0}, 0}, {{5, 0, 0}, 1}};
+    const std::vector<WindingSample> samples{{{0, 0, 0}, 0}, {{5, 0, 0}, 1}};
     WindingNumbers windings(samples);
     std::vector<glm::vec3> asked;
     windings.add(item_at(5, 1).box, [&](const glm::vec3& position) {
@@ -133,7 +133,7 @@ TEST(WindingNumbers, OnlySamplesInReachAreAsked)
 
 TEST(WindingNumbers, WithAsManySamplesInAsOutItLiesOutside)
 {
-    const std::vector<NestingSample> samples{{{0, 0, 0}, 0}, {{5, 0, 0}, 0}};
+    const std::vector<WindingSample> samples{{{0, 0, 0}, 0}, {{5, 0, 0}, 0}};
     WindingNumbers windings(samples);
     windings.add(item_at(5, 1).box, [](const glm::vec3&) { return 2; });
     std::vector<std::uint8_t> lies_in(1);

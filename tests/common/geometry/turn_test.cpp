@@ -99,7 +99,7 @@ private:
             // One size.
             case 4:
                 return sign * double(float(std::ldexp(double(below(1u << 24)), -24)));
-            // Points set apart by less than a float can tell: cap_untangling.cpp.
+            // Points set apart by less than a float can tell: untangling_triangulator.cpp.
             default:
                 return any_float() * 0x1p-64 + below(8) * 0x1p-48;
         }

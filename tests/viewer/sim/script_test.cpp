@@ -50,7 +50,7 @@ TEST(Script, ReadsWhatItsDocumentationShows)
 
 RC_GTEST_PROP(Script, WhatIsWrittenReadsBackBitForBit, ())
 {
-    shapes::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+    Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
     Script script;
     script.scene = "report";
     script.seed = random.next();

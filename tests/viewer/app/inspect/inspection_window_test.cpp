@@ -156,8 +156,11 @@ TEST_F(InspectionWindowTest, SurvivesBeingMinimised)
     frames(2);
     window.minimise();
     frames(3);
+    EXPECT_FALSE(inspection.paused());
     window.restore();
     frames(3);
+    EXPECT_EQ(inspection.picture().width(), 320);
+    EXPECT_EQ(inspection.picture().height(), 180);
 }
 
 TEST_F(InspectionWindowTest, PausesWhileAnotherWindowHasTheFocus)

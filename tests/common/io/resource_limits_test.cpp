@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/glb_sample.h"
-#include "io/test_files.h"
+#include "common/io/glb_sample.h"
+#include "common/io/test_files.h"
 #include "support/allocations.h"
 
 namespace kerf::io {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/test_files.h"
+#include "common/io/test_files.h"
 
 namespace kerf::io {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "common/io/bytes.h"
-#include "io/test_files.h"
+#include "common/io/test_files.h"
 
 namespace kerf::io {
 namespace {

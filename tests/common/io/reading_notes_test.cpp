@@ -1,6 +1,6 @@
 #include "common/io/reading_notes.h"
 
-#include "io/test_files.h"
+#include "common/io/test_files.h"
 
 namespace kerf::io {
 namespace {

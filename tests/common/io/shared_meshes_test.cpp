@@ -2,7 +2,7 @@
 #include <set>
 #include <sstream>
 
-#include "io/test_files.h"
+#include "common/io/test_files.h"
 
 // Real meshes that nobody on this project made (../shared/meshes/INDEX.md has their facts).
 

@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "common/io/test_files.h"
 #include "common/io/unfinished_files.h"
-#include "io/test_files.h"
 
 namespace kerf::io {
 namespace {

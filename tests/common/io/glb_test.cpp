@@ -4,8 +4,8 @@
 #include <string>
 
 #include "common/io/bytes.h"
-#include "io/glb_sample.h"
-#include "io/test_files.h"
+#include "common/io/glb_sample.h"
+#include "common/io/test_files.h"
 #include "support/brief.h"
 
 namespace kerf::io {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/io/bytes.h"
-#include "io/glb_sample.h"
-#include "io/test_files.h"
+#include "common/io/glb_sample.h"
+#include "common/io/test_files.h"
 
 // Ways in which a glTF file may hold its surface: integers, sparse lists, copies in many places. What comes out is
 // written down here by hand, from the extensions' texts.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/test_files.h"
+#include "common/io/test_files.h"
 
 namespace kerf::io {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/io/bytes.h"
-#include "io/glb_sample.h"
-#include "io/test_files.h"
+#include "common/io/glb_sample.h"
+#include "common/io/test_files.h"
 
 // What a glTF file holds besides the surface that its scene shows never refuses it, and neither does what is not quite
 // glTF but plain: the surface is the sample's own, and a note counts what was passed over.

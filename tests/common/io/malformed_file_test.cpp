@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
+#include "common/io/glb_sample.h"
 #include "common/io/read_formats.h"
-#include "io/glb_sample.h"
-#include "io/test_files.h"
+#include "common/io/test_files.h"
 #include "support/brief.h"
 
 // Bad input never crashes and never hangs: every sample is cut off at each of its bytes, and damaged at random.
