@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "common/cutting/cut_geometry.h"
-#include "common/cutting/holes.h"
-#include "common/geometry/containment.h"
+#include "common/caps/holes.h"
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/dominant_axis.h"
 #include "common/mesh/index.h"

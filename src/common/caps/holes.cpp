@@ -1,4 +1,4 @@
-#include "common/cutting/holes.h"
+#include "common/caps/holes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "common/mesh/box.h"
 #include "common/mesh/plane.h"
 
-// How a hole of a section finds its outer loop. group_pieces.cpp sorts the loops by solid first.
+// How a hole of a section finds its outer loop. common/cutting/group_pieces.cpp sorts the loops by solid first.
 
 namespace kerf {
 
