@@ -38,7 +38,7 @@ private:
 };
 
 /// Fills in the data that decide a part's piece: its solid, a sample, its volume, whether it is flat.
-void measure_parts(PartsOfSide& side, const SideBuilder& builder, const Plane& plane, double noise)
+void measure_parts(FoundParts& side, const SideBuilder& builder, const Plane& plane, double noise)
 {
     const IndexedMesh& mesh = builder.mesh;
     const std::size_t count = side.parts.size();
@@ -120,8 +120,8 @@ struct TrianglesByPiece
 
 }  // namespace
 
-PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
-                       double noise)
+FoundParts find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
+                      double noise)
 {
     const IndexedMesh& mesh = builder.mesh;
     const auto triangle_count = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -149,7 +149,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
         if (surplus != 0) note(edge);
     });
 
-    PartsOfSide side;
+    FoundParts side;
     const std::uint32_t count = number_parts(joined, side.part_of_triangle);
     side.parts.resize(count);
     const auto point_of = [&](std::uint32_t i) {
@@ -189,7 +189,7 @@ PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section
 }
 
 BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builders, const Section& section,
-                                               const BySide<PartsOfSide>& parts, const Plane& plane)
+                                               const BySide<FoundParts>& parts, const Plane& plane)
 {
     std::vector<OutlineEdge> outline = outline_of(section);
     for (std::size_t i = 0; i < outline.size(); ++i)

@@ -13,7 +13,7 @@
 namespace kerf::baseline {
 
 /// One side before its cap, flooded over its edges.
-struct PartsOfSide
+struct FoundParts
 {
     std::vector<std::uint32_t> part_of_triangle;
     std::vector<std::uint32_t> part_of_edge;  ///< for each section edge the part whose boundary it is, or kNoPart
@@ -21,13 +21,13 @@ struct PartsOfSide
 };
 
 /// Floods the triangles collected so far: all triangles that share two points are connected. O(n).
-PartsOfSide find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
-                       double noise);
+FoundParts find_parts(SideBuilder& builder, Crossings& crossings, const Section& section, const Plane& plane,
+                      double noise);
 
 /// The piece of each part: group_pieces(). O(n); if a solid falls apart, one more loop over the side's triangles for
 /// the rays of its whole cavities.
 BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builders, const Section& section,
-                                               const BySide<PartsOfSide>& parts, const Plane& plane);
+                                               const BySide<FoundParts>& parts, const Plane& plane);
 
 /// Takes a fragment apart, each piece with just the vertices and points that it uses, in their old order. O(n).
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle);

@@ -43,7 +43,7 @@ public:
         distribute_triangles();
         phases[Phase::copy] += watch.lap();
         split_crossing_triangles(mesh_, plane_, crossings_);
-        add_pieces();
+        add_sub_triangles();
         phases[Phase::split] += watch.lap();
         // All of a side can vanish: a spike so thin that its cut points are one.
         for (const SideBuilder& b : builders_)
@@ -123,21 +123,21 @@ protected:
                                    mesh_.sources[triangle]);
     }
 
-    void add_pieces()
+    void add_sub_triangles()
     {
         for (SideBuilder& b : builders_) b.set_cut_point_count(crossings_.cut_points.size());
         self().expect_cut_points(crossings_.cut_points.size());
         for (std::size_t i = 0; i < crossings_.triangles.size(); ++i) {
             const CrossingTriangle& crossing = crossings_.triangles[i];
             const Triangle& t = mesh_.triangles[crossing.triangle];
-            for (const SubTriangle& piece : crossing.split.sub_triangles()) {
-                auto& find = self().lookup(piece.side);
+            for (const SubTriangle& sub : crossing.split.sub_triangles()) {
+                auto& find = self().lookup(sub.side);
                 Triangle result;
                 for (std::size_t corner = 0; corner < 3; ++corner) {
-                    const std::uint8_t code = piece.corners[corner];
+                    const std::uint8_t code = sub.corners[corner];
                     result[corner] = code < 3 ? find.existing(t[code]) : find.cut(crossings_, crossing, code);
                 }
-                builder(piece.side).add_triangle(result, mesh_.sources[crossing.triangle]);
+                builder(sub.side).add_triangle(result, mesh_.sources[crossing.triangle]);
             }
             if (i + 1 == crossings_.triangles.size() || crossings_.triangles[i + 1].group != crossing.group)
                 for (SideBuilder& b : builders_) b.close_group(mesh_.groups[crossing.group]);
@@ -152,7 +152,7 @@ protected:
         const glm::vec3 centre = section_centre(section_);
         const double step = rounding_unit(whole_.noise);
         statistics.phases[Phase::cap] += watch.lap();
-        BySide<PartsOfSide> parts;
+        BySide<FoundParts> parts;
         BySide<std::vector<std::uint32_t>> piece_of_part;
         const auto piece_at = [&](Side side, std::uint32_t edge) {
             const std::uint32_t part = parts[side].part_of_edge[edge];

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <shared_mutex>
 
+#include "common/cutting/back_end_helpers.h"
 #include "halfedge/cut/cutter.h"
 #include "halfedge/universe/compaction.h"
 #include "halfedge/universe/export.h"
@@ -103,27 +104,13 @@ std::vector<DrawRange> Fragment::draw_ranges() const
     const Universe& u = universe();
     std::vector<TriangleTree::Run> runs;
     for (const ShellRoot& shell : shells_) u.tree.append_runs(shell.root, runs);
-    const auto rank = [&](const TriangleTree::Run& run) {
-        const DrawGroup& g = u.group(run.group);
-        return std::tuple(g.kind, g.material, run.first);
-    };
-    const auto before = [&](const auto& a, const auto& b) { return rank(a) < rank(b); };
-    if (!std::is_sorted(runs.begin(), runs.end(), before)) std::sort(runs.begin(), runs.end(), before);
-
     std::vector<DrawRange> ranges;
     ranges.reserve(runs.size());
     for (const TriangleTree::Run& run : runs) {
         const DrawGroup& g = u.group(run.group);
-        if (!ranges.empty()) {
-            DrawRange& last = ranges.back();
-            if (last.kind == g.kind && last.material == g.material &&
-                last.first_index + last.index_count == 3 * run.first.number()) {
-                last.index_count += 3 * run.count;
-                continue;
-            }
-        }
         ranges.push_back({3 * run.first.number(), 3 * run.count, g.material, g.kind});
     }
+    merge_ranges(ranges);
     return ranges;
 }
 

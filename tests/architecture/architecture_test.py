@@ -87,6 +87,16 @@ class Architecture(unittest.TestCase):
         program = wrong_arrows("src/common/io/mesh_file.h", '#include "tools/text.h"\n', rooms)
         self.assertEqual(1, len(program))
 
+    def test_irregular_sections_are_behind_one_door(self):
+        """What only they need has one header for the rest of the back end."""
+        folder, door = "src/halfedge/cut/irregular/", "src/halfedge/cut/irregular/irregular.h"
+        inner = [f"{path} includes {name}" for path in files() for name in includes(path.read_text())
+                 if name.startswith(folder) and name != door
+                 and not str(path.relative_to(ROOT)).startswith(folder)]
+        self.assertEqual([], inner)
+        self.assertTrue((ROOT / door).exists())
+        self.assertGreater(len(list((ROOT / folder).glob("*.h"))), 1)
+
     def test_bullet_is_in_the_rooms_of_proxies_only(self):
         named = subprocess.run(["grep", "-rlE", r"#include <(bt|Bullet|LinearMath)", SOURCE], capture_output=True, text=True)
         self.assertEqual({"src/common/proxy", "src/baseline/report_proxy"},

@@ -30,7 +30,7 @@ class Readme(unittest.TestCase):
         self.assertIn("Processor: a processor, one thread.", block)
         self.assertIn("**Where it is not better** ([all of it](docs/results.md#where-it-is-not-better)):\n\n* **0.** "
                       "B.", block)
-        self.assertEqual(block.count("\n* "), 3)
+        self.assertEqual(block.count("\n* "), 4)
 
 
 if __name__ == "__main__":

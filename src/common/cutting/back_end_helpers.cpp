@@ -16,9 +16,10 @@ namespace kerf {
 
 void merge_ranges(std::vector<DrawRange>& ranges)
 {
-    std::sort(ranges.begin(), ranges.end(), [](const DrawRange& a, const DrawRange& b) {
+    const auto in_order = [](const DrawRange& a, const DrawRange& b) {
         return std::tie(a.kind, a.material, a.first_index) < std::tie(b.kind, b.material, b.first_index);
-    });
+    };
+    if (!std::is_sorted(ranges.begin(), ranges.end(), in_order)) std::sort(ranges.begin(), ranges.end(), in_order);
     std::size_t last = 0;
     for (std::size_t i = 1; i < ranges.size(); ++i) {
         DrawRange& before = ranges[last];

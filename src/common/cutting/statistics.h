@@ -14,7 +14,7 @@ enum class Phase : std::uint8_t
 {
     find,        ///< which triangles are on which side, which cross
     walk,        ///< half-edge: following the section from triangle to triangle
-    split,       ///< new vertices and pieces of the crossing triangles
+    split,       ///< dividing the crossing triangles; half-edge: also writing them and the caps into the half-edge mesh
     copy,        ///< baseline: untouched triangles and their vertices into the fragments
     cap,         ///< linking the section into loops and closing it
     rebuild,     ///< half-edge: trees and index ranges of the fragments

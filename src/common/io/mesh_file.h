@@ -35,7 +35,7 @@ public:
 /// * Vertex colours are the stream "color" (3 or 4 floats, 0 to 1); other numbers of PLY vertices have streams as well.
 ///
 /// A fault that does not matter for the surface never refuses a file: it is put right or passed over, and noted. So are
-/// other programs' spellings that have one meaning; docs/robustness.md, "Files", lists them. Text may be UTF-8, with or
+/// other programs' spellings that have one meaning; docs/files.md lists them. Text may be UTF-8, with or
 /// without a byte order mark; except for the JSON of glTF it may also be UTF-16, told by its mark or by its first two
 /// letters.
 ///

@@ -11,6 +11,12 @@
 
 namespace kerf::halfedge {
 
+/// A point where an edge meets the plane: a place in Section::cut_points.
+using CutPointId = Id<struct CutPointKind>;
+
+/// Where triangles go: a place in Pieces::targets (planned_pieces.h).
+using TargetId = Id<struct TargetKind>;
+
 /// A triangle with corners strictly on both sides. FIND notes where it is, SPLIT how it falls apart, WALK its cut
 /// points and their vertices, and the plan of the pieces where its sub-triangles go.
 ///
@@ -25,8 +31,8 @@ struct Crossing
     SlotId slot;
     FaceId face;
     GroupId group;
-    Index shell = 0;              ///< which of the cut shells
-    std::array<Index, 3> corner;  ///< its vertices
+    Index shell = 0;                 ///< which of the cut shells
+    std::array<VertexId, 3> corner;  ///< its vertices
     std::array<double, 3> distance;
 
     // SPLIT
@@ -36,20 +42,20 @@ struct Crossing
 
     // WALK
     bool walked = false;
-    /// kNone: the section runs through an end point of that edge, which stays whole.
-    Index entry_cut_point = kNone, exit_cut_point = kNone;
-    Index entry_vertex = kNone, exit_vertex = kNone;  ///< vertices at the cut points, if a sub-triangle needs them
+    /// Not valid: the section runs through an end point of that edge, which stays whole.
+    CutPointId entry_cut_point, exit_cut_point;
+    VertexId entry_vertex, exit_vertex;  ///< vertices at the cut points, if a sub-triangle needs them
 
     // The plan of the pieces
-    BySide<Index> target{};  ///< of its sub-triangles
+    BySide<TargetId> target{};  ///< of its sub-triangles
     /// No triangle is left at the section edge: no sub-triangle, and none beyond it. Open meshes only.
     BySide<bool> bounds_nothing{};
 
     bool lone_positive() const { return split.lone_side == Side::positive; }
-    Index n_cut_point() const { return lone_positive() ? entry_cut_point : exit_cut_point; }
-    Index p_cut_point() const { return lone_positive() ? exit_cut_point : entry_cut_point; }
-    Index n_vertex() const { return lone_positive() ? entry_vertex : exit_vertex; }
-    Index p_vertex() const { return lone_positive() ? exit_vertex : entry_vertex; }
+    CutPointId n_cut_point() const { return lone_positive() ? entry_cut_point : exit_cut_point; }
+    CutPointId p_cut_point() const { return lone_positive() ? exit_cut_point : entry_cut_point; }
+    VertexId n_vertex() const { return lone_positive() ? entry_vertex : exit_vertex; }
+    VertexId p_vertex() const { return lone_positive() ? exit_vertex : entry_vertex; }
     int lone() const { return split.lone; }
     int next() const { return (split.lone + 1) % 3; }
     int previous() const { return (split.lone + 2) % 3; }
@@ -62,8 +68,8 @@ struct InPlaneEdge
     FaceId negative_face, positive_face;
     GroupId group;
     Index shell = 0;
-    Index start_vertex = kNone;  ///< where the positive half-edge starts
-    BySide<Index> target{};      ///< where its faces go
+    VertexId start_vertex;      ///< where the positive half-edge starts
+    BySide<TargetId> target{};  ///< where its faces go
 };
 
 /// An existing edge in the plane at a face that is kept on the same side as the face across it.
@@ -72,7 +78,7 @@ struct FlushEdge
     HalfedgeId halfedge;
     FaceId face;
     Side side = Side::negative;
-    Index target = kNone;
+    TargetId target;
 };
 
 }  // namespace kerf::halfedge

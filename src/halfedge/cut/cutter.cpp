@@ -6,6 +6,7 @@
 #include "common/cutting/back_end_helpers.h"
 #include "halfedge/cut/piece_plan.h"
 #include "halfedge/cut/split.h"
+#include "halfedge/cut/stitch.h"
 
 namespace kerf::halfedge {
 
@@ -47,7 +48,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
         if (w_.pieces.fragment_count[side] == 0) return misses(opposite(side), result);
     done(Phase::components, result);
 
-    const std::size_t grown = w_.stitcher.plan(u_, w_.found, w_.section, w_.caps) +
+    const std::size_t grown = plan_stitch(u_, w_.found, w_.section, w_.caps, w_.stitch_plan) +
                               w_.rebuilder.plan(u_, w_.found, w_.section, w_.caps, w_.pieces);
     result.statistics.bytes_grown += grown;
     done(grown > 0 ? Phase::growth : Phase::rebuild, result);
@@ -104,9 +105,9 @@ void Cutter::carry_out(CutResult& result) noexcept
     done(Phase::components, result);  // what the caller has made of the plan
     u_.has_boundary |= leaves_open_;
     add_cap_groups();
-    w_.stitcher.run(u_, w_.found, w_.section, w_.caps);
-    done(Phase::split, result);
-    w_.rebuilder.run(u_, plane_, w_.stitcher.numbers(), w_.found, w_.section, w_.caps, w_.pieces);
+    stitch(u_, w_.found, w_.section, w_.caps, w_.stitch_plan);
+    done(Phase::split, result);  // what `split` counts is written in statistics.h
+    w_.rebuilder.run(u_, plane_, w_.stitch_plan, w_.found, w_.section, w_.caps, w_.pieces);
     done(Phase::rebuild, result);
 
     const Found& found = w_.found;
@@ -150,12 +151,12 @@ void Cutter::plan_cap_groups(const CutOptions& options)
     for (Index g = 0; g < u.groups.size(); ++g)
         if (u.groups[g].material == material && u.groups[g].kind == TriangleKind::cap)
             group_of_solid.emplace(u.groups[g].solid, g);
-    for (PieceShell& b : w_.pieces.shells) {
-        if (b.cap_count == 0) continue;
+    for (PieceShell& shell : w_.pieces.shells) {
+        if (shell.cap_count == 0) continue;
         const auto [entry, is_new] =
-            group_of_solid.try_emplace(b.solid, static_cast<Index>(u.groups.size() + new_groups_.size()));
-        if (is_new) new_groups_.push_back({material, b.solid, TriangleKind::cap});
-        b.cap_group = GroupId(entry->second);
+            group_of_solid.try_emplace(shell.solid, static_cast<Index>(u.groups.size() + new_groups_.size()));
+        if (is_new) new_groups_.push_back({material, shell.solid, TriangleKind::cap});
+        shell.cap_group = GroupId(entry->second);
     }
     u.materials.reserve(u.materials.size() + 1);
     u.groups.reserve(u.groups.size() + new_groups_.size());
@@ -172,8 +173,8 @@ std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
 {
     std::vector<PlannedFragment> fragments(w_.pieces.fragment_count[side]);
     for (const Index fragment : w_.pieces.whole_fragment[side]) ++fragments[fragment].shells;
-    for (const PieceShell& b : w_.pieces.shells)
-        if (b.side == side) ++fragments[b.fragment].shells;
+    for (const PieceShell& shell : w_.pieces.shells)
+        if (shell.side == side) ++fragments[shell.fragment].shells;
     // Every fragment gets the loops that bound it.
     for (const Loop& loop : w_.section.loops) {
         SectionLoop copy;

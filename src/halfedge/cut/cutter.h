@@ -52,8 +52,9 @@ public:
         for (const Side side : kSides)
             for (std::size_t i = 0; i < w_.found.whole[side].size(); ++i)
                 visit(side, w_.pieces.whole_fragment[side][i], w_.found.whole[side][i]);
-        for (const PieceShell& b : w_.pieces.shells)
-            if (b.root.is_valid()) visit(b.side, b.fragment, ShellRoot{b.root, b.solid, b.connected});
+        for (const PieceShell& shell : w_.pieces.shells)
+            if (shell.root.is_valid())
+                visit(shell.side, shell.fragment, ShellRoot{shell.root, shell.solid, shell.connected});
     }
 
 private:

@@ -104,12 +104,12 @@ private:
 
     static constexpr int kLeavesAhead = 3;
 
-    Index target(Side side) const { return first_target(shell_, side); }
+    TargetId target(Side side) const { return first_target(shell_, side); }
 
     TreeOp whole(NodeId n, Side side)
     {
         present_[side] = true;
-        return {TreeOp::Kind::whole, n, target(side)};
+        return TreeOp::hand_over(n, target(side));
     }
 
     TreeOp open_leaf(NodeId n)
@@ -163,7 +163,7 @@ private:
         c.shell = shell_;
         c.target = {target(Side::negative), target(Side::positive)};
         c.bounds_nothing = {};
-        c.corner = t;
+        c.corner = {VertexId(t[0]), VertexId(t[1]), VertexId(t[2])};
         c.distance = d;
         u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + found_.crossings.size() - 1);
     }
@@ -186,7 +186,7 @@ private:
                                        neighbour,
                                        group,
                                        shell_,
-                                       t[(i + 1) % 3],
+                                       VertexId(t[(i + 1) % 3]),
                                        {target(Side::negative), target(Side::positive)}});
         }
     }
@@ -221,25 +221,25 @@ Finder::Finder()
 void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found)
 {
     for (Index i = 0; i < shells.size(); ++i) {
-        CutShell cut;
-        cut.shell = i;
-        cut.solid = shells[i].solid;
-        cut.connected = shells[i].connected;
-        cut.first_op = found.ops.size();
-        cut.first_flush = found.flush.size();
-        cut.first_in_plane = found.in_plane.size();
-        cut.first_crossing = found.crossings.size();
+        CutShell cut_shell;
+        cut_shell.shell = i;
+        cut_shell.solid = shells[i].solid;
+        cut_shell.connected = shells[i].connected;
+        cut_shell.first_op = found.ops.size();
+        cut_shell.first_flush = found.flush.size();
+        cut_shell.first_in_plane = found.in_plane.size();
+        cut_shell.first_crossing = found.crossings.size();
         const BySide<bool> present =
             ShellFinder(universe, plane, static_cast<Index>(found.shells.size()), stack_, found).run(shells[i].root);
         if (present[Side::negative] && present[Side::positive]) {
-            cut.op_count = found.ops.size() - cut.first_op;
-            cut.crossing_count = found.crossings.size() - cut.first_crossing;
-            cut.flush_count = found.flush.size() - cut.first_flush;
-            cut.in_plane_count = found.in_plane.size() - cut.first_in_plane;
-            found.shells.push_back(cut);
+            cut_shell.op_count = found.ops.size() - cut_shell.first_op;
+            cut_shell.crossing_count = found.crossings.size() - cut_shell.first_crossing;
+            cut_shell.flush_count = found.flush.size() - cut_shell.first_flush;
+            cut_shell.in_plane_count = found.in_plane.size() - cut_shell.first_in_plane;
+            found.shells.push_back(cut_shell);
         } else {
-            found.ops.resize(cut.first_op);
-            found.flush.resize(cut.first_flush);
+            found.ops.resize(cut_shell.first_op);
+            found.flush.resize(cut_shell.first_flush);
             found.whole[present[Side::positive] ? Side::positive : Side::negative].push_back(shells[i]);
         }
     }
@@ -269,14 +269,14 @@ void Found::clear()
 bool Found::keeps_triangles(Side side) const
 {
     if (!whole[side].empty()) return true;
-    const auto goes_to_side = [&](Index target) { return side_of_target(target) == side; };
+    const auto goes_to_side = [&](TargetId target) { return side_of_target(target) == side; };
     const auto splits_to_side = [&](const Crossing& c) {
         return std::ranges::any_of(c.split.sub_triangles(), [&](const SubTriangle& t) { return t.side == side; });
     };
     // The first crossing triangle answers, but for spikes.
     return std::any_of(crossings.begin(), crossings.end(), splits_to_side) ||
            std::any_of(ops.begin(), ops.end(),
-                       [&](const TreeOp& op) { return op.kind == TreeOp::Kind::whole && goes_to_side(op.argument); }) ||
+                       [&](const TreeOp& op) { return op.kind == TreeOp::Kind::whole && goes_to_side(op.target()); }) ||
            std::any_of(entries.begin(), entries.end(),
                        [&](LeafEntry entry) { return !entry.is_crossing() && goes_to_side(entry.target()); });
 }

@@ -25,6 +25,9 @@ struct TreeOp
     Kind kind;
     NodeId node;
     Index argument;
+
+    static TreeOp hand_over(NodeId node, TargetId target) { return {Kind::whole, node, target.number()}; }
+    TargetId target() const { return TargetId(argument); }
 };
 
 /// Where a triangle of a rewritten leaf goes: to a target, or to several as a crossing triangle.
@@ -32,11 +35,11 @@ class LeafEntry
 {
 public:
     LeafEntry() = default;
-    static LeafEntry to_target(Index target) { return LeafEntry(target); }
+    static LeafEntry to_target(TargetId target) { return LeafEntry(target.number()); }
     static LeafEntry to_crossing(Index crossing) { return LeafEntry(kCrossing + crossing); }
 
     bool is_crossing() const { return (number_ & kCrossing) != 0; }
-    Index target() const { return number_; }
+    TargetId target() const { return TargetId(number_); }
     Index crossing() const { return number_ - kCrossing; }
 
     bool operator==(const LeafEntry&) const = default;
@@ -62,22 +65,24 @@ struct CutShell
 };
 
 /// The target that a side of a cut shell has before it is known whether the side falls apart.
-inline Index first_target(Index shell, Side side)
+inline TargetId first_target(Index shell, Side side)
 {
-    return 2 * shell + static_cast<Index>(side);
+    return TargetId(2 * shell + static_cast<Index>(side));
 }
 
 /// The side of such a target.
-inline Side side_of_target(Index first_target)
+inline Side side_of_target(TargetId first_target)
 {
-    return static_cast<Side>(first_target % 2);
+    return static_cast<Side>(first_target.number() % 2);
 }
 
 /// An edge of the section's outline: the section edge of a crossing triangle, or an edge in the plane. Crossing
 /// triangles come first (Found::edge_of_crossing(), edge_in_plane()).
 using OutlineEdgeId = Id<struct OutlineEdgeKind>;
 
-/// The result of FIND. The plan of the pieces rewrites the program and the targets if a side falls apart.
+/// The result of FIND. Two steps complete it in place, so that nothing is copied: SPLIT and WALK add to each crossing
+/// triangle what its comment says, and PartFinder rewrites the programs and the targets if a side falls apart. From the
+/// caps on it is only read.
 struct Found
 {
     BySide<std::vector<ShellRoot>> whole;  ///< shells that the plane does not cut
@@ -123,7 +128,7 @@ struct Found
         return is_crossing(edge) ? crossing(edge).shell : in_plane_edge(edge).shell;
     }
     /// Where what is left of it on that side goes.
-    Index target_of(OutlineEdgeId edge, Side side) const
+    TargetId target_of(OutlineEdgeId edge, Side side) const
     {
         return is_crossing(edge) ? crossing(edge).target[side] : in_plane_edge(edge).target[side];
     }

@@ -60,27 +60,27 @@ void PartFinder::search_shell(Index shell)
     met_.clear();
     // Stamps above those of the crossing triangles.
     mark_base_ = u_->stamp_base + found_->crossings.size() + stamps_used_;
-    const CutShell& cut = found_->shells[shell];
+    const CutShell& cut_shell = found_->shells[shell];
     // What the section cuts off has a triangle at the section, if only at a part of it that has shrunk away.
     const auto start_both = [&](FaceId negative_face, FaceId positive_face) {
         start(negative_face, Side::negative);
         start(positive_face, Side::positive);
     };
-    for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
+    for (std::size_t i = cut_shell.first_crossing; i < cut_shell.first_crossing + cut_shell.crossing_count; ++i)
         start_both(found_->crossings[i].face, found_->crossings[i].face);
-    for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i)
+    for (std::size_t i = cut_shell.first_in_plane; i < cut_shell.first_in_plane + cut_shell.in_plane_count; ++i)
         start_both(found_->in_plane[i].negative_face, found_->in_plane[i].positive_face);
     if (any_pinched_)
-        for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i) {
+        for (std::size_t i = cut_shell.first_crossing; i < cut_shell.first_crossing + cut_shell.crossing_count; ++i) {
             // What lies beyond a pinched triangle need not be at the section elsewhere.
             const Crossing& c = found_->crossings[i];
             const Side far = opposite(c.split.lone_side);
             const FaceId beyond = u_->mesh.face(opposite(c.halfedge[static_cast<std::size_t>(c.next())]));
             if (is_pinched(c, far) && beyond.is_valid()) start(beyond, far);
         }
-    if (!cut.connected) seed_whole_shell(shell);
+    if (!cut_shell.connected) seed_whole_shell(shell);
 
-    for (const Side side : kSides) search_side(side, cut.connected);
+    for (const Side side : kSides) search_side(side, cut_shell.connected);
     assign_targets(shell);
     retarget(shell);
     for (const Search& search : searches_) found_->triangles_read += search.faces.size();
@@ -204,7 +204,9 @@ void PartFinder::for_each_neighbour(FaceId face, Side side, Visit visit) const
         // glued.
         const Crossing& c = found_->crossings[number];
         const bool near = side == c.split.lone_side;
-        const auto keeps = [&](Index cut, bool end_is_lone) { return cut != kNone || end_is_lone != near; };
+        const auto keeps = [&](CutPointId cut_point, bool end_is_lone) {
+            return cut_point.is_valid() || end_is_lone != near;
+        };
         const auto lone = static_cast<std::size_t>(c.lone()), next = static_cast<std::size_t>(c.next()),
                    previous = static_cast<std::size_t>(c.previous());
         if (any_pinched_ && is_pinched(c, side)) {
@@ -224,13 +226,13 @@ void PartFinder::for_each_neighbour(FaceId face, Side side, Visit visit) const
 
 void PartFinder::seed_whole_shell(Index shell)
 {
-    const CutShell& cut = found_->shells[shell];
+    const CutShell& cut_shell = found_->shells[shell];
     Index flooded = 0;
-    for (std::size_t i = cut.first_op; i < cut.first_op + cut.op_count; ++i) {
+    for (std::size_t i = cut_shell.first_op; i < cut_shell.first_op + cut_shell.op_count; ++i) {
         const TreeOp op = found_->ops[i];
         if (op.kind == TreeOp::Kind::whole) {
             for_each_slot(*u_, op.node,
-                          [&](SlotId slot) { start(u_->face_of_slot[slot], pieces_->targets[op.argument].side); });
+                          [&](SlotId slot) { start(u_->face_of_slot[slot], pieces_->target(op.target()).side); });
         } else if (op.kind == TreeOp::Kind::leaf) {
             const Node& node = u_->tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
@@ -240,7 +242,7 @@ void PartFinder::seed_whole_shell(Index shell)
                     start(face, Side::negative);
                     start(face, Side::positive);
                 } else {
-                    start(face, pieces_->targets[entry.target()].side);
+                    start(face, pieces_->target(entry.target()).side);
                 }
             }
         }
@@ -274,8 +276,8 @@ void PartFinder::assign_targets(Index shell)
         };
         for (Index i = 0; i < searches_.size(); ++i)
             if (searches_[i].side == side && met_.find(i) == i && (largest == kNone || better(i, largest))) largest = i;
-        const Index default_target = first_target(shell, side);
-        if (largest != kNone) pieces_->targets[default_target].is_empty = size[largest] == 0 && !unfinished[largest];
+        const TargetId default_target = first_target(shell, side);
+        if (largest != kNone) pieces_->target(default_target).is_empty = size[largest] == 0 && !unfinished[largest];
 
         Box& small = small_parts_[side];
         small = Box();
@@ -292,8 +294,7 @@ void PartFinder::assign_targets(Index shell)
                 Target t;
                 t.side = side;
                 t.shell = shell;
-                search.target = static_cast<Index>(pieces_->targets.size());
-                pieces_->targets.push_back(t);
+                search.target = pieces_->add(t);
             }
             if (search.target == default_target) continue;
             for (const FaceId face : search.faces) {
@@ -305,7 +306,7 @@ void PartFinder::assign_targets(Index shell)
     }
 }
 
-Index PartFinder::target_of(FaceId face, Side side, Index shell) const
+TargetId PartFinder::target_of(FaceId face, Side side, Index shell) const
 {
     const std::uint64_t stamp = u_->stamp_of_face[face];
     return stamp >= mark_base_ && stamp - mark_base_ < searches_.size()
@@ -317,29 +318,29 @@ Index PartFinder::target_of(FaceId face, Side side, Index shell) const
 /// opened.
 void PartFinder::retarget(Index shell)
 {
-    CutShell& cut = found_->shells[shell];
-    for (std::size_t i = cut.first_crossing; i < cut.first_crossing + cut.crossing_count; ++i)
+    CutShell& cut_shell = found_->shells[shell];
+    for (std::size_t i = cut_shell.first_crossing; i < cut_shell.first_crossing + cut_shell.crossing_count; ++i)
         for (const Side side : kSides) {
             const Index search = crossing_mark_[i][side];
             if (search == kNone) continue;
             found_->crossings[i].target[side] = searches_[search].target;
             found_->crossings[i].bounds_nothing[side] = searches_[search].is_empty;
         }
-    for (std::size_t i = cut.first_flush; i < cut.first_flush + cut.flush_count; ++i)
+    for (std::size_t i = cut_shell.first_flush; i < cut_shell.first_flush + cut_shell.flush_count; ++i)
         found_->flush[i].target = target_of(found_->flush[i].face, found_->flush[i].side, shell);
-    for (std::size_t i = cut.first_in_plane; i < cut.first_in_plane + cut.in_plane_count; ++i) {
+    for (std::size_t i = cut_shell.first_in_plane; i < cut_shell.first_in_plane + cut_shell.in_plane_count; ++i) {
         InPlaneEdge& e = found_->in_plane[i];
         e.target = {target_of(e.negative_face, Side::negative, shell),
                     target_of(e.positive_face, Side::positive, shell)};
     }
 
-    ops_.assign(found_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op),
-                found_->ops.begin() + static_cast<std::ptrdiff_t>(cut.first_op + cut.op_count));
+    ops_.assign(found_->ops.begin() + static_cast<std::ptrdiff_t>(cut_shell.first_op),
+                found_->ops.begin() + static_cast<std::ptrdiff_t>(cut_shell.first_op + cut_shell.op_count));
     // The program moves to the end of the list.
-    cut.first_op = found_->ops.size();
+    cut_shell.first_op = found_->ops.size();
     for (const TreeOp& op : ops_) {
         if (op.kind == TreeOp::Kind::whole) {
-            open_subtree(op.node, pieces_->targets[op.argument].side, shell);
+            open_subtree(op.node, pieces_->target(op.target()).side, shell);
             continue;
         }
         if (op.kind == TreeOp::Kind::leaf) {
@@ -347,13 +348,13 @@ void PartFinder::retarget(Index shell)
             for (Index e = 0; e < node.count; ++e) {
                 LeafEntry& entry = found_->entries[op.argument + e];
                 if (entry.is_crossing()) continue;
-                const Side side = pieces_->targets[entry.target()].side;
+                const Side side = pieces_->target(entry.target()).side;
                 entry = LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell));
             }
         }
         found_->ops.push_back(op);
     }
-    cut.op_count = found_->ops.size() - cut.first_op;
+    cut_shell.op_count = found_->ops.size() - cut_shell.first_op;
 }
 
 /// Appends the program of a subtree that is kept on a side: as few nodes as keep the parts of that side apart.
@@ -369,7 +370,7 @@ void PartFinder::open_subtree(NodeId root, Side side, Index shell)
         }
         const Node& node = u_->tree.nodes[n];
         if (disjoint(node.box, small_parts_[side])) {
-            found_->ops.push_back({TreeOp::Kind::whole, n, first_target(shell, side)});
+            found_->ops.push_back(TreeOp::hand_over(n, first_target(shell, side)));
             continue;
         }
         ++found_->nodes_visited;
@@ -386,7 +387,7 @@ void PartFinder::open_subtree(NodeId root, Side side, Index shell)
             uniform = uniform && found_->entries.back() == found_->entries[first_entry];
         }
         if (uniform) {
-            found_->ops.push_back({TreeOp::Kind::whole, n, found_->entries[first_entry].target()});
+            found_->ops.push_back(TreeOp::hand_over(n, found_->entries[first_entry].target()));
             found_->entries.resize(first_entry);
             found_->triangles_read += node.count;
         } else {

@@ -37,7 +37,7 @@ private:
         Side side;
         std::vector<FaceId> faces;  // reached, in the order in which they are looked at
         std::size_t next = 0;
-        Index target = kNone;
+        TargetId target;
         bool is_empty = false;  // reached nothing but triangles that vanished
     };
 
@@ -58,7 +58,7 @@ private:
     void retarget(Index shell);
     void open_subtree(NodeId root, Side side, Index shell);
     /// The target of a face that is kept.
-    Index target_of(FaceId face, Side side, Index shell) const;
+    TargetId target_of(FaceId face, Side side, Index shell) const;
 
     Universe* u_ = nullptr;
     const Section* section_ = nullptr;

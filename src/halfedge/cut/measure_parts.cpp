@@ -43,15 +43,15 @@ void for_each_on_side(const Universe& u, const Found& found, const Pieces& piece
     for (const CutShell& shell : found.shells)
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
             const TreeOp& op = found.ops[i];
-            if (op.kind == TreeOp::Kind::whole && pieces.targets[op.argument].side == side)
-                visit_node(op.argument, op.node);
+            if (op.kind == TreeOp::Kind::whole && pieces.target(op.target()).side == side)
+                visit_node(op.target(), op.node);
             if (op.kind != TreeOp::Kind::leaf) continue;
             const Node& node = u.tree.nodes[op.node];
             for (Index e = 0; e < node.count; ++e) {
                 const LeafEntry entry = found.entries[op.argument + e];
                 const Triangle& t = u.slots[node.first + e];
                 if (!entry.is_crossing()) {
-                    if (pieces.targets[entry.target()].side == side)
+                    if (pieces.target(entry.target()).side == side)
                         visit_triangle(entry.target(), u.vertices[t[0]].position, u.vertices[t[1]].position,
                                        u.vertices[t[2]].position);
                     continue;
@@ -60,12 +60,12 @@ void for_each_on_side(const Universe& u, const Found& found, const Pieces& piece
                 const auto position = [&](std::uint8_t code) {
                     if (code == TriangleSplit::kCutNext) return c.split.cut_next.position;
                     if (code == TriangleSplit::kCutPrevious) return c.split.cut_previous.position;
-                    return u.vertices[c.corner[code]].position;
+                    return u.vertex(c.corner[code]).position;
                 };
-                for (const SubTriangle& piece : c.split.sub_triangles()) {
-                    if (piece.side == side)
-                        visit_triangle(c.target[side], position(piece.corners[0]), position(piece.corners[1]),
-                                       position(piece.corners[2]));
+                for (const SubTriangle& sub : c.split.sub_triangles()) {
+                    if (sub.side == side)
+                        visit_triangle(c.target[side], position(sub.corners[0]), position(sub.corners[1]),
+                                       position(sub.corners[2]));
                 }
             }
         }
@@ -154,7 +154,7 @@ private:
 
 }  // namespace
 
-Index PartsOfSide::add(Index target)
+Index PartsOfSide::add(TargetId target)
 {
     SurfacePart part;
     part.solid = solid_of(target);
@@ -173,7 +173,7 @@ void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_sever
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
             const TreeOp& op = found_.ops[i];
             if (op.kind == TreeOp::Kind::whole) {
-                const Index part = of_target_[op.argument];
+                const Index part = of_target(op.target());
                 if (part != kNone && !is_far[part])
                     is_far[part] =
                         reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign, found_.nodes_visited);
@@ -184,7 +184,7 @@ void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_sever
                 const LeafEntry entry = found_.entries[op.argument + e];
                 const bool crosses = entry.is_crossing();
                 const Crossing* const c = crosses ? &found_.crossings[entry.crossing()] : nullptr;
-                const Index part = of_target_[crosses ? c->target[side_] : entry.target()];
+                const Index part = of_target(crosses ? c->target[side_] : entry.target());
                 if (part == kNone || is_far[part]) continue;
                 if (!crosses) {
                     for (const Index v : u_.slots[node.first + e])
@@ -205,7 +205,7 @@ void PartsOfSide::list(DisjointSets& same)
     for (Index t = 0; t < pieces_.targets.size(); ++t) {
         if (pieces_.targets[t].side != side_ || pieces_.targets[t].is_empty) continue;
         Index& part = of_target_[same.find(t)];
-        if (part == kNone) part = add(t);
+        if (part == kNone) part = add(TargetId(t));
         of_target_[t] = part;
     }
     // What has vanished is with what is left of its solid. A solid of which nothing is left makes no fragment.
@@ -214,8 +214,8 @@ void PartsOfSide::list(DisjointSets& same)
         if (pieces_.targets[t].side != side_ || !pieces_.targets[t].is_empty) continue;
         if (first_of_solid.empty())
             for (Index part = 0; part < parts_.size(); ++part) first_of_solid.emplace(parts_[part].solid, part);
-        const auto [entry, is_new] = first_of_solid.try_emplace(solid_of(t), kNone);
-        if (is_new) entry->second = add(t);
+        const auto [entry, is_new] = first_of_solid.try_emplace(solid_of(TargetId(t)), kNone);
+        if (is_new) entry->second = add(TargetId(t));
         of_target_[t] = entry->second;
     }
     cut_count_ = static_cast<Index>(parts_.size());
@@ -251,18 +251,18 @@ void PartsOfSide::measure()
         if (i >= cut_count_) shells.back().add(whole_[i - cut_count_].root);
     }
     if (shells.empty()) return;
-    const auto shell_at = [&](Index target) {
-        const Index number = whole_number[of_target_[target]];
+    const auto shell_at = [&](TargetId target) {
+        const Index number = whole_number[of_target(target)];
         return number == kNone ? nullptr : &shells[number];
     };
     // Only what an earlier cut has left in parts holds whole shells beside what is cut.
     if (std::any_of(whole_number.begin(), whole_number.begin() + cut_count_, [](Index n) { return n != kNone; }))
         for_each_on_side(
             u_, found_, pieces_, side_,
-            [&](Index target, NodeId node) {
+            [&](TargetId target, NodeId node) {
                 if (WholeShell* const shell = shell_at(target)) shell->add(node);
             },
-            [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+            [&](TargetId target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
                 if (WholeShell* const shell = shell_at(target)) shell->add(a, b, c);
             });
     for (Index i = 0; i < parts_.size(); ++i)
@@ -276,11 +276,11 @@ void PartsOfSide::count_crossings(std::span<const AxisRay> rays, const std::vect
     const auto add_to = [&](Index part) { return [&add, part](std::uint32_t ray, int term) { add(part, ray, term); }; };
     for_each_on_side(
         u_, found_, pieces_, side_,
-        [&](Index target, NodeId node) {
-            if (is_wanted[of_target_[target]]) count_crossings_below(u_, node, bundle, add_to(of_target_[target]));
+        [&](TargetId target, NodeId node) {
+            if (is_wanted[of_target(target)]) count_crossings_below(u_, node, bundle, add_to(of_target(target)));
         },
-        [&](Index target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-            if (is_wanted[of_target_[target]]) bundle.for_each_crossing(a, b, c, add_to(of_target_[target]));
+        [&](TargetId target, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+            if (is_wanted[of_target(target)]) bundle.for_each_crossing(a, b, c, add_to(of_target(target)));
         });
     for (Index i = 0; i < whole_.size(); ++i)
         if (is_wanted[cut_count_ + i]) count_crossings_below(u_, whole_[i].root, bundle, add_to(cut_count_ + i));
@@ -295,12 +295,12 @@ void PartsOfSide::make_piece_shells(const std::vector<std::uint32_t>& piece, Pie
         if (of_target_[t] == kNone) continue;
         const std::uint32_t p = piece[of_target_[t]];
         if (piece_shell[p] == kNone) {
-            PieceShell b;
-            b.side = side_;
-            b.solid = solid_of(t);
-            b.fragment = p;
+            PieceShell made;
+            made.side = side_;
+            made.solid = solid_of(TargetId(t));
+            made.fragment = p;
             piece_shell[p] = static_cast<Index>(pieces.shells.size());
-            pieces.shells.push_back(b);
+            pieces.shells.push_back(made);
         }
         pieces.targets[t].piece_shell = piece_shell[p];
     }

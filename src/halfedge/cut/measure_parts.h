@@ -29,12 +29,12 @@ public:
     /// Makes a piece shell of the targets of each piece, and says which fragments there are.
     void make_piece_shells(const std::vector<std::uint32_t>& piece, Pieces& pieces) const;
 
-    Index of_target(Index target) const { return of_target_[target]; }
+    Index of_target(TargetId target) const { return of_target_[target.number()]; }
     const std::vector<SurfacePart>& parts() const { return parts_; }
 
 private:
-    std::uint32_t solid_of(Index target) const { return found_.shells[pieces_.targets[target].shell].solid; }
-    Index add(Index target);
+    std::uint32_t solid_of(TargetId target) const { return found_.shells[pieces_.target(target).shell].solid; }
+    Index add(TargetId target);
     template <class HasSeveral>
     void mark_far_parts(std::vector<bool>& is_far, HasSeveral has_several) const;
 

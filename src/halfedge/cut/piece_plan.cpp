@@ -6,8 +6,7 @@
 
 #include "common/cutting/group_pieces.h"
 #include "common/geometry/disjoint_sets.h"
-#include "halfedge/cut/irregular/kept_edges.h"
-#include "halfedge/cut/irregular/link_outline.h"
+#include "halfedge/cut/irregular/irregular.h"
 #include "halfedge/cut/measure_parts.h"
 
 namespace kerf::halfedge {
@@ -82,18 +81,19 @@ void plan_sides(const Found& found, const Section& section, Pieces& pieces)
             piece_shell_of_solid.try_emplace(shell.solid, static_cast<Index>(pieces.shells.size()));
         if (is_new)
             for (const Side side : kSides) {
-                PieceShell b;
-                b.side = side;
-                b.solid = shell.solid;
-                b.shell = t.shell;
+                PieceShell made;
+                made.side = side;
+                made.solid = shell.solid;
+                made.shell = t.shell;
                 // One curve on a connected shell leaves one part on each side, whatever the shell's genus.
-                b.connected = shell.connected && section.loops_on_shell[t.shell] == 1 && section.loops_are_all_curves();
-                pieces.shells.push_back(b);
+                made.connected =
+                    shell.connected && section.loops_on_shell[t.shell] == 1 && section.loops_are_all_curves();
+                pieces.shells.push_back(made);
             }
         t.piece_shell = entry->second + static_cast<Index>(t.side);
         // Whether caps connect several shells of a solid is not looked into.
-        PieceShell& b = pieces.shells[t.piece_shell];
-        b.connected = b.connected && b.shell == t.shell;
+        PieceShell& made = pieces.shells[t.piece_shell];
+        made.connected = made.connected && made.shell == t.shell;
     }
 }
 
@@ -103,7 +103,8 @@ void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Sec
                               PartsOfSide(universe, plane, Side::positive, found, pieces)};
     DisjointSets same(static_cast<std::uint32_t>(pieces.targets.size()));
     if (section.is_irregular() && pieces.targets.size() > 2 * found.shells.size())
-        for (const auto& [a, b] : targets_that_share_edges(universe, found, section)) same.unite(a, b);
+        for (const auto& [a, b] : targets_that_share_edges(universe, found, section))
+            same.unite(a.number(), b.number());
     if (section.is_irregular() && universe.has_boundary) find_edges_that_bound_nothing(universe, section, found);
     for (PartsOfSide& side : sides) side.list(same);
     const PiecesOutline outline = outline_of(universe, found, section, sides);
@@ -159,10 +160,11 @@ void divide_piece_shells(const Found& found, const Section& section, Caps& caps,
     for (const Side side : kSides) {
         for (std::uint32_t t = 0; t < cap_count; ++t)
             for (const CapLink link : caps.triangles[t].link)
-                joined.unite(cap_number(side, t), link.is_outline()
-                                                      ? found.target_of(section.loop_edges[link.outline_edge()], side)
-                                                      : cap_number(side, link.triangle()));
-        for (const auto& [a, b] : section.cancelled) joined.unite(found.target_of(a, side), found.target_of(b, side));
+                joined.unite(cap_number(side, t),
+                             link.is_outline() ? found.target_of(section.loop_edges[link.outline_edge()], side).number()
+                                               : cap_number(side, link.triangle()));
+        for (const auto& [a, b] : section.cancelled)
+            joined.unite(found.target_of(a, side).number(), found.target_of(b, side).number());
     }
     // The first target of a piece shell keeps it together with all that is connected with it.
     std::vector<Index> first(pieces.shells.size(), kNone), piece_shell_of_set(target_count, kNone);
@@ -174,9 +176,9 @@ void divide_piece_shells(const Found& found, const Section& section, Caps& caps,
         }
         if (piece_shell_of_set[set] == kNone) {
             piece_shell_of_set[set] = static_cast<Index>(pieces.shells.size());
-            PieceShell b = pieces.shells[old];
-            b.cap_count = 0;
-            pieces.shells.push_back(b);
+            PieceShell made = pieces.shells[old];
+            made.cap_count = 0;
+            pieces.shells.push_back(made);
         }
         pieces.targets[t].piece_shell = piece_shell_of_set[set];
     }

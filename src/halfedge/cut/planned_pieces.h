@@ -50,6 +50,14 @@ struct Pieces
     BySide<Index> fragment_count{};
     BySide<std::vector<Index>> whole_fragment;  ///< of each shell that is not cut
 
+    Target& target(TargetId t) { return targets[t.number()]; }
+    const Target& target(TargetId t) const { return targets[t.number()]; }
+    TargetId add(const Target& target)
+    {
+        targets.push_back(target);
+        return TargetId(static_cast<Index>(targets.size() - 1));
+    }
+
     void clear()
     {
         targets.clear();
@@ -63,8 +71,8 @@ struct Pieces
     /// The piece shells that an outline edge lies between.
     BySide<Index> shells_of(const Found& found, OutlineEdgeId edge) const
     {
-        return {targets[found.target_of(edge, Side::negative)].piece_shell,
-                targets[found.target_of(edge, Side::positive)].piece_shell};
+        return {target(found.target_of(edge, Side::negative)).piece_shell,
+                target(found.target_of(edge, Side::positive)).piece_shell};
     }
 };
 

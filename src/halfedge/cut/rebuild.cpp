@@ -36,11 +36,11 @@ std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& sect
             slot = slot + t.count;
             nodes += 2 * (t.leaves + TriangleTree::nodes_for_run(t.count));
         }
-        for (PieceShell& b : pieces.shells) {
-            if (b.side != side) continue;
-            b.cap_first = b.cap_cursor = slot;
-            slot = slot + b.cap_count;
-            nodes += TriangleTree::nodes_for_run(b.cap_count) + 1;
+        for (PieceShell& piece_shell : pieces.shells) {
+            if (piece_shell.side != side) continue;
+            piece_shell.cap_first = piece_shell.cap_cursor = slot;
+            slot = slot + piece_shell.cap_count;
+            nodes += TriangleTree::nodes_for_run(piece_shell.cap_count) + 1;
         }
     }
     nodes += whole + pieces.targets.size();
@@ -63,10 +63,11 @@ std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& sect
 
 void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, const Found& found, Pieces& pieces)
 {
-    const auto count = [&](Index target) {
-        ++pieces.targets[target].count;
-        if (counted_in_[target] != number) ++pieces.targets[target].leaves;
-        counted_in_[target] = number;
+    const auto count = [&](TargetId id) {
+        Target& target = pieces.target(id);
+        ++target.count;
+        if (counted_in_[id.number()] != number) ++target.leaves;
+        counted_in_[id.number()] = number;
     };
     for (std::size_t e = op.argument; e < end_of_entries(u, op); ++e) {
         if (!found.entries[e].is_crossing()) {
@@ -82,7 +83,7 @@ void Rebuilder::run(Universe& u, const Plane& plane, const StitchPlan& numbers, 
                     const Section& section, const Caps& caps, Pieces& pieces)
 {
     // Positions of the new vertices are behind the end already.
-    cap_vertices_ = static_cast<Index>(u.vertices.size() + section.new_vertices);
+    cap_vertices_ = VertexId(static_cast<Index>(u.vertices.size() + section.new_vertices));
     if (!caps.triangles.empty()) write_cap_vertices(u, plane, found, section);
     u.vertices.extend(new_vertices_);
     for (Stream& stream : u.streams) stream.values.extend(new_vertices_ * stream.width);
@@ -108,7 +109,7 @@ void Rebuilder::run(Universe& u, const Plane& plane, const StitchPlan& numbers, 
             const TreeOp& op = found.ops[i];
             switch (op.kind) {
                 case TreeOp::Kind::whole:
-                    results_.push_back({op.argument, op.node});
+                    results_.push_back({op.target(), op.node});
                     lengths_.push_back(1);
                     break;
                 case TreeOp::Kind::leaf:
@@ -125,7 +126,7 @@ void Rebuilder::run(Universe& u, const Plane& plane, const StitchPlan& numbers, 
                     break;
             }
         }
-        for (const Result& result : results_) pieces.targets[result.target].root = result.node;
+        for (const Result& result : results_) pieces.target(result.target).root = result.node;
     }
     for (const Target& t : pieces.targets)
         pieces.shells[t.piece_shell].root = u.tree.join(pieces.shells[t.piece_shell].root, t.root);
@@ -140,14 +141,14 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const Found&
     for (Index i = 0; i < points; ++i) {
         const glm::vec3& p = section.loop_points[i];
         const glm::vec2 uv = frame.uv(p);
-        u.vertices.data()[cap_vertices_ + i] = {p, normal, uv};
-        u.vertices.data()[cap_vertices_ + points + i] = {p, -normal, uv};
+        u.vertices.data()[(cap_vertices_ + i).number()] = {p, normal, uv};
+        u.vertices.data()[(cap_vertices_ + (points + i)).number()] = {p, -normal, uv};
     }
     for (Stream& stream : u.streams)
         for (Index i = 0; i < points; ++i) {
             // What the surface has where the outline edge starts.
             const OutlineEdgeId outline_edge = section.loop_edges[i];
-            Index from;
+            VertexId from;
             if (found.is_crossing(outline_edge)) {
                 const Crossing& c = found.crossing(outline_edge);
                 const std::uint8_t code = c.split.section_from;
@@ -157,9 +158,9 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const Found&
             } else {
                 from = found.in_plane_edge(outline_edge).start_vertex;
             }
-            const float* values = stream.values.data() + std::size_t(from) * stream.width;
-            for (const Index copy : {cap_vertices_ + i, cap_vertices_ + points + i})
-                std::copy_n(values, stream.width, stream.values.data() + std::size_t(copy) * stream.width);
+            const float* values = stream.values.data() + std::size_t(from.number()) * stream.width;
+            for (const VertexId copy : {cap_vertices_ + i, cap_vertices_ + (points + i)})
+                std::copy_n(values, stream.width, stream.values.data() + std::size_t(copy.number()) * stream.width);
         }
 }
 
@@ -168,10 +169,10 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& nu
 {
     const Node leaf = u.tree.nodes[op.node];
     touched_.clear();
-    const auto emit = [&](Index target, const Triangle& triangle, FaceId face) {
-        Target& t = pieces.targets[target];
-        if (!start_[target].is_valid()) {
-            start_[target] = t.cursor;
+    const auto emit = [&](TargetId target, const Triangle& triangle, FaceId face) {
+        Target& t = pieces.target(target);
+        if (!start_[target.number()].is_valid()) {
+            start_[target.number()] = t.cursor;
             touched_.push_back(target);
         }
         u.slots[t.cursor] = triangle;
@@ -187,9 +188,9 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& nu
         const Index number = entry.crossing();
         const Crossing& c = found.crossings[number];
         const auto vertex = [&](std::uint8_t code) {
-            if (code == TriangleSplit::kCutNext) return c.n_vertex();
-            if (code == TriangleSplit::kCutPrevious) return c.p_vertex();
-            return c.corner[code];
+            if (code == TriangleSplit::kCutNext) return c.n_vertex().number();
+            if (code == TriangleSplit::kCutPrevious) return c.p_vertex().number();
+            return c.corner[code].number();
         };
         for (const SubFace& sub : numbers.sub_faces(c, number))
             if (sub.exists)
@@ -197,10 +198,10 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& nu
                      sub.face);
     }
     std::sort(touched_.begin(), touched_.end());
-    for (const Index target : touched_) {
-        const SlotId first = start_[target];
-        const std::uint32_t count = pieces.targets[target].cursor - first;
-        start_[target] = SlotId();
+    for (const TargetId target : touched_) {
+        const SlotId first = start_[target.number()];
+        const std::uint32_t count = pieces.target(target).cursor - first;
+        start_[target.number()] = SlotId();
         const NodeId node = count <= kMaxLeafTriangles ? u.tree.make_leaf(u.geometry(), first, count, leaf.group)
                                                        : u.tree.make_run(u.geometry(), first, count, leaf.group);
         results_.push_back({target, node});
@@ -243,23 +244,25 @@ void Rebuilder::join_results(Universe& u)
 
 void Rebuilder::write_caps(Universe& u, const StitchPlan& numbers, std::size_t points, const Caps& caps, Pieces& pieces)
 {
-    const Index positive_vertices = cap_vertices_ + static_cast<Index>(points);
+    const Index negative_vertices = cap_vertices_.number(),
+                positive_vertices = negative_vertices + static_cast<Index>(points);
     for (const Index t : caps.order) {
         const CapTriangle& cap = caps.triangles[t];
         for (const Side side : {Side::negative, Side::positive}) {
-            PieceShell& b = pieces.shells[caps.piece_shells[t][side]];
-            const SlotId slot = b.cap_cursor++;
+            PieceShell& piece_shell = pieces.shells[caps.piece_shells[t][side]];
+            const SlotId slot = piece_shell.cap_cursor++;
             u.slots[slot] = side == Side::negative
-                                ? Triangle{cap_vertices_ + cap.corner[0], cap_vertices_ + cap.corner[1],
-                                           cap_vertices_ + cap.corner[2]}
+                                ? Triangle{negative_vertices + cap.corner[0], negative_vertices + cap.corner[1],
+                                           negative_vertices + cap.corner[2]}
                                 : Triangle{positive_vertices + cap.corner[0], positive_vertices + cap.corner[2],
                                            positive_vertices + cap.corner[1]};
             u.face_of_slot[slot] = numbers.cap_face(side, t);
             u.source_of_face[numbers.cap_face(side, t)] = kNoSource;
         }
     }
-    for (PieceShell& b : pieces.shells)
-        b.root = u.tree.join(b.root, u.tree.make_run(u.geometry(), b.cap_first, b.cap_count, b.cap_group));
+    for (PieceShell& piece_shell : pieces.shells)
+        piece_shell.root = u.tree.join(piece_shell.root, u.tree.make_run(u.geometry(), piece_shell.cap_first,
+                                                                         piece_shell.cap_count, piece_shell.cap_group));
 }
 
 }  // namespace kerf::halfedge

@@ -35,17 +35,17 @@ private:
 
     struct Result
     {
-        Index target;
+        TargetId target;
         NodeId node;
     };
     std::vector<Result> results_;         // lists of results, one behind the other, each sorted by target
     std::vector<std::uint32_t> lengths_;  // of the lists
-    std::vector<Index> touched_;          // targets that a leaf has parts in
+    std::vector<TargetId> touched_;       // targets that a leaf has parts in
     std::vector<Index> counted_in_;       // the last leaf that each target has a part in, by the number of its step
     std::vector<SlotId> start_;           // of each target in the leaf
     std::size_t new_vertices_ = 0, new_slots_ = 0;
     NodeId first_fresh_node_;
-    Index cap_vertices_ = 0;  // first vertex of the caps: negative side, then positive side
+    VertexId cap_vertices_;  // first vertex of the caps: negative side, then positive side
 };
 
 }  // namespace kerf::halfedge

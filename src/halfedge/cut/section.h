@@ -27,7 +27,7 @@ struct Loop
 struct BoundaryCut
 {
     HalfedgeId halfedge;  ///< the boundary half-edge
-    Index cut_point = kNone;
+    CutPointId cut_point;
     PointId positive_end, negative_end;
 };
 
@@ -38,7 +38,9 @@ struct ClassedEdge
     Index from = 0, to = 0;  ///< in `outline_points`, as it runs in the surface of the positive side
 };
 
-/// The result of WALK: the section's outline as loops and chains.
+/// The result of WALK: the section's outline as loops and chains. The plan of the pieces numbers the cap sets, and links
+/// an irregular outline once more; CAP appends the points where loops cross, outline edges that cancel, and which
+/// points are shared then. From STITCH on it is only read.
 struct Section
 {
     Coincidences coincidences;
@@ -65,6 +67,8 @@ struct Section
     void reserve(std::size_t crossings_expected);
     void clear();
 
+    const glm::vec3& position_of(CutPointId cut_point) const { return cut_points[cut_point.number()]; }
+
     bool is_irregular() const { return coincidences.irregular; }
 
     /// Each curve that the surface is cut along is a loop or chain of the outline. Not so where a curve shrinks to a
@@ -86,18 +90,21 @@ struct Section
     {
         any_shared = true;
         const OutlineEdgeId edge = loop_edges[p];
-        if (found.is_crossing(edge) && found.crossing(edge).entry_cut_point != kNone)
-            cut_point_is_shared[found.crossing(edge).entry_cut_point] = 1;
+        if (found.is_crossing(edge) && found.crossing(edge).entry_cut_point.is_valid())
+            cut_point_is_shared[found.crossing(edge).entry_cut_point.number()] = 1;
     }
     /// The same of both ends of an outline edge.
     void share_ends(const Found& found, OutlineEdgeId edge)
     {
         any_shared = true;
         if (!found.is_crossing(edge)) return;
-        for (const Index cut_point : {found.crossing(edge).entry_cut_point, found.crossing(edge).exit_cut_point})
-            if (cut_point != kNone) cut_point_is_shared[cut_point] = 1;
+        for (const CutPointId cut_point : {found.crossing(edge).entry_cut_point, found.crossing(edge).exit_cut_point})
+            if (cut_point.is_valid()) cut_point_is_shared[cut_point.number()] = 1;
     }
-    bool is_shared(Index cut_point) const { return cut_point == kNone || cut_point_is_shared[cut_point] != 0; }
+    bool is_shared(CutPointId cut_point) const
+    {
+        return !cut_point.is_valid() || cut_point_is_shared[cut_point.number()] != 0;
+    }
     /// Whether a corner of a crossing triangle's sub-triangles may be at a shared point.
     bool is_shared(const Crossing& c) const
     {

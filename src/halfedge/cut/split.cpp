@@ -34,10 +34,11 @@ Coincidences split_crossings(const Universe& u, Found& found)
         }
         Crossing& c = found.crossings[i];
         c.split = split_triangle(
-            {u.vertices[c.corner[0]].position, u.vertices[c.corner[1]].position, u.vertices[c.corner[2]].position},
+            {u.vertex(c.corner[0]).position, u.vertex(c.corner[1]).position, u.vertex(c.corner[2]).position},
             c.distance);
         c.walked = false;
-        c.entry_cut_point = c.exit_cut_point = c.entry_vertex = c.exit_vertex = kNone;
+        c.entry_cut_point = c.exit_cut_point = CutPointId();
+        c.entry_vertex = c.exit_vertex = VertexId();
         HalfedgeId h = u.mesh.halfedge_of(c.face);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             c.halfedge[corner] = h;

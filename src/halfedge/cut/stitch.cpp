@@ -1,71 +1,70 @@
 #include "halfedge/cut/stitch.h"
 
-#include "halfedge/cut/irregular/contraction.h"
-#include "halfedge/cut/irregular/split_points.h"
+#include "halfedge/cut/irregular/irregular.h"
 
 namespace kerf::halfedge {
 
-std::size_t Stitcher::plan(Universe& u, const Found& found, const Section& section, const Caps& caps)
+std::size_t plan_stitch(Universe& u, const Found& found, const Section& section, const Caps& caps, StitchPlan& plan)
 {
     const auto index = [](std::size_t i) { return static_cast<Index>(i); };
     const std::size_t cuts = section.cut_points.size(), crossings = found.crossings.size(),
                       outline_edges = found.outline_edge_count();
     const std::size_t cap_count = caps.triangles.size();
-    plan_.points0 = index(u.mesh.points());
-    plan_.edges0 = index(u.mesh.edges());
-    plan_.faces0 = index(u.mesh.faces());
-    plan_.first_diagonal = index(plan_.edges0 + cuts);
-    plan_.first_section = index(plan_.first_diagonal + crossings);
-    plan_.first_in_plane = index(plan_.first_section + 2 * crossings);
-    plan_.first_cap_edge = index(plan_.first_in_plane + found.in_plane.size());
-    plan_.first_cap_face = index(plan_.faces0 + 2 * crossings);
-    plan_.cap_count = index(cap_count);
+    plan.points0 = index(u.mesh.points());
+    plan.edges0 = index(u.mesh.edges());
+    plan.faces0 = index(u.mesh.faces());
+    plan.first_diagonal = index(plan.edges0 + cuts);
+    plan.first_section = index(plan.first_diagonal + crossings);
+    plan.first_in_plane = index(plan.first_section + 2 * crossings);
+    plan.first_cap_edge = index(plan.first_in_plane + found.in_plane.size());
+    plan.first_cap_face = index(plan.faces0 + 2 * crossings);
+    plan.cap_count = index(cap_count);
 
-    plan_.edge_is_closed.assign(outline_edges, false);
+    plan.edge_is_closed.assign(outline_edges, false);
     for (const auto& pair : section.cancelled)
-        for (const OutlineEdgeId edge : pair) plan_.edge_is_closed[edge.number()] = true;
+        for (const OutlineEdgeId edge : pair) plan.edge_is_closed[edge.number()] = true;
     // Edges inside the caps are numbered by the first of their two triangles.
-    plan_.cap_edges.assign(3 * cap_count, HalfedgeId());
-    plan_.cap_edge_count = 0;
+    plan.cap_edges.assign(3 * cap_count, HalfedgeId());
+    plan.cap_edge_count = 0;
     for (std::size_t t = 0; t < cap_count; ++t)
         for (std::size_t i = 0; i < 3; ++i) {
             const CapLink link = caps.triangles[t].link[i];
             if (link.is_outline()) {
-                plan_.edge_is_closed[section.loop_edges[link.outline_edge()].number()] = true;
-            } else if (!plan_.cap_edges[3 * t + i].is_valid()) {
-                const HalfedgeId h = first_halfedge(EdgeId(int(plan_.first_cap_edge + plan_.cap_edge_count)));
-                plan_.cap_edges[3 * t + i] = h;
-                plan_.cap_edges[link.edge()] = opposite(h);
-                ++plan_.cap_edge_count;
+                plan.edge_is_closed[section.loop_edges[link.outline_edge()].number()] = true;
+            } else if (!plan.cap_edges[3 * t + i].is_valid()) {
+                const HalfedgeId h = first_halfedge(EdgeId(int(plan.first_cap_edge + plan.cap_edge_count)));
+                plan.cap_edges[3 * t + i] = h;
+                plan.cap_edges[link.edge()] = opposite(h);
+                ++plan.cap_edge_count;
             }
         }
 
-    plan_.cap_halfedges.resize(2 * outline_edges);
-    plan_.vanished.clear();
-    plan_.boundary.clear();
-    plan_.touched.clear();
-    plan_.orbit_start.clear();
-    plan_.orbit_label.clear();
-    plan_.order.clear();
+    plan.cap_halfedges.resize(2 * outline_edges);
+    plan.vanished.clear();
+    plan.boundary.clear();
+    plan.touched.clear();
+    plan.orbit_start.clear();
+    plan.orbit_label.clear();
+    plan.order.clear();
     // Contractions move at most one half-edge each.
     const std::size_t contractions = 3 * crossings + 2 * section.cancelled.size();
-    plan_.boundary.reserve(2 * (section.boundary_cuts.size() + outline_edges) + contractions);
-    plan_.points = 2 * cuts;
+    plan.boundary.reserve(2 * (section.boundary_cuts.size() + outline_edges) + contractions);
+    plan.points = 2 * cuts;
     if (needs_orbits(section)) {
         // Contractions touch two half-edges each; orbits start at corners of sub-triangles and caps and at each
         // outline edge.
         const std::size_t corners = 9 * crossings + 6 * cap_count + 6 * outline_edges + 6 * contractions;
-        plan_.vanished.reserve(3 * crossings);
-        plan_.touched.reserve(2 * contractions);
-        plan_.orbit_start.reserve(corners);
-        plan_.orbit_label.reserve(corners);
-        plan_.order.reserve(corners);
+        plan.vanished.reserve(3 * crossings);
+        plan.touched.reserve(2 * contractions);
+        plan.orbit_start.reserve(corners);
+        plan.orbit_label.reserve(corners);
+        plan.order.reserve(corners);
         // Every point of the outline may fall apart into one vertex for each end of an outline edge.
-        plan_.points += 4 * outline_edges + 6 * cap_count;
+        plan.points += 4 * outline_edges + 6 * cap_count;
     }
-    plan_.edges = cuts + 3 * crossings + found.in_plane.size() + 2 * std::size_t(plan_.cap_edge_count);
-    plan_.faces = 2 * crossings + 2 * cap_count;
-    return u.mesh.make_room(plan_.points, plan_.edges, plan_.faces);
+    plan.edges = cuts + 3 * crossings + found.in_plane.size() + 2 * std::size_t(plan.cap_edge_count);
+    plan.faces = 2 * crossings + 2 * cap_count;
+    return u.mesh.make_room(plan.points, plan.edges, plan.faces);
 }
 
 namespace {
@@ -85,22 +84,21 @@ public:
                      plan_.faces0 + plan_.faces);
         for (Index j = 0; j < section_.cut_points.size(); ++j)
             for (const Side side : {Side::negative, Side::positive})
-                mesh_.set_position(plan_.cut_point(j, side), section_.cut_points[j]);
+                mesh_.set_position(plan_.cut_point(CutPointId(j), side), section_.cut_points[j]);
 
         for (const BoundaryCut& cut : section_.boundary_cuts) divide_boundary(cut);
         for (Index c = 0; c < found_.crossings.size(); ++c) divide(c);
-        Contraction contraction(plan_, mesh_);
-        for (Index q = 0; q < found_.in_plane.size(); ++q) contraction.open_in_plane_edge(found_, q);
-        if (section_.is_irregular() || !section_.cancelled.empty()) contraction.run(section_.cancelled);
+        open_in_plane_edges(found_, plan_, mesh_);
+        if (section_.is_irregular() || !section_.cancelled.empty()) contract(section_.cancelled, plan_, mesh_);
         for (Index t = 0; t < caps_.triangles.size(); ++t) sew_cap(t);
         collect_open_edges();
-        if (needs_orbits(section_)) split_points(plan_, mesh_, found_, section_, caps_);
+        if (needs_orbits(section_)) split_points(found_, section_, caps_, plan_, mesh_);
         for (const HalfedgeId h : plan_.boundary) link_boundary(h);
     }
 
 private:
     /// The two parts of half-edge h, which runs from side `from` to the other side and is divided at a cut point.
-    std::array<HalfedgeId, 2> parts(HalfedgeId h, Index cut_point, Side from) const
+    std::array<HalfedgeId, 2> parts(HalfedgeId h, CutPointId cut_point, Side from) const
     {
         const HalfedgeId negative = plan_.negative_part(h, cut_point);
         return from == Side::positive ? std::array{h, negative} : std::array{negative, h};
@@ -139,11 +137,11 @@ private:
         // Half-edges along lone -> next and previous -> lone; a part of no length has no half-edge.
         const HalfedgeId h_n = c.halfedge[lone], h_p = c.halfedge[previous];
         std::array<HalfedgeId, 2> along_n, along_p;
-        if (c.n_cut_point() != kNone)
+        if (c.n_cut_point().is_valid())
             along_n = parts(h_n, c.n_cut_point(), near);
         else
             along_n = n == lone ? std::array{HalfedgeId(), h_n} : std::array{h_n, HalfedgeId()};
-        if (c.p_cut_point() != kNone)
+        if (c.p_cut_point().is_valid())
             along_p = parts(h_p, c.p_cut_point(), far);
         else
             along_p = p == lone ? std::array{h_p, HalfedgeId()} : std::array{HalfedgeId(), h_p};
@@ -171,11 +169,11 @@ private:
             write(c, faces[2], {c.halfedge[next], along_p[0], opposite(diagonal)});
         }
 
-        if (c.n_cut_point() != kNone) {
+        if (c.n_cut_point().is_valid()) {
             mesh_.set_halfedge_of(plan_.cut_point(c.n_cut_point(), near), near_section);
             mesh_.set_halfedge_of(plan_.cut_point(c.n_cut_point(), far), along_n[1]);
         }
-        if (c.p_cut_point() != kNone) {
+        if (c.p_cut_point().is_valid()) {
             mesh_.set_halfedge_of(plan_.cut_point(c.p_cut_point(), near), along_p[1]);
             mesh_.set_halfedge_of(plan_.cut_point(c.p_cut_point(), far), far_section);
         }
@@ -286,9 +284,9 @@ private:
 
 }  // namespace
 
-void Stitcher::run(Universe& universe, const Found& found, const Section& section, const Caps& caps)
+void stitch(Universe& universe, const Found& found, const Section& section, const Caps& caps, StitchPlan& plan)
 {
-    StitchRun(plan_, universe, found, section, caps).run();
+    StitchRun(plan, universe, found, section, caps).run();
 }
 
 }  // namespace kerf::halfedge

@@ -2,24 +2,18 @@
 
 #include "halfedge/cut/stitch_plan.h"
 
+// STITCH: writes a planned cut into the half-edge mesh. Each crossing triangle becomes three faces and each crossed
+// edge two. Faces that split_triangle() lets vanish are contracted. The caps are sewn to the outline. Result: the mesh,
+// and StitchPlan, which says what is where in it.
+
 namespace kerf::halfedge {
 
-/// STITCH: writes a planned cut into the half-edge mesh. Each crossing triangle becomes three faces and each crossed
-/// edge two. Faces that split_triangle() lets vanish are contracted. The caps are sewn to the outline. O(k), plus the
-/// valence of vertices on the plane.
-///
-/// plan() may throw std::bad_alloc; run() can't fail.
-class Stitcher
-{
-public:
-    /// Counts what the cut adds and makes room for it. Returns the bytes by which the mesh grew.
-    std::size_t plan(Universe& universe, const Found& found, const Section& section, const Caps& caps);
-    void run(Universe& universe, const Found& found, const Section& section, const Caps& caps);
+/// Counts what the cut adds and makes room for it. Returns the bytes by which the mesh grew. O(k). May throw
+/// std::bad_alloc.
+std::size_t plan_stitch(Universe& universe, const Found& found, const Section& section, const Caps& caps,
+                        StitchPlan& plan);
 
-    const StitchPlan& numbers() const { return plan_; }
-
-private:
-    StitchPlan plan_;
-};
+/// Does it. O(k), plus the valence of vertices on the plane. Can't fail.
+void stitch(Universe& universe, const Found& found, const Section& section, const Caps& caps, StitchPlan& plan);
 
 }  // namespace kerf::halfedge

@@ -45,13 +45,16 @@ struct StitchPlan
     std::vector<Index> orbit_label, order;
 
     /// The point at a cut point.
-    PointId cut_point(Index number, Side side) const { return PointId(int(points0 + 2 * number) + int(side)); }
+    PointId cut_point(CutPointId cut_point, Side side) const
+    {
+        return PointId(int(points0 + 2 * cut_point.number()) + int(side));
+    }
 
     /// The part of half-edge h, which is divided at a cut point, on the negative side. The positive part keeps the
     /// number.
-    HalfedgeId negative_part(HalfedgeId h, Index cut_point) const
+    HalfedgeId negative_part(HalfedgeId h, CutPointId cut_point) const
     {
-        const HalfedgeId first = first_halfedge(EdgeId(int(edges0 + cut_point)));
+        const HalfedgeId first = first_halfedge(EdgeId(int(edges0 + cut_point.number())));
         return h == first_halfedge(edge_of(h)) ? first : opposite(first);
     }
 

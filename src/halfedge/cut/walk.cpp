@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "halfedge/cut/irregular/link_outline.h"
+#include "halfedge/cut/irregular/irregular.h"
 
 namespace kerf::halfedge {
 
@@ -28,7 +28,7 @@ private:
     {
         bool is_n;            ///< lone -> next, otherwise previous -> lone
         HalfedgeId halfedge;  ///< of this triangle
-        Index from, to;       ///< its vertices
+        VertexId from, to;    ///< its vertices
         const CutPoint* point;
         bool whole;         ///< the cut point is an end point: the edge is not divided
         bool needs_vertex;  ///< a sub-triangle has the cut point as a corner
@@ -43,23 +43,24 @@ private:
         e.from = c.corner[static_cast<std::size_t>(from)];
         e.to = c.corner[static_cast<std::size_t>(to)];
         e.point = e.is_n ? &c.split.cut_next : &c.split.cut_previous;
-        e.whole = same_position(e.point->position, u_.vertices[e.from].position) ||
-                  same_position(e.point->position, u_.vertices[e.to].position);
+        e.whole = same_position(e.point->position, u_.vertex(e.from).position) ||
+                  same_position(e.point->position, u_.vertex(e.to).position);
         e.needs_vertex = e.is_n ? c.split.next_code == TriangleSplit::kCutNext
                                 : c.split.previous_code == TriangleSplit::kCutPrevious;
         return e;
     }
 
-    Index new_vertex(const Crossed& e)
+    VertexId new_vertex(const Crossed& e)
     {
         const Index v = static_cast<Index>(u_.vertices.size() + section_.new_vertices++);
-        u_.vertices.data()[v] = interpolate(*e.point, u_.vertices[e.from], u_.vertices[e.to]);
+        u_.vertices.data()[v] = interpolate(*e.point, u_.vertex(e.from), u_.vertex(e.to));
         for (Stream& stream : u_.streams) {
             float* values = stream.values.data();
             const std::size_t w = stream.width;
-            interpolate(*e.point, values + e.from * w, values + e.to * w, values + v * w, stream.width);
+            interpolate(*e.point, values + e.from.number() * w, values + e.to.number() * w, values + v * w,
+                        stream.width);
         }
-        return v;
+        return VertexId(v);
     }
 
     /// The crossing triangle of a face, or kNone.
@@ -78,9 +79,9 @@ private:
         const Crossed e = crossed(c, exit);
         if (e.whole) return kNone;
 
-        const Index cut_point = static_cast<Index>(section_.cut_points.size());
+        const CutPointId cut_point(static_cast<Index>(section_.cut_points.size()));
         section_.cut_points.push_back(e.point->position);
-        Index vertex = e.needs_vertex ? new_vertex(e) : kNone;
+        VertexId vertex = e.needs_vertex ? new_vertex(e) : VertexId();
         (exit ? c.exit_cut_point : c.entry_cut_point) = cut_point;
         (exit ? c.exit_vertex : c.entry_vertex) = vertex;
 
@@ -95,9 +96,9 @@ private:
         const Index to = crossing_of(face);
         Crossing& d = found_.crossings[to];
         const Crossed f = crossed(d, !exit);
-        if (f.needs_vertex && !(vertex != kNone && f.from == e.to && f.to == e.from)) vertex = new_vertex(f);
+        if (f.needs_vertex && !(vertex.is_valid() && f.from == e.to && f.to == e.from)) vertex = new_vertex(f);
         (exit ? d.entry_cut_point : d.exit_cut_point) = cut_point;
-        (exit ? d.entry_vertex : d.exit_vertex) = f.needs_vertex ? vertex : kNone;
+        (exit ? d.entry_vertex : d.exit_vertex) = f.needs_vertex ? vertex : VertexId();
         return to;
     }
 
@@ -133,9 +134,9 @@ private:
         loop.shell = found_.crossings[start].shell;
         for (const Index i : chain_) {
             section_.loop_edges.push_back(found_.edge_of_crossing(i));
-            section_.loop_points.push_back(section_.cut_points[found_.crossings[i].entry_cut_point]);
+            section_.loop_points.push_back(section_.position_of(found_.crossings[i].entry_cut_point));
         }
-        if (!closed) loop.end = section_.cut_points[found_.crossings[chain_.back()].exit_cut_point];
+        if (!closed) loop.end = section_.position_of(found_.crossings[chain_.back()].exit_cut_point);
         section_.loops.push_back(loop);
     }
 

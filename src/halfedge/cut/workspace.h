@@ -8,7 +8,7 @@
 #include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/rebuild.h"
 #include "halfedge/cut/section.h"
-#include "halfedge/cut/stitch.h"
+#include "halfedge/cut/stitch_plan.h"
 #include "halfedge/cut/walk.h"
 
 namespace kerf::halfedge {
@@ -20,12 +20,12 @@ struct CutWorkspace
     Section section;
     Pieces pieces;
     Caps caps;
+    StitchPlan stitch_plan;
 
     Finder finder;
     Walker walker;
     PartFinder part_finder;
     CapPlanner cap_planner;
-    Stitcher stitcher;
     Rebuilder rebuilder;
 
     /// Makes room for a cut that crosses so many triangles, and touches it.

@@ -6,8 +6,8 @@
 
 #include "common/mesh/index.h"
 
-// Numbers that can't be mistaken for one another: at run time each is 32 bits. Vertices of the vertex buffer stay plain
-// numbers, because a triangle of the index buffer is three of them as the GPU reads them.
+// Numbers that can't be mistaken for one another: at run time each is 32 bits. Only a triangle of the index buffer holds
+// vertices as plain numbers, because the GPU reads them.
 
 namespace kerf::halfedge {
 
@@ -80,6 +80,8 @@ constexpr std::size_t number_of(std::size_t number)
     return number;
 }
 
+/// A vertex of the vertex buffer, as the GPU numbers them.
+using VertexId = Id<struct VertexKind>;
 /// A triangle's place in the index buffer.
 using SlotId = Id<struct SlotKind>;
 /// A node of the tree.

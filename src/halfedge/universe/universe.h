@@ -76,6 +76,7 @@ struct Universe
     Universe(const Universe& other);
     Universe& operator=(const Universe&) = delete;
 
+    const Vertex& vertex(VertexId v) const { return vertices[v.number()]; }
     const DrawGroup& group(GroupId id) const { return groups[id.number()]; }
 
     TreeGeometry geometry() const

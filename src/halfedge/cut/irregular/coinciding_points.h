@@ -17,8 +17,8 @@ public:
         : u_(universe), position_(section.cut_points), classes_(static_cast<Index>(position_.size()))
     {
         for (const Crossing& c : found.crossings) {
-            if (c.n_cut_point() != kNone) classes_.unite(c.n_cut_point(), of_code(c, c.split.next_code));
-            if (c.p_cut_point() != kNone) classes_.unite(c.p_cut_point(), of_code(c, c.split.previous_code));
+            if (c.n_cut_point().is_valid()) classes_.unite(c.n_cut_point().number(), of_code(c, c.split.next_code));
+            if (c.p_cut_point().is_valid()) classes_.unite(c.p_cut_point().number(), of_code(c, c.split.previous_code));
         }
     }
 
@@ -35,8 +35,8 @@ public:
     /// The element at a corner of a crossing triangle.
     Index of_code(const Crossing& c, std::uint8_t code)
     {
-        if (code == TriangleSplit::kCutNext) return c.n_cut_point();
-        if (code == TriangleSplit::kCutPrevious) return c.p_cut_point();
+        if (code == TriangleSplit::kCutNext) return c.n_cut_point().number();
+        if (code == TriangleSplit::kCutPrevious) return c.p_cut_point().number();
         return of_point(c.point[code]);
     }
 

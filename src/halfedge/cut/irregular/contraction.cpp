@@ -1,6 +1,26 @@
-#include "halfedge/cut/irregular/contraction.h"
+#include "halfedge/cut/irregular/irregular.h"
 
 namespace kerf::halfedge {
+
+namespace {
+
+class Contraction
+{
+public:
+    Contraction(StitchPlan& plan, SurfaceMesh& mesh) : plan_(plan), mesh_(mesh) {}
+
+    void open_in_plane_edge(const Found& found, Index number);
+    void run(const std::vector<std::array<OutlineEdgeId, 2>>& cancelled);
+
+private:
+    void mark_waiting();
+    void move_halfedge(HalfedgeId from, HalfedgeId to);
+    void contract(HalfedgeId x, HalfedgeId y);
+    void contract_face(FaceId face);
+
+    StitchPlan& plan_;
+    SurfaceMesh& mesh_;
+};
 
 void Contraction::open_in_plane_edge(const Found& found, Index number)
 {
@@ -69,6 +89,19 @@ void Contraction::contract_face(FaceId face)
     const HalfedgeId x = mesh_.halfedge_of(face), y = mesh_.next(x);
     mesh_.set_halfedge_of(face, HalfedgeId());
     contract(x, y);
+}
+
+}  // namespace
+
+void open_in_plane_edges(const Found& found, StitchPlan& plan, SurfaceMesh& mesh)
+{
+    Contraction contraction(plan, mesh);
+    for (Index i = 0; i < found.in_plane.size(); ++i) contraction.open_in_plane_edge(found, i);
+}
+
+void contract(const std::vector<std::array<OutlineEdgeId, 2>>& cancelled, StitchPlan& plan, SurfaceMesh& mesh)
+{
+    Contraction(plan, mesh).run(cancelled);
 }
 
 }  // namespace kerf::halfedge

@@ -1,4 +1,4 @@
-#include "halfedge/cut/irregular/kept_edges.h"
+#include "halfedge/cut/irregular/irregular.h"
 
 #include <algorithm>
 #include <tuple>
@@ -15,20 +15,20 @@ struct KeptEdge
 {
     Side side;
     Index from, to;  ///< classes of points, the smaller one first
-    Index target;
+    TargetId target;
     auto operator<=>(const KeptEdge&) const = default;
 
     std::tuple<Side, Index, Index> place() const { return {side, from, to}; }
 };
 
-KeptEdge kept_edge(Side side, Index a, Index b, Index target, CoincidingPoints& classes)
+KeptEdge kept_edge(Side side, Index a, Index b, TargetId target, CoincidingPoints& classes)
 {
     a = classes.find(a);
     b = classes.find(b);
     return {side, std::min(a, b), std::max(a, b), target};
 }
 
-KeptEdge kept_edge(const Universe& u, Side side, HalfedgeId halfedge, Index target, CoincidingPoints& classes)
+KeptEdge kept_edge(const Universe& u, Side side, HalfedgeId halfedge, TargetId target, CoincidingPoints& classes)
 {
     const Index from = classes.of_point(u.mesh.from(halfedge));
     return kept_edge(side, from, classes.of_point(u.mesh.to(halfedge)), target, classes);
@@ -86,13 +86,13 @@ bool has_triangle_at_section(const TriangleSplit& split, Side side)
 
 }  // namespace
 
-std::vector<std::array<Index, 2>> targets_that_share_edges(const Universe& u, const Found& found,
-                                                           const Section& section)
+std::vector<std::array<TargetId, 2>> targets_that_share_edges(const Universe& u, const Found& found,
+                                                              const Section& section)
 {
     CoincidingPoints classes(u, found, section);
     std::vector<KeptEdge> edges = kept_edges(u, found, classes);
     std::sort(edges.begin(), edges.end());
-    std::vector<std::array<Index, 2>> pairs;
+    std::vector<std::array<TargetId, 2>> pairs;
     for (std::size_t i = 1; i < edges.size(); ++i) {
         const KeptEdge &a = edges[i - 1], &b = edges[i];
         if (a.place() == b.place() && a.target != b.target) pairs.push_back({a.target, b.target});
@@ -117,7 +117,7 @@ void find_edges_that_bound_nothing(const Universe& u, const Section& section, Fo
         Crossing& c = found.crossings[i];
         const Index from = classes.find(classes.of_code(c, c.split.section_from));
         const Index to = classes.find(classes.of_code(c, c.split.section_to));
-        const KeptEdge edge{side, std::min(from, to), std::max(from, to), 0};
+        const KeptEdge edge{side, std::min(from, to), std::max(from, to), TargetId(0)};
         const auto place = std::lower_bound(edges.begin(), edges.end(), edge);
         if (place == edges.end() || place->place() != edge.place()) c.bounds_nothing[side] = true;
     }

@@ -1,4 +1,4 @@
-#include "halfedge/cut/irregular/link_outline.h"
+#include "halfedge/cut/irregular/irregular.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "halfedge/cut/irregular/split_points.h"
+#include "halfedge/cut/irregular/irregular.h"
 
 #include <algorithm>
 
@@ -133,7 +133,7 @@ private:
 
 }  // namespace
 
-void split_points(StitchPlan& plan, SurfaceMesh& mesh, const Found& found, const Section& section, const Caps& caps)
+void split_points(const Found& found, const Section& section, const Caps& caps, StitchPlan& plan, SurfaceMesh& mesh)
 {
     PointSplitter(plan, mesh, found, section, caps).run();
 }
