@@ -25,7 +25,7 @@ public:
         for (std::size_t face = 0; face < face_used_.size(); ++face)
             if (face_used_[face] && !check_neighbours(FaceId(int(face)))) return error_;
         for (std::size_t point = 0; point < outgoing_.size(); ++point)
-            if (outgoing_[point] > 0 && !check_umbrella(PointId(int(point)))) return error_;
+            if (outgoing_[point] > 0 && !check_vertex_fan(PointId(int(point)))) return error_;
         return {};
     }
 
@@ -155,7 +155,7 @@ private:
         return true;
     }
 
-    bool check_umbrella(PointId point)
+    bool check_vertex_fan(PointId point)
     {
         const HalfedgeId start = u_.mesh.halfedge_of(point);
         if (!start.is_valid()) return fail("point " + number(point) + " has no half-edge");
@@ -168,7 +168,7 @@ private:
             else
                 ++count;
         });
-        if (count != outgoing_[number_of(point)]) return fail("point " + number(point) + " has more than one umbrella");
+        if (count != outgoing_[number_of(point)]) return fail("point " + number(point) + " has more than one vertex fan");
         return !boundary || u_.mesh.is_boundary(start) ||
                fail("boundary point " + number(point) + " does not name its boundary half-edge");
     }
