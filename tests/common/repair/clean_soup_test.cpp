@@ -13,10 +13,10 @@
 namespace kerf {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float kTooLarge = std::numeric_limits<float>::infinity();
 
-bool same_bits(const Buffer<Vertex>& a, const Buffer<Vertex>& b)
+bool same_vertices(const Buffer<Vertex>& a, const Buffer<Vertex>& b)
 {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vertex)) == 0;
 }
@@ -26,7 +26,7 @@ TEST(CleanSoup, LeavesCleanNumbersAlone)
     TriangleSoup sphere = shapes::icosphere(1.0f, 3);
     const TriangleSoup before = sphere;
     EXPECT_EQ(clean(sphere).vertices, 0u);
-    EXPECT_TRUE(same_bits(sphere.vertices, before.vertices));
+    EXPECT_TRUE(same_vertices(sphere.vertices, before.vertices));
 }
 
 TEST(CleanSoup, DoesNothingTheSecondTime)
@@ -36,14 +36,14 @@ TEST(CleanSoup, DoesNothingTheSecondTime)
         Vertex& vertex = sphere.vertices[v];
         if (v % 5 == 1) vertex.normal *= 1.0f + 1e-7f * float(v);
         if (v % 5 == 2) vertex.normal = glm::vec3(0.0f);
-        if (v % 5 == 3) vertex.normal.y = kNan;
-        if (v % 7 == 0) vertex.uv.x = -kInfinity;
+        if (v % 5 == 3) vertex.normal.y = kNoNumber;
+        if (v % 7 == 0) vertex.uv.x = -kTooLarge;
         if (v % 7 == 1) vertex.position.z = -0.0f;
     }
     EXPECT_GT(clean(sphere).vertices, 0u);
     const TriangleSoup once = sphere;
     EXPECT_EQ(clean(sphere).vertices, 0u);
-    EXPECT_TRUE(same_bits(sphere.vertices, once.vertices));
+    EXPECT_TRUE(same_vertices(sphere.vertices, once.vertices));
 }
 
 TEST(CleanSoup, GivesZerosOneSign)
@@ -73,7 +73,7 @@ TEST(CleanSoup, GivesAVertexWithoutNormalTheMeanOfItsTriangles)
 {
     TriangleSoup sphere = shapes::icosphere(1.0f, 16);
     sphere.vertices[3].normal = glm::vec3(0.0f);
-    sphere.vertices[5].normal.x = kNan;
+    sphere.vertices[5].normal.x = kNoNumber;
     const UnfitAttributes unfit = clean(sphere);
     EXPECT_EQ(unfit.normals, 1u);
     EXPECT_EQ(unfit.vertices, 1u);
@@ -92,9 +92,9 @@ TEST(CleanSoup, AsksForSmoothNormalsIfNoVertexHasOne)
 TEST(CleanSoup, CountsAVertexOnceHoweverManyOfItsNumbersAreUnfit)
 {
     TriangleSoup cube = shapes::box({1, 1, 1}, {1, 1, 1});
-    cube.vertices[4].normal = glm::vec3(kNan);
-    cube.vertices[4].uv = {kNan, kInfinity};
-    cube.vertices[6].uv.y = kNan;
+    cube.vertices[4].normal = glm::vec3(kNoNumber);
+    cube.vertices[4].uv = {kNoNumber, kTooLarge};
+    cube.vertices[6].uv.y = kNoNumber;
     const UnfitAttributes unfit = clean(cube);
     EXPECT_EQ(unfit.normals, 1u);
     EXPECT_EQ(unfit.uvs, 2u);
@@ -109,8 +109,8 @@ TEST(CleanSoup, SetsStreamValuesThatAreNotFiniteToZero)
     heat.name = "heat";
     heat.width = 1;
     heat.values.assign(cube.vertices.size(), 1.0f);
-    heat.values[2] = kNan;
-    heat.values[3] = kInfinity;
+    heat.values[2] = kNoNumber;
+    heat.values[3] = kTooLarge;
     clean(cube);
     EXPECT_TRUE(std::isnan(heat.values[2])) << "a program may mean something by it";
     EXPECT_EQ(clean_streams(cube), 2u);
