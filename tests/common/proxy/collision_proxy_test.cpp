@@ -86,7 +86,7 @@ RC_GTEST_PROP(SupportPoints, AreThoseOfASimpleLoopForAnyNumberOfVertices, ())
 {
     // Few different coordinates: ties everywhere.
     const std::size_t count = *rc::gen::inRange<std::size_t>(1, 400);
-    Random random(*rc::gen::arbitrary<std::uint32_t>());
+    kerf::Random random(*rc::gen::arbitrary<std::uint32_t>());
     const std::uint32_t values = *rc::gen::inRange(1u, 20u);
     Buffer<Vertex> vertices(count);
     for (Vertex& v : vertices) {

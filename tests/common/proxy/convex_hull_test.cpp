@@ -100,7 +100,7 @@ void expect_hull(const Points& points, const ConvexHull& hull)
 
 Points random_points(std::uint64_t seed, std::size_t count)
 {
-    Random random(seed);
+    kerf::Random random(seed);
     Points points;
     for (std::size_t i = 0; i < count; ++i) {
         const double x = random.unit(), y = random.unit(), z = random.unit();
@@ -126,7 +126,7 @@ TEST(ConvexHull, ReachesAsFarAsThePointsInEveryDirection)
         const Points points = random_points(seed, 2000);
         const ConvexHull hull = convex_hull(points);
         expect_hull(points, hull);
-        Random random(seed);
+        kerf::Random random(seed);
         for (int k = 0; k < 200; ++k) {
             const double x = random.unit() - 0.5, y = random.unit() - 0.5, z = random.unit() - 0.5;
             const glm::dvec3 d = glm::normalize(glm::dvec3(x, y, z));

@@ -65,7 +65,7 @@ std::vector<StagedPiece> opened(const Backend& backend, io::LoadedMesh loaded, c
 }
 
 /// Through the flesh, near its middle, in any direction.
-Plane any_plane(Random& random)
+Plane any_plane(kerf::Random& random)
 {
     const auto number = [&] { return 2.0 * random.unit() - 1.0; };
     for (;;) {
@@ -143,7 +143,7 @@ class FruitCap : public FruitLook, public ::testing::WithParamInterface<NamedBac
 
 TEST_P(FruitCap, IsNeitherClayNorBlackWhateverThePlane)
 {
-    Random random(5);
+    kerf::Random random(5);
     for (const std::string& name : kFruit)
         for (int trial = 0; trial < 6; ++trial) {
             const Plane plane = any_plane(random);

@@ -53,7 +53,7 @@ TEST(BladeProbe, ABallIsHitOnItsWholeRadius)
 // The referee: points of the proxy's surface and of the swept segment, by brute force over corners of a cube.
 RC_GTEST_PROP(BladeProbe, AgreesWithAProjectionOfTheBrick, ())
 {
-    Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+    kerf::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
     const auto between = [&](double lo, double hi) { return lo + (hi - lo) * random.unit(); };
     const glm::dvec3 centre(between(-3, 3), between(-2, 2), between(-2, 2));
     const auto body = test::body_of(brick(), 1, centre);

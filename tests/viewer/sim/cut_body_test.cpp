@@ -112,7 +112,7 @@ TEST(CutBodyOfAComb, ThousandsOfPiecesDoNotFreezeTheWorld)
 /// Triangles through one another, none of which hangs together with another.
 IndexedMesh soup(std::uint32_t triangles)
 {
-    Random random(3);
+    kerf::Random random(3);
     TriangleSoup soup;
     for (std::uint32_t i = 0; i < triangles; ++i) {
         for (int corner = 0; corner < 3; ++corner) {

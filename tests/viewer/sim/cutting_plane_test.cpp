@@ -22,7 +22,7 @@ struct Placed
 // A tumbling object somewhere on stage, its mesh of any size and anywhere, and a stroke across it.
 Placed place(std::uint64_t seed)
 {
-    Random random(seed);
+    kerf::Random random(seed);
     const auto signed_unit = [&] { return 2 * random.unit() - 1; };
     Placed p;
     p.origin.radius = std::pow(10.0, 6 * random.unit() - 3);
@@ -46,7 +46,7 @@ RC_GTEST_PROP(CuttingPlane, IsValidForAnyPoseAndCloserThanAPixelToTheStroke, ())
     RC_ASSERT(plane->valid());
     // Over the object's ball the two planes differ by less than 2 mm: a sixth of a pixel of 720 rows. The mesh's own
     // float grid at 10 000 radii from its origin is not part of this.
-    Random random(1);
+    kerf::Random random(1);
     for (int i = 0; i < 20; ++i) {
         const glm::dvec3 offset(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
         const glm::dvec3 point = p.origin.centre + offset / std::sqrt(3.0) * p.origin.radius;
@@ -71,7 +71,7 @@ RC_GTEST_PROP(CuttingPlane, DifferencesInTheLastDigitsOfAPoseSeldomChangeIt, ())
     const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
     int same = 0;
     for (std::uint64_t i = 0; i < 50; ++i) {
-        Placed p = place(Random::mix(seed) + i);
+        Placed p = place(kerf::Random::mix(seed) + i);
         const Plane one = object_plane(p.plane, p.pose, p.origin).value();
         p.pose.translation += glm::dvec3(1e-7, -1e-7, 1e-7);
         const Plane two = object_plane(p.plane, p.pose, p.origin).value();

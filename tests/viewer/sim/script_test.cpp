@@ -50,7 +50,7 @@ TEST(Script, ReadsWhatItsDocumentationShows)
 
 RC_GTEST_PROP(Script, WhatIsWrittenReadsBackBitForBit, ())
 {
-    Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+    kerf::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
     Script script;
     script.scene = "report";
     script.seed = random.next();

@@ -275,7 +275,7 @@ TEST(Simulation, BackEndsThatDoNotCutFlyAlikeBitForBit)
 // Frames.
 
 // A swipe that wanders over the stage: a random walk with momentum.
-std::vector<InputEvent> wandering_swipe(Random& random, Microseconds start)
+std::vector<InputEvent> wandering_swipe(kerf::Random& random, Microseconds start)
 {
     glm::dvec2 p(6 * random.unit() - 3, 4 * random.unit() - 3), v(0.0);
     std::vector<InputEvent> events{{start, InputKind::press, p, {}}};
@@ -293,7 +293,7 @@ RC_GTEST_PROP(Frames, TheSameSwipeCutsTheSameObjectsAt10And30And120FramesPerSeco
 {
     static const auto models = library_of({"asteroid", "icosphere", "box"}, 200);
     const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
-    Random random(seed);
+    kerf::Random random(seed);
     std::vector<InputEvent> events;
     for (int i = 0; i < 4; ++i) events.push_back({i + 1, InputKind::command, {}, "throw"});
     append(events, wandering_swipe(random, 400'000));
