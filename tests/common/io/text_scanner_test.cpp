@@ -184,17 +184,6 @@ TEST(TextScanner, CountsLinesOnceHoweverManyKindsOfRecordsThereAre)
     EXPECT_LE(scanner.lines_counted(), kKinds);
 }
 
-TEST(TextScanner, CutsQuotedWordsBetweenLetters)
-{
-    const std::string letter = "\xF0\x9F\x98\x80";
-    for (std::size_t before = 36; before <= 40; ++before) {
-        const std::string start(before, 'a');
-        EXPECT_EQ(in_quotes(start + letter + "b"), "'" + start + (before == 36 ? letter : "") + "...'") << before;
-    }
-    EXPECT_EQ(in_quotes(std::string(36, 'a') + letter), "'" + std::string(36, 'a') + letter + "'");
-    EXPECT_EQ(in_quotes(std::string(50, '\x80')).size(), 42u) << "no letters at all";
-}
-
 TEST(TextScanner, NamesFileAndLineInErrors)
 {
     TextScanner scanner(kPath, "a\n\nb x\n", {});
