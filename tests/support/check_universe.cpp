@@ -168,7 +168,8 @@ private:
             else
                 ++count;
         });
-        if (count != outgoing_[number_of(point)]) return fail("point " + number(point) + " has more than one vertex fan");
+        if (count != outgoing_[number_of(point)])
+            return fail("point " + number(point) + " has more than one vertex fan");
         return !boundary || u_.mesh.is_boundary(start) ||
                fail("boundary point " + number(point) + " does not name its boundary half-edge");
     }

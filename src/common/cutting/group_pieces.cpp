@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "common/cutting/cut_geometry.h"
 #include "common/caps/holes.h"
+#include "common/cutting/cut_geometry.h"
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/dominant_axis.h"
 #include "common/mesh/index.h"
