@@ -1,9 +1,12 @@
+// This file gives CGAL's containers an allocator of its own. All of CGAL that it reads has a namespace of its own, too, so
+// that a program with other files that include CGAL has two templates, and not one that is defined in two ways.
+#define CGAL kerf_cgal
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "common/caps/cgal_arena.h"
 
-// The allocator of CGAL's containers (CGAL/memory.h). It is set after the kernel's number types are read, which are the
-// same types in every file of a program; the containers below hold types of this file alone.
+// The allocator of CGAL's containers (CGAL/memory.h).
 #undef CGAL_ALLOCATOR
 #define CGAL_ALLOCATOR(T) kerf::CapArenaAllocator<T>
 
