@@ -47,9 +47,9 @@ void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<Wind
     heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
 
     const std::size_t gaps = heights.size() - 1;
-    for (std::size_t part = 0; part < kSamples; ++part) {
+    for (std::size_t third = 0; third < kSamples; ++third) {
         // The widest gap in each third of the heights.
-        const std::size_t begin = gaps * part / kSamples, end = std::max(begin + 1, gaps * (part + 1) / kSamples);
+        const std::size_t begin = gaps * third / kSamples, end = std::max(begin + 1, gaps * (third + 1) / kSamples);
         double widest = 0.0;
         float height = heights[begin];
         for (std::size_t i = begin; i < std::min(end, gaps); ++i) {

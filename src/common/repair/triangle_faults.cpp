@@ -37,7 +37,7 @@ class RepeatJudge
 {
 public:
     RepeatJudge(std::uint32_t point_count, std::span<const Triangle> corners, std::span<const Repeat> repeats)
-        : repeats_(repeats), patches_(static_cast<std::uint32_t>(repeats.size())), is_needed_(repeats.size(), 0)
+        : repeats_(repeats), clusters_(static_cast<std::uint32_t>(repeats.size())), is_needed_(repeats.size(), 0)
     {
         list_edges(point_count, corners);
         for (auto first = edges_.begin(), last = first; first != edges_.end(); first = last) {
@@ -51,7 +51,7 @@ public:
     bool may_be_turned_over() const { return may_be_turned_over_; }
 
     /// `repeat` is a number in `repeats`.
-    bool is_needed(std::uint32_t repeat) { return is_needed_[patches_.find(repeat)] != 0; }
+    bool is_needed(std::uint32_t repeat) { return is_needed_[clusters_.find(repeat)] != 0; }
 
 private:
     /// An edge of a repeat.
@@ -124,10 +124,10 @@ private:
     void judge_layer(std::span<const RepeatEdge> layer)
     {
         for (std::size_t i = 1; i < layer.size(); ++i)
-            if (layer[i].edge == layer[i - 1].edge) patches_.unite(layer[i].repeat, layer[i - 1].repeat);
-        // The layer's triangles at one edge are in one patch, so patches do not depend on one another.
+            if (layer[i].edge == layer[i - 1].edge) clusters_.unite(layer[i].repeat, layer[i - 1].repeat);
+        // The layer's triangles at one edge are in one cluster, so clusters do not depend on one another.
         for_each_edge(layer, [&](std::uint32_t edge, std::uint32_t repeat, int change) {
-            if (std::abs(balance_[edge] - change) > std::abs(balance_[edge])) is_needed_[patches_.find(repeat)] = 1;
+            if (std::abs(balance_[edge] - change) > std::abs(balance_[edge])) is_needed_[clusters_.find(repeat)] = 1;
         });
         for_each_edge(layer, [&](std::uint32_t edge, std::uint32_t repeat, int change) {
             if (!is_needed(repeat)) balance_[edge] -= change;
@@ -138,8 +138,8 @@ private:
     std::vector<RepeatEdge> edges_;
     bool may_be_turned_over_ = false;
     std::vector<int> balance_;             ///< of each edge of repeats, without dropped ones
-    DisjointSets patches_;                 ///< of numbers in `repeats_`
-    std::vector<std::uint8_t> is_needed_;  ///< of each patch
+    DisjointSets clusters_;                ///< of numbers in `repeats_`
+    std::vector<std::uint8_t> is_needed_;  ///< of each cluster
 };
 
 /// Marks degenerate triangles, and returns the triangles that repeat others, in order.

@@ -37,9 +37,9 @@ struct Faults
 /// Finds the faults of triangles. `corners` holds the three point ids of each triangle, all below `point_count`.
 ///
 /// The balance of an edge is how many more triangles run along it one way than the other; at a closed edge it is 0. The
-/// second triangles over the same points make one layer, the third ones the next, and so on; a patch is a part of a
-/// layer connected by edges. Repeats are dropped patch by patch, last layers first, and a patch only if that takes no
-/// edge farther from balance: a closed edge stays closed. So a whole shell that occurs twice is dropped once, because
+/// second triangles over the same points make one layer, the third ones the next, and so on; a cluster is
+/// a part of a layer connected by edges. Repeats are dropped cluster by cluster, last layers first, and a cluster only
+/// if that takes no edge farther from balance: a closed edge stays closed. So a whole shell that occurs twice is dropped once, because
 /// that changes no balance, and so is a triangle that occurs once too often, on a closed surface or an open one. The
 /// face that two solids have in common, in the same orientation, stays twice.
 ///

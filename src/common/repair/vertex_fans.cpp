@@ -59,7 +59,7 @@ public:
     FanDivider(LinkedSurface& surface, VertexFans& fans) : surface_(surface), fans_(fans) {}
 
     /// Exchanging the partners of two links on the same cycle divides the cycle in two, and never joins two fans. So
-    /// half-edges between the same two fans are a group, groups only fall apart, and one pass over each edge is enough.
+    /// half-edges between the same two fans are a strand, strands only fall apart, and one pass over each edge is enough.
     void separate_repeats(const NonmanifoldEdge& edge)
     {
         edge_ = &edge;
@@ -67,7 +67,7 @@ public:
         previous_.assign(edge.size(), kNone);
         moved_.resize(edge.size());
         std::iota(moved_.begin(), moved_.end(), 0u);
-        form_groups();
+        form_strands();
         bool placed = false;
         for (std::uint32_t i = 0; i < edge.size(); ++i)
             while (next_[i] != kNone) {
@@ -86,9 +86,9 @@ public:
     }
 
 private:
-    /// Makes groups, as lists in ascending order, of `moved_`: places in the edge that are in no group and whose fans
-    /// hold no half-edge of another group.
-    void form_groups()
+    /// Makes strands, as lists in ascending order, of `moved_`: places in the edge that are in no strand and whose fans
+    /// hold no half-edge of another strand.
+    void form_strands()
     {
         const auto key = [&](std::uint32_t place) {
             const std::uint32_t h = (*edge_)[place];
@@ -124,7 +124,7 @@ private:
         moved_.clear();
         divide(a, b);
         divide(next_halfedge(a), next_halfedge(b));
-        form_groups();
+        form_strands();
     }
 
     /// Labels the two parts of a fan, with corners `a` and `b`; the part of `a` gets a new number.
@@ -167,7 +167,7 @@ private:
     FanWalk walk_a_, walk_b_;
     // Of one edge: places in its list of half-edges.
     const NonmanifoldEdge* edge_ = nullptr;
-    std::vector<std::uint32_t> next_, previous_;  // in the place's group
+    std::vector<std::uint32_t> next_, previous_;  // in the place's strand
     std::vector<std::uint32_t> moved_;
     Buffer<std::uint32_t> place_;  // of each half-edge of the surface
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/shapes/patch.h"
+#include "common/shapes/corner_grid.h"
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "common/shapes/patch.h"
+#include "common/shapes/corner_grid.h"
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/shapes/patch.h"
+#include "common/shapes/corner_grid.h"
 
 namespace kerf::shapes {
 

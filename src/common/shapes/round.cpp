@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/shapes/corner_grid.h"
 #include "common/shapes/lathe.h"
-#include "common/shapes/patch.h"
 #include "common/shapes/shapes.h"
 
 namespace kerf::shapes {
@@ -31,7 +31,7 @@ TriangleSoup icosphere(float radius, std::uint32_t frequency)
     // A rhombus a, b, c, d has the faces (a, b, c) and (a, c, d). Weights are whole numbers, so a point on an edge of
     // the icosahedron is the same sum of two terms in every rhombus that it belongs to.
     const auto add_rhombus = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d, const glm::dvec2& uv) {
-        GridPatch(soup, frequency, frequency, [&](std::uint32_t i, std::uint32_t j) {
+        CornerGrid(soup, frequency, frequency, [&](std::uint32_t i, std::uint32_t j) {
             const double wa = double(frequency - std::max(i, j)), wc = double(std::min(i, j));
             const double wb = i > j ? double(i - j) : 0.0, wd = j > i ? double(j - i) : 0.0;
             const glm::dvec3 sum = i >= j ? wa * corner[a] + wb * corner[b] + wc * corner[c]

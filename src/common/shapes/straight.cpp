@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "common/shapes/patch.h"
+#include "common/shapes/corner_grid.h"
 #include "common/shapes/shapes.h"
 
 namespace kerf::shapes {

@@ -100,7 +100,7 @@ private:
     /// The two parts of half-edge h, which runs from side `from` to the other side and is divided at a cut point.
     std::array<HalfedgeId, 2> parts(HalfedgeId h, CutPointId cut_point, Side from) const
     {
-        const HalfedgeId negative = plan_.negative_part(h, cut_point);
+        const HalfedgeId negative = plan_.negative_half(h, cut_point);
         return from == Side::positive ? std::array{h, negative} : std::array{negative, h};
     }
 

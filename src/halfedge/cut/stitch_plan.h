@@ -50,9 +50,9 @@ struct StitchPlan
         return PointId(int(points0 + 2 * cut_point.number()) + int(side));
     }
 
-    /// The part of half-edge h, which is divided at a cut point, on the negative side. The positive part keeps the
+    /// The half of half-edge h, which is divided at a cut point, on the negative side. The positive half keeps the
     /// number.
-    HalfedgeId negative_part(HalfedgeId h, CutPointId cut_point) const
+    HalfedgeId negative_half(HalfedgeId h, CutPointId cut_point) const
     {
         const HalfedgeId first = first_halfedge(EdgeId(int(edges0 + cut_point.number())));
         return h == first_halfedge(edge_of(h)) ? first : opposite(first);

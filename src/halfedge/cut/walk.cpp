@@ -11,8 +11,8 @@ namespace {
 class Walk
 {
 public:
-    Walk(Universe& universe, Found& found, Section& section, std::vector<Index>& chain)
-        : u_(universe), found_(found), section_(section), chain_(chain)
+    Walk(Universe& universe, Found& found, Section& section, std::vector<Index>& run)
+        : u_(universe), found_(found), section_(section), run_(run)
     {
     }
 
@@ -72,7 +72,7 @@ private:
                    : kNone;
     }
 
-    /// Over the exit (or entry) edge to the next crossing triangle; kNone where the chain ends.
+    /// Over the exit (or entry) edge to the next crossing triangle; kNone where the run ends.
     Index step(Index from, bool exit)
     {
         Crossing& c = found_.crossings[from];
@@ -104,60 +104,60 @@ private:
 
     void trace(Index start)
     {
-        chain_.clear();
+        run_.clear();
         Index c = start;
         while (c != kNone && !found_.crossings[c].walked) {
             found_.crossings[c].walked = true;
-            chain_.push_back(c);
+            run_.push_back(c);
             c = step(c, true);
         }
         const bool closed = c == start;
         if (!closed) {
             // The walk ended: what lies before the start is still missing.
-            const std::size_t forward = chain_.size();
+            const std::size_t forward = run_.size();
             for (c = step(start, false); c != kNone && !found_.crossings[c].walked; c = step(c, false)) {
                 found_.crossings[c].walked = true;
-                chain_.push_back(c);
+                run_.push_back(c);
             }
-            std::reverse(chain_.begin() + static_cast<std::ptrdiff_t>(forward), chain_.end());
-            std::rotate(chain_.begin(), chain_.begin() + static_cast<std::ptrdiff_t>(forward), chain_.end());
+            std::reverse(run_.begin() + static_cast<std::ptrdiff_t>(forward), run_.end());
+            std::rotate(run_.begin(), run_.begin() + static_cast<std::ptrdiff_t>(forward), run_.end());
         }
         // Two triangles that share both crossed edges, back to back: the section runs forth and back.
-        if (closed && chain_.size() == 2) section_.coincidences.irregular = true;
+        if (closed && run_.size() == 2) section_.coincidences.irregular = true;
         // Coincidences change what follows what: then the outline is linked by its points instead.
         if (section_.is_irregular()) return;
         Loop loop;
         loop.first = section_.loop_edges.size();
-        loop.count = chain_.size();
+        loop.count = run_.size();
         loop.closed = closed;
         loop.solid = u_.group(found_.crossings[start].group).solid;
         loop.shell = found_.crossings[start].shell;
-        for (const Index i : chain_) {
+        for (const Index i : run_) {
             section_.loop_edges.push_back(found_.edge_of_crossing(i));
             section_.loop_points.push_back(section_.position_of(found_.crossings[i].entry_cut_point));
         }
-        if (!closed) loop.end = section_.position_of(found_.crossings[chain_.back()].exit_cut_point);
+        if (!closed) loop.end = section_.position_of(found_.crossings[run_.back()].exit_cut_point);
         section_.loops.push_back(loop);
     }
 
     Universe& u_;
     Found& found_;
     Section& section_;
-    std::vector<Index>& chain_;
+    std::vector<Index>& run_;
 };
 
 }  // namespace
 
 void Walker::reserve(std::size_t crossings_expected)
 {
-    reserve_touched(chain_, crossings_expected);
+    reserve_touched(run_, crossings_expected);
 }
 
 void Walker::run(Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found,
                  Section& section)
 {
     section.coincidences = coincidences;
-    Walk(universe, found, section, chain_).run();
+    Walk(universe, found, section, run_).run();
     section.cut_point_is_shared.assign(section.cut_points.size(), 0);
     if (section.is_irregular()) {
         section.clear_loops();

@@ -16,7 +16,7 @@ public:
     void run(Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found, Section& section);
 
 private:
-    std::vector<Index> chain_;  // crossing triangles in a row
+    std::vector<Index> run_;  // crossing triangles in a row
 };
 
 }  // namespace kerf::halfedge

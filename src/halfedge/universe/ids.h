@@ -86,7 +86,7 @@ using VertexId = Id<struct VertexKind>;
 using SlotId = Id<struct SlotKind>;
 /// A node of the tree.
 using NodeId = Id<struct NodeKind>;
-/// A group of triangles that are drawn and solved together.
+/// A draw group: triangles of one material, solid and kind.
 using GroupId = Id<struct GroupKind>;
 
 }  // namespace kerf::halfedge

@@ -54,10 +54,10 @@ inline void translate(TriangleSoup& soup, const glm::vec3& by)
 /// of the longer side, so triangles that are close in the order are close on the surface; vertices are numbered by
 /// first use. `make(i, j)` gives the vertex of a grid point; counter-clockwise from outside is (0,0) (1,0) (1,1) (0,1).
 template <class MakeVertex>
-class GridPatch
+class CornerGrid
 {
 public:
-    GridPatch(TriangleSoup& soup, std::uint32_t columns, std::uint32_t rows, MakeVertex make)
+    CornerGrid(TriangleSoup& soup, std::uint32_t columns, std::uint32_t rows, MakeVertex make)
         : soup_(soup), columns_(columns), make_(make), index_(std::size_t(columns + 1) * (rows + 1), kUnused)
     {
         if (columns > 0 && rows > 0) fill(0, columns, 0, rows);
@@ -122,7 +122,7 @@ void add_box_grid(TriangleSoup& soup, glm::uvec3 cells, MakeVertex make)
         const bool plus = face % 2 == 0;
         // u x v points out of the plus face; the minus face swaps them.
         const int u = plus ? (axis + 1) % 3 : (axis + 2) % 3, v = plus ? (axis + 2) % 3 : (axis + 1) % 3;
-        GridPatch(soup, cells[u], cells[v], [&](std::uint32_t i, std::uint32_t j) {
+        CornerGrid(soup, cells[u], cells[v], [&](std::uint32_t i, std::uint32_t j) {
             BoxPoint point{glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec2(0.0), face};
             point.cube[axis] = point.normal[axis] = plus ? 1.0 : -1.0;
             point.cube[u] = on_axis(u, i);
