@@ -13,6 +13,7 @@ import concurrent.futures
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -20,8 +21,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 ENDINGS = {".obj", ".ply", ".stl", ".off", ".glb", ".gltf"}
-SHAPES = ["asteroid", "bowl", "box", "comb", "cone", "cylinder", "icosphere", "l_step", "menger_sponge", "nested_spheres",
-          "overlapping_spheres", "pipe", "sphere_in_sphere", "spiral_wall", "torus", "tray", "two_legs", "uv_sphere"]
 SHAPE_TRIANGLES = 3000
 WAYS = [("--backend", "halfedge"), ("--lookup", "hash"), ("--lookup", "remap")]
 TIMES = {"ms", "times", "phases"}  # what JSON says of a run and not of its result
@@ -29,6 +28,12 @@ TIMES = {"ms", "times", "phases"}  # what JSON says of a run and not of its resu
 
 def run(*command):
     return subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace")
+
+
+def shapes_of(kerf):
+    """The names of all shapes that a build makes, from its help."""
+    listed = re.search(r"^Shapes: (.*?)\.$", run(kerf, "shape", "--help").stdout, re.M | re.S)
+    return re.findall(r"\w+", listed.group(1)) if listed else []
 
 
 def without_times(value):
@@ -108,7 +113,10 @@ def main():
             sys.exit(f"same_bytes: there is no program {kerf}")
 
     with tempfile.TemporaryDirectory() as folder:
-        shapes = [Path(folder) / f"{name}.ply" for name in SHAPES]
+        names = shapes_of(new)
+        if not names or not set(shapes_of(old)) <= set(names):
+            sys.exit("same_bytes: a build lists no shapes, or fewer than before")
+        shapes = [Path(folder) / f"{name}.ply" for name in shapes_of(old)]
         for shape in shapes:
             made = []
             for kerf in (old, new):
