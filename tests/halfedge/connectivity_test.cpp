@@ -19,7 +19,7 @@ using Fragments = std::vector<std::unique_ptr<Cuttable>>;
 
 std::unique_ptr<Cuttable> prepared(const IndexedMesh& mesh)
 {
-    return std::move(make_backend()->prepare(mesh).object);
+    return std::move(make_back_end()->prepare(mesh).object);
 }
 
 void expect_consistent(const CutResult& result)

@@ -28,7 +28,7 @@ struct Sample
 
 Sample measure(std::uint64_t triangles)
 {
-    const auto object = std::move(make_backend()->prepare(test::repaired(shapes::asteroid(triangles, 1))).object);
+    const auto object = std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(triangles, 1))).object);
     test::Random random(9);
     Sample sum;
     sum.triangles = double(object->triangle_count());
@@ -63,7 +63,7 @@ TEST(Growth, ACutAllocatesInProportionToItsSection)
     // At most this many bytes for each crossing triangle, and no single request that is in proportion to the mesh.
     constexpr double kAllocated = 4000;
     for (const std::uint64_t n : {20'000u, 320'000u}) {
-        auto object = std::move(make_backend()->prepare(test::repaired(shapes::asteroid(n, 1))).object);
+        auto object = std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(n, 1))).object);
         const Plane plane = *Plane::through({0.01, 0.02, 0.03}, {1, 2, 3});
         test::reset_largest_allocation();
         const std::size_t before = test::allocated_bytes();
@@ -107,7 +107,7 @@ TEST(Growth, ASmallSectionOfALargeMeshTouchesLittleMemory)
     constexpr std::uint64_t kCrossing = 300;
     test::use_small_pages();
     const auto bytes_touched = [](const IndexedMesh& mesh, const Plane& plane, CutStatistics& statistics) {
-        auto object = std::move(make_backend()->prepare(mesh).object);
+        auto object = std::move(make_back_end()->prepare(mesh).object);
         if (!test::forget_touched_memory()) return 0.0;
         const CutResult result = cut(std::move(object), plane);
         EXPECT_EQ(result.status, Status::done);
@@ -133,7 +133,7 @@ TEST(Growth, EveryCutOfAChainCostsWhatItsSectionCosts)
     constexpr double kGrown = 2000;  // bytes for each crossing triangle, once reserved room is used up
     test::Random random(3);
     std::vector<std::unique_ptr<Cuttable>> pieces;
-    pieces.push_back(std::move(make_backend()->prepare(test::repaired(shapes::asteroid(40'000, 1))).object));
+    pieces.push_back(std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(40'000, 1))).object));
     std::uint64_t grown = 0;
     for (int i = 0; i < 100; ++i) {
         const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
@@ -162,7 +162,7 @@ TEST(Growth, EveryCutOfAChainCostsWhatItsSectionCosts)
 
 TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
 {
-    auto object = std::move(make_backend()->prepare(test::repaired(shapes::asteroid(20'000, 1))).object);
+    auto object = std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(20'000, 1))).object);
     test::Random random(2);
     std::vector<std::unique_ptr<Cuttable>> objects;
     objects.push_back(std::move(object));

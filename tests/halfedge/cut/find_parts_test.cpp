@@ -24,7 +24,7 @@ TEST(Components, AreThoseOfAFloodFill)
     CutOptions apart;
     apart.split_components = true;
     for (const auto& shape : test::closed_shapes()) {
-        const auto object = std::move(make_backend()->prepare(shape.mesh).object);
+        const auto object = std::move(make_back_end()->prepare(shape.mesh).object);
         for (const auto& plane : test::planes_for(shape.mesh, 5, 13)) {
             SCOPED_TRACE(shape.name + ", plane " + plane.name);
             const CutResult whole = cut(object->clone(), plane.plane),
@@ -48,7 +48,7 @@ TEST(Components, OfAShellInAnUnknownStateAreFoundByALaterCut)
     // The comb's teeth come off but stay one fragment; a cut along them takes that apart.
     const IndexedMesh& mesh = test::closed_shape("comb");
     const double y = double(mesh.bounds().hi.y) - 0.1 * double(mesh.bounds().hi.y - mesh.bounds().lo.y);
-    CutResult tips = cut(std::move(make_backend()->prepare(mesh).object), *Plane::through({0, y, 0}, {0, 1, 0}));
+    CutResult tips = cut(std::move(make_back_end()->prepare(mesh).object), *Plane::through({0, y, 0}, {0, 1, 0}));
     ASSERT_EQ(tips.status, Status::done);
     ASSERT_EQ(tips.positive.size(), 1u);
     const std::size_t teeth = components(tips.positive);
@@ -66,7 +66,7 @@ TEST(Components, CostWhatTheSmallerPartsCost)
 {
     // A ring cut off at its top: two loops, and small parts on one side.
     const IndexedMesh mesh = test::repaired(shapes::torus(1.0f, 0.3f, 600, 200));
-    const auto object = std::move(make_backend()->prepare(mesh).object);
+    const auto object = std::move(make_back_end()->prepare(mesh).object);
     CutOptions apart;
     apart.split_components = true;
     const CutResult result = cut(object->clone(), *Plane::through({0, 0.999, 0.0}, {0.001, 1, 0.0}), apart);

@@ -15,7 +15,7 @@ namespace {
 /// The larger side after a few cuts through the middle.
 std::unique_ptr<Cuttable> cut_a_few_times(const IndexedMesh& mesh, int cuts)
 {
-    auto object = std::move(make_backend()->prepare(mesh).object);
+    auto object = std::move(make_back_end()->prepare(mesh).object);
     test::Random random(6);
     for (int i = 0; i < cuts; ++i) {
         CutResult result = cut(std::move(object), *Plane::through(0.6 * random.direction(), random.direction()));
@@ -58,7 +58,7 @@ TEST(Compaction, TheCompactedObjectIsCutLikeTheOther)
 
 TEST(Compaction, LeavesRelativesAlone)
 {
-    CutResult result = cut(std::move(make_backend()->prepare(test::closed_shape("torus")).object),
+    CutResult result = cut(std::move(make_back_end()->prepare(test::closed_shape("torus")).object),
                            *Plane::through({0.1, 0, 0}, {1, 0.2, 0.1}));
     ASSERT_EQ(result.status, Status::done);
     const auto before = referee::bytes_of(result.negative[0]->to_indexed_mesh());
@@ -80,7 +80,7 @@ TEST(Compaction, IsWantedWhenMostOfTheBuffersIsDead)
 
 TEST(Compaction, ACloneOfASmallFragmentIsSmall)
 {
-    CutResult result = cut(std::move(make_backend()->prepare(test::repaired(shapes::asteroid(50'000, 2))).object),
+    CutResult result = cut(std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(50'000, 2))).object),
                            *Plane::through({0, 0, 0.8}, {0, 0, 1}));
     ASSERT_EQ(result.status, Status::done);
     const Cuttable& small = *result.positive[0];

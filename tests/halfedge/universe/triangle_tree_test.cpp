@@ -26,7 +26,7 @@ TEST(Support, HasABoxWithoutMinusZero)
 TEST(TriangleTree, BoundsMassAndProxyAreThoseOfTheMesh)
 {
     for (const auto& shape : test::closed_shapes()) {
-        const auto object = std::move(make_backend()->prepare(shape.mesh).object);
+        const auto object = std::move(make_back_end()->prepare(shape.mesh).object);
         for (const auto& plane : test::planes_for(shape.mesh, 2, 5)) {
             const CutResult result = cut(object->clone(), plane.plane);
             for (const auto* side : {&result.positive, &result.negative})

@@ -46,7 +46,7 @@ void cut_and_check(const IndexedMesh& mesh, const CutOptions& options, int gener
 {
     test::Random random(seed);
     Fragments fragments;
-    fragments.push_back(std::move(make_backend()->prepare(mesh).object));
+    fragments.push_back(std::move(make_back_end()->prepare(mesh).object));
     for (int generation = 0; generation < generations; ++generation) {
         Fragments next;
         for (auto& fragment : fragments) {
