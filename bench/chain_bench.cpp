@@ -14,6 +14,7 @@
 #include "bench/checked_cut.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
+#include "common/support/median.h"
 
 namespace kerf::bench {
 
@@ -42,13 +43,6 @@ struct Chain
     std::size_t most_ranges = 0;
     std::string error;
 };
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// How many times more the worst of some cuts costs than the line through all of them predicts from its crossing
 /// triangles. The line is that of Theil and Sen, which a few bad cuts don't bend: the median of the slopes between all

@@ -6,6 +6,8 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/support_points.h"
 #include "common/proxy/convex_hull.h"
 #include "common/repair/mesh_facts.h"
 #include "common/support/random.h"

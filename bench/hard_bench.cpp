@@ -10,6 +10,7 @@
 #include <array>
 
 #include "bench/back_ends.h"
+#include "common/mesh/plane_frame.h"
 #include "common/repair/repair.h"
 #include "common/shapes/hard_sections.h"
 #include "common/support/cpu_stopwatch.h"

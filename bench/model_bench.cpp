@@ -159,7 +159,7 @@ void register_model_benchmarks()
     using baseline::VertexLookup;
     static std::vector<std::shared_ptr<Backend>> timed;
     for (const VertexLookup lookup : {VertexLookup::scan, VertexLookup::two_bucket_hash, VertexLookup::hash})
-        timed.push_back(baseline::make_backend(lookup, true));
+        timed.push_back(baseline::make_back_end(lookup, true));
     for (const TimedBackend& back_end : back_ends()) {
         const std::string name = back_end.backend->name();
         if (std::none_of(timed.begin(), timed.end(), [&](const auto& other) { return other->name() == name; }))

@@ -11,6 +11,7 @@
 
 #include "command_line/whole_number.h"
 #include "common/io/mesh_file.h"
+#include "common/support/median.h"
 #include "tools/commands.h"
 #include "tools/comparison.h"
 #include "tools/registry.h"
@@ -57,14 +58,6 @@ double relative_to_section(double excess, const ComparisonRow& row)
 double worse(double a, double b)
 {
     return std::abs(b) > std::abs(a) ? b : a;
-}
-
-double median(std::vector<double> values)
-{
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 void Tally::add(const ComparisonRow& row)
@@ -302,8 +295,8 @@ Json tally_json(const Tally& tally)
 
 void run(const CompareCommandOptions& options)
 {
-    const std::unique_ptr<Backend> baseline = make_backend("baseline", options.lookup),
-                                   halfedge = make_backend("halfedge");
+    const std::unique_ptr<Backend> baseline = make_back_end("baseline", options.lookup),
+                                   halfedge = make_back_end("halfedge");
     if (!halfedge) throw std::runtime_error("this kerf was built without the half-edge back end");
     ComparisonOptions comparison = options.comparison;
     comparison.mix = options.random_only ? PlaneMix::random : PlaneMix::nasty;
@@ -436,7 +429,7 @@ void add_compare_command(CLI::App& program)
         "  kerf compare sponge.glb --depth 5 --only 17");
     command->callback([options] {
         try {
-            make_backend("baseline", options->lookup);
+            make_back_end("baseline", options->lookup);
         } catch (const std::invalid_argument& error) {
             throw CLI::ValidationError("--lookup", error.what());
         }

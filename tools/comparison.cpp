@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/tolerances.h"
 #include "common/support/stopwatch.h"
 #include "tools/mesh_measures.h"
 #include "tools/open_edges.h"

@@ -101,7 +101,7 @@ CutReport perform(const CutCommandOptions& options)
         options.plane ? options.plane
                       : Plane::through(options.point.value_or(loaded.mesh->bounds().centre()), *options.normal);
     if (!plane) throw std::runtime_error("the plane's numbers are too large to calculate with");
-    const std::unique_ptr<Backend> backend = make_backend(options.backend, options.lookup);
+    const std::unique_ptr<Backend> backend = make_back_end(options.backend, options.lookup);
 
     CutReport report;
     report.file = options.file;
@@ -335,7 +335,7 @@ void add_cut_command(CLI::App& program)
         if (!options->normal && !options->plane) throw CLI::RequiredError("--normal or --plane");
         if (backend->empty() && !lookup->empty()) options->backend = backend_with_lookups();
         try {
-            make_backend(options->backend, options->lookup);
+            make_back_end(options->backend, options->lookup);
         } catch (const std::invalid_argument& error) {
             throw CLI::ValidationError("--lookup", error.what());
         }

@@ -49,15 +49,16 @@ const std::vector<BackendFamily>& backend_families()
     return all;
 }
 
-std::unique_ptr<Backend> make_backend(const std::string& name, const std::string& lookup)
+std::unique_ptr<Backend> make_back_end(const std::string& name, const std::string& lookup)
 {
     for (const BackendFamily& family : backend_families()) {
         if (family.name != name) continue;
-        if (lookup.empty()) return make_back_end(family.lookups.empty() ? name : name + "/" + family.lookups.front());
+        if (lookup.empty())
+            return kerf::make_back_end(family.lookups.empty() ? name : name + "/" + family.lookups.front());
         if (std::find(family.lookups.begin(), family.lookups.end(), lookup) == family.lookups.end())
             throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup +
                                         "': " + lookups_text(family));
-        return make_back_end(name + "/" + lookup);
+        return kerf::make_back_end(name + "/" + lookup);
     }
     return nullptr;
 }

@@ -22,6 +22,6 @@ const std::vector<BackendFamily>& backend_families();
 
 /// The back end of this name; null when there is none. An empty `lookup` means the default.
 /// @throws std::invalid_argument  the back end has no such lookup; one sentence
-std::unique_ptr<Backend> make_backend(const std::string& name, const std::string& lookup = {});
+std::unique_ptr<Backend> make_back_end(const std::string& name, const std::string& lookup = {});
 
 }  // namespace kerf::tools

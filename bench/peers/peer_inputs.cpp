@@ -22,7 +22,7 @@ PeerInput input_of(const std::string& name, const ProvenMesh& mesh, std::vector<
         input.triangles.push_back({mesh->points[t[0]], mesh->points[t[1]], mesh->points[t[2]]});
     input.planes = std::move(planes);
 
-    const auto backend = baseline::make_backend(baseline::VertexLookup::remap);
+    const auto backend = baseline::make_back_end(baseline::VertexLookup::remap);
     const PrepareResult prepared = backend->prepare(mesh);
     if (!prepared.object) throw std::runtime_error(name + ": " + prepared.reason);
     input.volume = prepared.object->mass_properties().volume;

@@ -18,7 +18,7 @@ RegisteredBackend baseline_entry(baseline::VertexLookup lookup)
     entry.name = "baseline/" + std::string(name_of(lookup));
     entry.closes_with_fan = true;
     entry.is_quadratic = lookup == VertexLookup::scan || lookup == VertexLookup::two_bucket_hash;
-    entry.make = [lookup] { return baseline::make_backend(lookup); };
+    entry.make = [lookup] { return baseline::make_back_end(lookup); };
     return entry;
 }
 
@@ -29,7 +29,7 @@ const std::vector<RegisteredBackend>& back_ends()
     using baseline::VertexLookup;
     static const std::vector<RegisteredBackend> all{
 #ifdef KERF_HAS_HALFEDGE
-        {"halfedge", false, false, [] { return halfedge::make_backend(); }},
+        {"halfedge", false, false, [] { return halfedge::make_back_end(); }},
 #endif
         baseline_entry(VertexLookup::hash),
         baseline_entry(VertexLookup::remap),

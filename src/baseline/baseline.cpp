@@ -4,6 +4,9 @@
 #include "baseline/report_costs.h"
 #include "baseline/slice.h"
 #include "common/cutting/back_end_helpers.h"
+#include "common/mesh/mass_moments.h"
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/support_points.h"
 #include "common/support/stopwatch.h"
 
 namespace kerf::baseline {
@@ -160,7 +163,7 @@ ReportCosts report_costs(const CutResult& result)
     return fragment ? fragment->costs() : ReportCosts{};
 }
 
-std::unique_ptr<Backend> make_backend(VertexLookup lookup, bool rewrite_pivots)
+std::unique_ptr<Backend> make_back_end(VertexLookup lookup, bool rewrite_pivots)
 {
     if (lookup > VertexLookup::remap) lookup = VertexLookup::hash;
     return std::make_unique<BaselineBackend>(Method{lookup, rewrite_pivots});

@@ -24,6 +24,6 @@ std::string_view name_of(VertexLookup lookup);
 /// point. `rewrite_pivots`: also run the report's loop that rewrites every vertex around the fragment's new pivot; its
 /// result goes to scratch memory, because coordinates never change (a fragment's pivot belongs in its transform). A
 /// lookup that does not exist means `hash`.
-std::unique_ptr<Backend> make_backend(VertexLookup lookup = VertexLookup::hash, bool rewrite_pivots = false);
+std::unique_ptr<Backend> make_back_end(VertexLookup lookup = VertexLookup::hash, bool rewrite_pivots = false);
 
 }  // namespace kerf::baseline

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "common/geometry/dominant_axis.h"
+#include "common/mesh/float_range.h"
+#include "common/mesh/plane_frame.h"
 
 namespace kerf::baseline {
 

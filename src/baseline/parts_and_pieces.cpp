@@ -5,6 +5,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/pair_table.h"
 #include "common/geometry/parallel_rays.h"
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/repair/halfedges_by_edge.h"
 

@@ -14,6 +14,7 @@
 #include "baseline/vertex_sides.h"
 #include "common/cutting/back_end_helpers.h"
 #include "common/cutting/cut_geometry.h"
+#include "common/mesh/plane_noise.h"
 #include "common/support/stopwatch.h"
 
 namespace kerf::baseline {

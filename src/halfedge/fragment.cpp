@@ -6,6 +6,8 @@
 #include <shared_mutex>
 
 #include "common/cutting/back_end_helpers.h"
+#include "common/mesh/mass_moments.h"
+#include "common/mesh/support_points.h"
 #include "halfedge/cut/cutter.h"
 #include "halfedge/universe/compaction.h"
 #include "halfedge/universe/export.h"

@@ -23,7 +23,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> make_backend()
+std::unique_ptr<Backend> make_back_end()
 {
     return std::make_unique<HalfedgeBackend>();
 }

@@ -62,7 +62,7 @@ TEST(Pivot, IsTheMeanOfTheVerticesAndGoesToScratch)
 TEST(Pivot, RewritingIsTimedAndChangesNoFragment)
 {
     const Plane plane{{0, 0, 1}, 0.1};
-    const auto plain = make_backend(VertexLookup::hash), pivots = make_backend(VertexLookup::hash, true);
+    const auto plain = make_back_end(VertexLookup::hash), pivots = make_back_end(VertexLookup::hash, true);
     const CutResult a = cut(plain->prepare(closed_shape("asteroid")).object, plane),
                     b = cut(pivots->prepare(closed_shape("asteroid")).object, plane);
     EXPECT_EQ(report_costs(a).pivot_ms, 0.0);

@@ -2,6 +2,7 @@
 
 #include "baseline/fragment.h"
 #include "baseline/slice.h"
+#include "common/mesh/plane_noise.h"
 #include "common/mesh/triangle_soup.h"
 #include "support/fixtures.h"
 

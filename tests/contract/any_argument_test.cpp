@@ -12,7 +12,11 @@
 #include "common/cutting/cut.h"
 #include "common/io/mesh_file.h"
 #include "common/mesh/coordinate_grain.h"
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
+#include "common/mesh/plane_frame.h"
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/support_points.h"
 #include "common/proxy/collision_proxy.h"
 #include "common/proxy/convex_hull.h"
 #include "common/repair/mesh_facts.h"
@@ -137,7 +141,7 @@ TEST(AnyEnumerator, OfAPhaseThatDoesNotExistIsAnException)
 TEST(AnyEnumerator, OfALookupThatDoesNotExistIsTheDefaultOne)
 {
     for (const int lookup : {4, 77, 255}) {
-        const auto backend = baseline::make_backend(static_cast<baseline::VertexLookup>(lookup));
+        const auto backend = baseline::make_back_end(static_cast<baseline::VertexLookup>(lookup));
         EXPECT_EQ(backend->name(), "baseline/hash");
         PrepareResult prepared = backend->prepare(test::closed_shape("cube"));
         EXPECT_EQ(cut(std::move(prepared.object), Plane{}).status, Status::done);

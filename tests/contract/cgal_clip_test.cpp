@@ -9,6 +9,7 @@
 
 #include "common/cutting/cut.h"
 #include "common/io/mesh_file.h"
+#include "common/mesh/plane_noise.h"
 #include "support/cgal_clip.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

@@ -11,6 +11,8 @@
 #include <random>
 
 #include "common/io/mesh_file.h"
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/tolerances.h"
 #include "common/repair/mesh_facts.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"

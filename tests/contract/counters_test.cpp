@@ -57,7 +57,7 @@ TEST(Counters, OfTheHalfEdgeBackEndAreThoseThatArePublished)
 
 TEST(Counters, OfLinearBackEndsAreInProportionToTheMesh)
 {
-    const CutStatistics sum = counted(*baseline::make_backend(VertexLookup::remap), kTriangles);
+    const CutStatistics sum = counted(*baseline::make_back_end(VertexLookup::remap), kTriangles);
     expect_about(sum.crossing_triangles, 1'148);
     expect_about(sum.triangles_touched, 60'516);
     expect_about(sum.bytes_to_upload, 1'945'456);
@@ -68,7 +68,7 @@ TEST(Counters, OfVertexComparisonsTellTheLookUpsApart)
 {
     const auto comparisons = [](VertexLookup lookup) {
         std::uint64_t sum = 0;
-        counted(*baseline::make_backend(lookup), kSmall, &sum);
+        counted(*baseline::make_back_end(lookup), kSmall, &sum);
         return sum;
     };
     expect_about(comparisons(VertexLookup::scan), 14'062'965);

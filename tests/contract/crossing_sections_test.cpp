@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "common/cutting/cut.h"
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/tolerances.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/prisms.h"

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "common/cutting/cut.h"
+#include "common/mesh/plane_frame.h"
+#include "common/mesh/plane_noise.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

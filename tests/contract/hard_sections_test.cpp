@@ -9,6 +9,7 @@
 #include <string>
 
 #include "baseline/report_costs.h"
+#include "common/mesh/plane_frame.h"
 #include "common/shapes/hard_sections.h"
 #include "common/support/cpu_stopwatch.h"
 #include "support/allocations.h"

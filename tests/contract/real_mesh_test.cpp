@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "common/io/mesh_file.h"
+#include "common/mesh/plane_noise.h"
 #include "common/repair/mesh_facts.h"
 #include "support/backends.h"
 #include "support/fixtures.h"

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "common/cutting/cut.h"
+#include "common/mesh/plane_noise.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"

@@ -9,6 +9,7 @@
 
 #include "baseline/baseline.h"
 #include "common/cutting/cut.h"
+#include "common/mesh/plane_noise.h"
 #include "common/repair/repair.h"
 #include "fuzz/byte_reader.h"
 #include "fuzz/fuzzers.h"
@@ -243,7 +244,7 @@ void fuzz_cut(Bytes input)
     Repaired repaired = repair(soup_from(bytes));
     if (!repaired.error.empty()) return;
     require(is_manifold(repaired.mesh), "a repaired mesh is manifold");
-    const std::array<std::unique_ptr<Backend>, 2> backends{baseline::make_backend(lookup), halfedge::make_backend()};
+    const std::array<std::unique_ptr<Backend>, 2> backends{baseline::make_back_end(lookup), halfedge::make_back_end()};
     IndexedMesh mesh = *std::move(repaired.mesh);
     for (int i = 0; i < kMostCuts; ++i) {
         const Plane plane = plane_from(bytes, mesh);

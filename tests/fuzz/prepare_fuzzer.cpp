@@ -99,7 +99,7 @@ void fuzz_prepare(Bytes input)
     test::Random random(bytes.word());
     const IndexedMesh mesh = setting % 4 == 0 ? changed_mesh(bytes) : mesh_from(bytes, setting % 4 == 1);
     const std::array<std::unique_ptr<Backend>, 2> backends{
-        baseline::make_backend(static_cast<baseline::VertexLookup>((setting >> 4) % 4)), halfedge::make_backend()};
+        baseline::make_back_end(static_cast<baseline::VertexLookup>((setting >> 4) % 4)), halfedge::make_back_end()};
     const test::MeshTrial trial = test::try_mesh(mesh, backends, random);
     if (!trial.refusal.empty()) return;
     const PrepareResult prepared = backends[1]->prepare(mesh);

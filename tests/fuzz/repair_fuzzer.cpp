@@ -78,7 +78,7 @@ void fuzz_repair(Bytes input)
     require(referee::open_edges(mesh) == facts.open_edges, "the facts say what is open");
     require(facts.unbalanced_edges > 0 || facts.closed(), "what is closed stays closed");
 
-    for (const auto& backend : {baseline::make_backend(), halfedge::make_backend()}) {
+    for (const auto& backend : {baseline::make_back_end(), halfedge::make_back_end()}) {
         const PrepareResult result = backend->prepare(mesh);
         require(result.status == Status::done, backend->name() + " takes a repaired mesh (" + result.reason + ")");
         const IndexedMesh copy = result.object->to_indexed_mesh();

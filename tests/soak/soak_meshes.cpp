@@ -107,8 +107,8 @@ int main(int argc, char** argv)
     std::mutex mutex;
     const auto work = [&] {
         std::vector<std::unique_ptr<Backend>> backends;
-        backends.push_back(baseline::make_backend());
-        backends.push_back(halfedge::make_backend());
+        backends.push_back(baseline::make_back_end());
+        backends.push_back(halfedge::make_back_end());
         std::vector<Tally> own(tallies.size());
         constexpr std::uint64_t kBatch = 1000;
         for (std::uint64_t begin; (begin = next.fetch_add(kBatch)) < first + count;) {

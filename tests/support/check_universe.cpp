@@ -1,4 +1,6 @@
 #include "support/check_universe.h"
+#include "common/mesh/mass_moments.h"
+#include "common/mesh/support_points.h"
 
 #include <cmath>
 #include <limits>

@@ -116,19 +116,6 @@ const std::vector<NamedMesh>& open_shapes()
     return all;
 }
 
-std::uint64_t Random::next()
-{
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return z ^ (z >> 31);
-}
-
-double Random::uniform()
-{
-    return double(next() >> 11) * 0x1p-53;
-}
-
 std::uint32_t Random::below(std::uint32_t bound)
 {
     return static_cast<std::uint32_t>(next() % bound);

@@ -7,6 +7,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/plane.h"
 #include "common/repair/repair.h"
+#include "common/support/random.h"
 
 namespace kerf::test {
 
@@ -32,18 +33,18 @@ const IndexedMesh& closed_shape(const std::string& name);
 /// Two triangles' worth of trouble each: meshes with boundary.
 const std::vector<NamedMesh>& open_shapes();
 
-/// Random numbers that are the same everywhere (SplitMix64).
+/// kerf::Random with what tests draw from it.
 class Random
 {
 public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next();
-    double uniform();  ///< in [0, 1)
+    explicit Random(std::uint64_t seed) : numbers_(seed) {}
+    std::uint64_t next() { return numbers_.next(); }
+    double uniform() { return numbers_.unit(); }  ///< in [0, 1)
     std::uint32_t below(std::uint32_t bound);
     glm::dvec3 direction();  ///< uniform on the sphere
 
 private:
-    std::uint64_t state_;
+    kerf::Random numbers_;
 };
 
 /// A plane with a name for failure messages.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/mesh/plane_noise.h"
 #include "common/proxy/collision_proxy.h"
 #include "support/referee.h"
 #include "support/surface_referee.h"

@@ -5,6 +5,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_noise.h"
 #include "support/fixtures.h"
 
 // What RapidCheck's properties of cut() are tried on.

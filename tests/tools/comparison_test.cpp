@@ -86,7 +86,7 @@ public:
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
     {
-        return std::make_unique<LyingObject>(baseline::make_backend()->prepare(std::move(mesh)).object, spoil_, false);
+        return std::make_unique<LyingObject>(baseline::make_back_end()->prepare(std::move(mesh)).object, spoil_, false);
     }
 
     Spoil spoil_;
@@ -129,7 +129,7 @@ Outcome compare_with(const Spoil& spoil, TriangleSoup soup, std::uint64_t depth 
     options.depth = depth;
     Outcome outcome;
     outcome.mesh =
-        compare_mesh(repaired(std::move(soup)), *baseline::make_backend(baseline::VertexLookup::remap),
+        compare_mesh(repaired(std::move(soup)), *baseline::make_back_end(baseline::VertexLookup::remap),
                      LyingBackend(spoil), options, [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
     return outcome;
 }
@@ -261,7 +261,7 @@ TEST(Comparison, SaysWhereTheFanIsWrongAndByHowMuch)
     options.planes = 1;
     options.first_plane = 2;
     std::vector<ComparisonRow> rows;
-    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    const std::unique_ptr<Backend> baseline = baseline::make_back_end();
     compare_mesh(repaired(shapes::pipe(1.0f, 0.5f, 2.0f, 64, 3)), *baseline, *baseline, options,
                  [&](const ComparisonRow& row) { rows.push_back(row); });
     ASSERT_EQ(rows.size(), 1u);
@@ -384,7 +384,7 @@ TEST(SectionsOfSolids, ShowWhatWindsBackwardsWithinAnother)
     IndexedMesh mesh = *repaired(std::move(soup));
     mesh.materials.resize(2);
     const glm::dvec3 up{0, 1, 0};
-    const CutResult result = cut(baseline::make_backend()->prepare(mesh).object, Plane{up, 0.0}, options);
+    const CutResult result = cut(baseline::make_back_end()->prepare(mesh).object, Plane{up, 0.0}, options);
     ASSERT_EQ(result.status, Status::done);
     EXPECT_NEAR(measure_winding(steps_of(result.negative.front()->section_loops()), up)->backward, 0.0, 1e-9);
     const auto sections = sections_of_solids(result.negative.front()->to_indexed_mesh(), 1);
@@ -396,7 +396,7 @@ TEST(SectionsOfSolids, ShowWhatWindsBackwardsWithinAnother)
 // in the section, and each has a cap.
 TEST(Comparison, FindsNothingInOpenSoupsWhoseLoopsCancel)
 {
-    const auto baseline = baseline::make_backend(), halfedge = halfedge::make_backend();
+    const auto baseline = baseline::make_back_end(), halfedge = halfedge::make_back_end();
     ComparisonOptions options;
     options.planes = 4;
     std::size_t cuts = 0, cancelling = 0;
@@ -431,7 +431,7 @@ TEST(Comparison, SaysWhatItCouldNotJudge)
     options.first_plane = 1;
     std::vector<ComparisonRow> rows;
     const auto spoil = [](IndexedMesh& m) { m.vertices[m.triangles[cap_of(m).first][0]].position.x += 3.0f; };
-    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    const std::unique_ptr<Backend> baseline = baseline::make_back_end();
     compare_mesh(repaired(prism(star(2001))), *baseline, LyingBackend(spoil), options,
                  [&](const ComparisonRow& row) { rows.push_back(row); });
     ASSERT_EQ(rows.size(), 1u);
@@ -454,7 +454,7 @@ TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
     const ProvenMesh mesh = repaired(std::move(soup));
     ComparisonOptions options;
     options.planes = 12;
-    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    const std::unique_ptr<Backend> baseline = baseline::make_back_end();
     Outcome outcome;
     const ComparedMesh compared = compare_mesh(mesh, *baseline, *baseline, options,
                                                [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
@@ -470,7 +470,7 @@ TEST(Comparison, SaysThatRepairOpenedTheMesh)
     TriangleSoup sheet = ball();
     sheet.triangles.pop_back();
     const ProvenMesh mesh = repaired(std::move(sheet));
-    const std::unique_ptr<Backend> baseline = baseline::make_backend();
+    const std::unique_ptr<Backend> baseline = baseline::make_back_end();
     const auto failures_of = [&](bool was_closed) {
         ComparisonOptions options;
         options.planes = 1;

@@ -5,6 +5,7 @@
 
 #include "common/io/mesh_file.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_noise.h"
 #include "tools/program.h"
 
 // `kerf cut` of the report's models and of real meshes: what is on the disk afterwards is right.

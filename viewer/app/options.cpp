@@ -170,7 +170,7 @@ ParsedOptions parse_options(int argc, char** argv)
             throw CLI::ValidationError("--zoom-at", "'" + zoom_at + "' is no place like 1.5,-0.5");
         for (const std::string& name : CLI::detail::split(backends, ',')) {
             if (backends.empty()) break;
-            const std::string found = sim::find_backend(name);
+            const std::string found = sim::known_back_end(name);
             if (found.empty())
                 throw CLI::ValidationError(
                     "--backend", "there is no back end '" + name + "': it is one of " + joined(sim::backend_names()));

@@ -55,7 +55,7 @@ sim::Settings settings_of(const Options& options, const sim::Script& script, con
     settings.scene = first_said(options.scene, script.scene, otherwise);
     const std::string backend =
         first_said(options.backends.empty() ? std::string() : options.backends.front(), script.backend, {});
-    settings.backend = sim::find_backend(backend);
+    settings.backend = sim::known_back_end(backend);
     if (!backend.empty() && settings.backend.empty())
         throw std::invalid_argument("there is no back end '" + backend + "'");
     if (const std::string proxy = first_said(options.proxy, script.proxy, {}); !proxy.empty()) {

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "back_ends/back_ends.h"
 #include "common/io/mesh_file.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/offscreen_context.h"
@@ -128,7 +129,7 @@ class Gallery
 {
 public:
     Gallery(std::filesystem::path folder, const std::string& backend, int height)
-        : folder_(std::move(folder)), backend_(sim::make_backend(backend)), height_(height), target_(width(), height)
+        : folder_(std::move(folder)), backend_(make_back_end(backend)), height_(height), target_(width(), height)
     {
     }
 

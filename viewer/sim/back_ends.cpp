@@ -14,15 +14,10 @@ const std::vector<std::string>& backend_names()
     return names;
 }
 
-std::string find_backend(std::string_view name)
+std::string known_back_end(std::string_view name)
 {
     const RegisteredBackend* const entry = find_back_end(name);
     return entry == nullptr ? std::string() : entry->name;
-}
-
-std::unique_ptr<Backend> make_backend(std::string_view name)
-{
-    return make_back_end(name);
 }
 
 }  // namespace kerf::sim

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "common/cutting/cut.h"
 
 namespace kerf::sim {
 
@@ -13,9 +10,6 @@ namespace kerf::sim {
 const std::vector<std::string>& backend_names();
 
 /// Accepts "baseline" for the default lookup. Empty for a name that this build does not have.
-std::string find_backend(std::string_view name);
-
-/// Null for an unknown name.
-std::unique_ptr<Backend> make_backend(std::string_view name);
+std::string known_back_end(std::string_view name);
 
 }  // namespace kerf::sim

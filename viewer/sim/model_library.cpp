@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "back_ends/back_ends.h"
 #include "common/io/mesh_file.h"
 #include "common/proxy/collision_proxy.h"
 #include "viewer/sim/back_ends.h"
@@ -120,7 +121,7 @@ std::shared_ptr<ModelLibrary::Prepared> ModelLibrary::find_entry(std::size_t ind
 void ModelLibrary::prepare_once(Prepared& entry, std::size_t index, const std::string& backend)
 {
     if (entry.ready) return;
-    if (const std::unique_ptr<Backend> maker = make_backend(backend)) {
+    if (const std::unique_ptr<Backend> maker = make_back_end(backend)) {
         PrepareResult result = maker->prepare(model(index).mesh);
         entry.object = std::move(result.object);
         if (!entry.object) entry.error = model(index).name + " can't be prepared: " + result.reason;

@@ -39,7 +39,7 @@ Simulation::Simulation(std::shared_ptr<ModelLibrary> models, Settings settings, 
       input_(settings_.record)
 {
     settings_.scene = scene_->name();
-    backend_ = settings_.backend.empty() ? backend_names().front() : find_backend(settings_.backend);
+    backend_ = settings_.backend.empty() ? backend_names().front() : known_back_end(settings_.backend);
     if (backend_.empty()) throw std::invalid_argument("there is no back end '" + settings_.backend + "'");
     settings_.backend = backend_;
     blade_.set_gesture(settings_.gesture);
@@ -71,7 +71,7 @@ std::string_view Simulation::waiting_argument(std::string_view verb) const
 
 std::string Simulation::backend_to_come() const
 {
-    const std::string wanted = find_backend(waiting_argument("backend"));
+    const std::string wanted = known_back_end(waiting_argument("backend"));
     return wanted.empty() ? backend_ : wanted;
 }
 
@@ -138,7 +138,7 @@ void Simulation::apply_command(const std::string& text)
     const std::string_view argument = whole.substr(begin);
 
     if (verb == "backend") {
-        const std::string wanted = find_backend(argument);
+        const std::string wanted = known_back_end(argument);
         if (wanted.empty()) return report("there is no back end '" + std::string(argument) + "'");
         backend_ = wanted;
     } else if (verb == "proxy") {

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_noise.h"
 
 namespace kerf::sim {
 namespace {

@@ -15,6 +15,7 @@
 #include "common/caps/near_places.h"
 #include "common/geometry/turn.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_noise.h"
 #include "common/mesh/tolerances.h"
 
 // Cut points are rounded to float, so a section that comes near to itself may touch or cross itself by a unit in the
@@ -35,9 +36,9 @@
 // over just those. In large outlines each crowd is first led over one of its points, and edges over the points that
 // they pass by within rounding (snap rounding again, of points as well).
 //
-// A loop that comes back to a point falls apart there. If all parts run counter-clockwise, each is covered on its own,
+// A loop that comes back to a point falls into simple loops there. If all run counter-clockwise, each is covered on its own,
 // which is quick; holes need the constrained triangulation. That covers a place as often as it is wound around,
-// triangle upon triangle; if that takes too many, parts are covered on their own after all, with holes turned over.
+// triangle upon triangle; if that takes too many, simple loops are covered on their own after all, with holes turned over.
 
 namespace kerf {
 
@@ -111,12 +112,12 @@ private:
     {
         for (int round = 0; round < kMostRounds; ++round) {
             name_points(cap);
-            if (cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap))
+            if (cover_simple_loops(cap, kTurnedShare) || cover_with(*constrained_, cap))
                 return drop_triangles_between_equals(cap);
             if (!find_meetings() || leads_.empty()) break;
             lead_over(cap);
         }
-        return cover_parts(cap, kAnyShare) && drop_triangles_between_equals(cap);
+        return cover_simple_loops(cap, kAnyShare) && drop_triangles_between_equals(cap);
     }
 
     /// Rounds in which edges are led over ends of others and over points where they cross. Empty if points are too
@@ -273,7 +274,8 @@ private:
     {
         name_points(cap);
         // Holes turned over are the last resort: they cover twice too often.
-        return cover_parts(cap, kTurnedShare) || cover_with(*constrained_, cap) || cover_parts(cap, kAnyShare);
+        return cover_simple_loops(cap, kTurnedShare) || cover_with(*constrained_, cap) ||
+               cover_simple_loops(cap, kAnyShare);
     }
 
     /// Whether many points lie within rounding of one.
@@ -584,30 +586,30 @@ private:
             if (visits_[first_at_[i]] > 1) cap.shared_points.push_back(i);
     }
 
-    /// Covers each part of the outline on its own, clockwise parts by triangles that are turned over. False, with
-    /// nothing covered, if the clockwise parts have more than such a share of the area, or if one part is too
+    /// Covers each simple loop on its own, clockwise ones by triangles that are turned over. False, with nothing
+    /// covered, if the clockwise ones have more than such a share of the area, or if one loop is too
     /// difficult. O(k log k), however often a place is wound around.
-    bool cover_parts(CapMesh& cap, double turned_share)
+    bool cover_simple_loops(CapMesh& cap, double turned_share)
     {
-        split_into_parts();
+        split_into_simple_loops();
         double upright = 0.0, turned = 0.0;
-        for (std::size_t part = 0; part + 1 < part_starts_.size(); ++part) {
-            const double area = area_of_part(part);
+        for (std::size_t loop = 0; loop + 1 < simple_starts_.size(); ++loop) {
+            const double area = area_of_simple_loop(loop);
             (area > 0.0 ? upright : turned) += std::abs(area);
         }
         if (turned > turned_share * upright) return false;
         const std::size_t triangles = cap.triangles.size(), cancelled = cap.cancelled.size();
-        for (std::size_t part = 0; part + 1 < part_starts_.size(); ++part) {
-            const std::span<const Edge> edges(parts_.data() + part_starts_[part],
-                                              part_starts_[part + 1] - part_starts_[part]);
+        for (std::size_t loop = 0; loop + 1 < simple_starts_.size(); ++loop) {
+            const std::span<const Edge> edges(simple_edges_.data() + simple_starts_[loop],
+                                              simple_starts_[loop + 1] - simple_starts_[loop]);
             const std::array<Index, 2> ends{0, static_cast<Index>(edges.size())};
             set_points(edges);
             // A mirrored loop runs the other way round; the cover's edges run as the loop's do all the same.
-            if (area_of_part(part) < 0.0)
+            if (area_of_simple_loop(loop) < 0.0)
                 for (glm::dvec2& p : points_) std::swap(p.x, p.y);
-            const CapOutline loop{points_, positions_, ends};
-            if (!convex_->triangulate(loop, inner_) && !clipping_->triangulate(loop, inner_) &&
-                !constrained_->triangulate(loop, inner_)) {
+            const CapOutline outline{points_, positions_, ends};
+            if (!convex_->triangulate(outline, inner_) && !clipping_->triangulate(outline, inner_) &&
+                !constrained_->triangulate(outline, inner_)) {
                 cap.triangles.resize(triangles);
                 cap.cancelled.resize(cancelled);
                 return false;
@@ -618,12 +620,12 @@ private:
         return true;
     }
 
-    /// Fills `parts_` with the loops into which the outline falls at points that it comes back to, and `folds_` with
+    /// Fills `simple_edges_` with the loops into which the outline falls at points that it comes back to, and `folds_` with
     /// the edges that run forth and straight back.
-    void split_into_parts()
+    void split_into_simple_loops()
     {
-        parts_.clear();
-        part_starts_.assign(1, 0);
+        simple_edges_.clear();
+        simple_starts_.assign(1, 0);
         folds_.clear();
         on_path_.assign(places_.size(), kNone);
         for (std::size_t loop = 0; loop + 1 < starts_.size(); ++loop) {
@@ -637,21 +639,21 @@ private:
                 if (path_.size() - first == 2) {
                     folds_.push_back({path_[first].link, path_[first + 1].link});
                 } else {
-                    parts_.insert(parts_.end(), path_.begin() + first, path_.end());
-                    part_starts_.push_back(static_cast<Index>(parts_.size()));
+                    simple_edges_.insert(simple_edges_.end(), path_.begin() + first, path_.end());
+                    simple_starts_.push_back(static_cast<Index>(simple_edges_.size()));
                 }
                 path_.resize(first);
             }
         }
     }
 
-    /// Positive if the part runs counter-clockwise.
-    double area_of_part(std::size_t part) const
+    /// Positive if the simple loop runs counter-clockwise.
+    double area_of_simple_loop(std::size_t loop) const
     {
-        const glm::dvec2 origin = places_[parts_[part_starts_[part]].from];
+        const glm::dvec2 origin = places_[simple_edges_[simple_starts_[loop]].from];
         double twice = 0.0;
-        for (Index i = part_starts_[part]; i < part_starts_[part + 1]; ++i) {
-            const glm::dvec2 a = places_[parts_[i].from] - origin, b = places_[parts_[i].to] - origin;
+        for (Index i = simple_starts_[loop]; i < simple_starts_[loop + 1]; ++i) {
+            const glm::dvec2 a = places_[simple_edges_[i].from] - origin, b = places_[simple_edges_[i].to] - origin;
             twice += a.x * b.y - a.y * b.x;
         }
         return 0.5 * twice;
@@ -714,13 +716,13 @@ private:
     std::vector<Lead> leads_;
     std::vector<Index> route_;  ///< the points of an edge that is led over some
     LoopBoxes boxes_;
-    std::vector<Edge> path_, parts_;
-    std::vector<Index> part_starts_, visits_;
+    std::vector<Edge> path_, simple_edges_;
+    std::vector<Index> simple_starts_, visits_;
     std::vector<Index> on_path_;                 ///< by point: its place on the current path
     std::vector<std::array<CapLink, 2>> folds_;  ///< links of the two edges
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
-    CapMesh inner_;  ///< the cover of a part; counts all steps
+    CapMesh inner_;  ///< the cover of a simple loop; counts all steps
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "common/cutting/back_end_helpers.h"
+#include "common/mesh/tolerances.h"
 
 #include <algorithm>
 #include <array>

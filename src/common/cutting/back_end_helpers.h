@@ -8,7 +8,7 @@
 // What a back end needs to keep the contract, and its users do not: draw ranges, the material of caps, serial numbers
 // of buffers, and whether caps exceed their section.
 //
-// A cut misses for one of three reasons, which each back end finds where it has what it needs: the object lies beyond
+// A cut misses for one of three reasons, and each back end finds it as soon as it can: the object lies beyond
 // the plane (halfedge/cut/cutter.cpp: missed_side(); baseline/slice.cpp: bounds), a side keeps no triangle, or nothing
 // crosses but what vanishes (cutter.cpp: plan(); baseline/slicing_steps.h: vertices, and sides that vanish).
 
@@ -18,8 +18,8 @@ namespace kerf {
 void merge_ranges(std::vector<DrawRange>& ranges);
 
 /// Appends the material that fills sections when the user names none, and returns its index: "cap", or "cap.1" and so
-/// on where a material has that name: caps never share one with the surface by accident. The number is the smallest
-/// that is free, or another where names occur twice. O(materials); allocates nothing where there is room for one.
+/// on if a material has that name: caps never share one with the surface by accident. The number is the smallest that
+/// is free, or another if names occur twice. O(materials); allocates nothing if there is room for one.
 std::uint32_t add_cap_material(std::vector<Material>& materials);
 
 /// A serial number for buffers, which no others get. From any thread.

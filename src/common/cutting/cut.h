@@ -15,7 +15,7 @@
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/side.h"
-#include "common/mesh/support_points.h"
+#include "common/mesh/support_directions.h"
 #include "common/repair/proven_mesh.h"
 
 // The contract of the back ends: a Backend prepares an IndexedMesh into a Cuttable; cut() turns a Cuttable into the

@@ -18,6 +18,7 @@
 #include "common/io/mesh_file.h"
 #include "common/io/read_formats.h"
 #include "common/io/soup_builder.h"
+#include "common/mesh/is_finite.h"
 
 // Reads the meshes that the scene of a glTF file shows, and nothing else of it. Transforms are applied in double; a
 // mesh without one keeps its coordinates bit for bit.
@@ -324,8 +325,6 @@ private:
     {
         return {accessor.value(i, 0), accessor.value(i, 1), accessor.value(i, 2)};
     }
-
-    static bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
     /// NaN stays NaN: whether it matters is decided for all formats in one place.
     static glm::vec3 unit(const glm::dvec3& n)

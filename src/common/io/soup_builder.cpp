@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/io/read_formats.h"
+#include "common/mesh/is_finite.h"
 
 namespace kerf::io {
 
@@ -13,11 +14,6 @@ namespace {
 /// Vertex and index numbers are 32 bits wide, and so is the number of corners.
 constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
 constexpr std::size_t kMostTriangles = std::numeric_limits<std::uint32_t>::max() / 3;
-
-bool is_finite(const glm::vec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 }  // namespace
 

@@ -1,15 +1,11 @@
 #pragma once
 
 #include <array>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
 #include "common/mesh/box.h"
-#include "common/mesh/float_range.h"
 #include "common/mesh/float_rules.h"
-#include "common/mesh/tolerances.h"
 
 namespace kerf {
 
@@ -47,32 +43,5 @@ struct Plane
     /// True if all four numbers are finite and the normal has unit length within rounding.
     bool valid() const;
 };
-
-/// Two unit vectors that span a plane: cross(u, v) = normal. Cap uv are coordinates along them, so they are fixed to
-/// the object. The same normal always gives the same frame.
-struct PlaneFrame
-{
-    glm::dvec3 u, v;
-
-    static PlaneFrame of(const glm::dvec3& normal);
-
-    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. In a box of the largest
-    /// floats a coordinate along a diagonal can exceed the largest float; it then becomes the largest.
-    glm::vec2 uv(const glm::vec3& p) const
-    {
-        return {nearest_finite_float(glm::dot(u, glm::dvec3(p))), nearest_finite_float(glm::dot(v, glm::dvec3(p)))};
-    }
-};
-
-/// How far from the plane a side must reach to be a fragment: kNoiseInUnits units in the last place of the mesh's
-/// largest coordinate, in mesh units. `largest_coordinate` is that of the mesh before any cut
-/// (Box::largest_coordinate).
-double plane_noise(float largest_coordinate);
-
-/// One unit in the last place of that coordinate, by which rounding moves a cut point at most along an axis.
-inline double rounding_unit(double plane_noise)
-{
-    return plane_noise / kNoiseInUnits;
-}
 
 }  // namespace kerf

@@ -38,7 +38,7 @@ inline constexpr double kCreaseAngle = 40.0;
 /// last place along the outline is allowed as well: caps_exceed_section(). A warning only.
 inline constexpr double kCapAgreement = 1e-6;
 
-/// Share of the area of all other parts: clockwise parts of an outline that have no more area are not holes. Rounding
+/// Share of the area of all other loops: clockwise loops of an outline that have no more area are not holes. Rounding
 /// has turned them over; if they are covered turned over as well, the error is negligible.
 inline constexpr double kTurnedShare = 1e-8;
 
@@ -62,7 +62,7 @@ inline constexpr double kReachInNoise = 0x1p20;
 /// volume is then summed again about a nearer point.
 inline constexpr double kLostDigits = 1e-11;
 
-/// Parts of the hull's lattice: a thinner hull is flat. Rounding to the lattice moves either side by one part.
-inline constexpr double kThinnestInParts = 2.0;
+/// Steps of the hull's lattice: a thinner hull is flat. Rounding to the lattice moves either side by one step.
+inline constexpr double kThinnestInSteps = 2.0;
 
 }  // namespace kerf

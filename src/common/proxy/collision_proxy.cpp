@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/mesh/float_range.h"
+#include "common/mesh/support_points.h"
 #include "common/proxy/convex_hull.h"
 
 namespace kerf {

@@ -21,7 +21,7 @@ enum class ProxyKind : std::uint8_t
     sphere,  ///< a sphere around all vertices: box centre, farthest vertex; at most sqrt(3) times the smallest one
     bounded_hull,  ///< convex hull of the vertices that are extreme along kSupportDirections fixed directions
     full_hull,     ///< convex hull of all vertices
-    points,  ///< points whose hull is left to the physics engine; made elsewhere (baseline/report_proxy/every_vertex.h)
+    points,        ///< points whose hull is left to the physics engine: some program makes them
 };
 std::string_view name_of(ProxyKind kind);
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "common/mesh/box.h"
+#include "common/mesh/is_finite.h"
 #include "common/mesh/tolerances.h"
 
 namespace kerf {
@@ -86,7 +87,7 @@ bool is_flat(const ConvexHull& hull, std::span<const glm::vec3> points, const Bo
     }
     // A flat pyramid of thickness t has the volume t * base / 3 and the area 2 * base; other bodies are thicker for
     // the same quotient.
-    return !(2.0 * volume6 / area2 > kThinnestInParts / kHullLattice);
+    return !(2.0 * volume6 / area2 > kThinnestInSteps / kHullLattice);
 }
 
 // Scales the points by a power of two, which takes the largest coordinate to between 1 and 2: Bullet accepts no
@@ -100,11 +101,6 @@ std::vector<glm::vec3> to_common_size(std::span<const glm::vec3> points, const B
     scaled.reserve(points.size());
     for (const glm::vec3& p : points) scaled.emplace_back(glm::dvec3(p) * factor);
     return scaled;
-}
-
-bool is_finite(const glm::vec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 // The hull of the finite points, if some are not.
@@ -129,7 +125,7 @@ ConvexHull convex_hull(std::span<const glm::vec3> points)
     ConvexHull hull;
     if (points.empty()) return hull;
     if (points.size() > std::size_t{std::numeric_limits<int>::max()}) throw std::length_error("points of a hull");
-    if (!std::all_of(points.begin(), points.end(), is_finite)) return hull_of_finite(points);
+    if (!std::all_of(points.begin(), points.end(), is_finite<float>)) return hull_of_finite(points);
     Box box;
     for (const glm::vec3& p : points) box.add(p);
 

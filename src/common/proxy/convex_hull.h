@@ -16,8 +16,8 @@ struct ConvexHull
     std::vector<Triangle> faces;         ///< index into `corners`, counter-clockwise seen from outside; empty if flat
 };
 
-/// Along each axis the hull is computed on a lattice that divides the points' extent into so many parts. A point can
-/// stand out of the hull by about one part, and a set thinner than a few parts counts as flat.
+/// Along each axis the hull is computed on a lattice that divides the points' extent into so many steps. A point can
+/// stand out of the hull by about one step, and a set thinner than a few steps counts as flat.
 inline constexpr double kHullLattice = 10216.0;
 
 /// Convex hull of the finite points. A flat set (no points, one, collinear, coplanar) gives its extreme points, in

@@ -4,16 +4,12 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "common/mesh/is_finite.h"
 #include "common/mesh/tolerances.h"
 
 namespace kerf {
 
 namespace {
-
-bool is_finite(const glm::vec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 glm::vec3 unit_or_none(const glm::vec3& n)
 {

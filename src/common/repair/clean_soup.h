@@ -22,9 +22,8 @@ struct UnfitAttributes
 /// Cleans the numbers of vertices. All positions are finite, and indices in range.
 ///
 /// * -0 becomes +0 in positions, so that equal positions have equal bits.
-/// * A normal farther than kUnitTolerance from unit length is normalised; a nearer one keeps its bits. A vertex has
-/// none
-///   if its normal is not finite or has length 0: it gets the mean of its triangles' normals, weighted by area, or +z
+/// * A normal farther than kUnitTolerance from unit length is normalised; a nearer one keeps its bits. A vertex has none if
+///   its normal is not finite or has length 0: it gets the mean of its triangles' normals, weighted by area, or +z
 ///   if that has no direction. If no vertex has one, `has_normals` becomes false.
 /// * A uv that is not finite becomes (0, 0).
 ///

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/geometry/disjoint_sets.h"
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/repair/halfedges_by_edge.h"
 #include "common/repair/linked_surface.h"

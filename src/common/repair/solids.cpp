@@ -10,8 +10,10 @@
 #include "common/geometry/line_hits.h"
 #include "common/geometry/ray_crossing.h"
 #include "common/mesh/index.h"
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_noise.h"
 
 namespace kerf {
 

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "common/cutting/back_end_helpers.h"
+#include "common/mesh/plane_noise.h"
 #include "halfedge/cut/piece_plan.h"
 #include "halfedge/cut/split.h"
 #include "halfedge/cut/stitch.h"
@@ -12,9 +13,7 @@ namespace kerf::halfedge {
 
 void Cutter::done(Phase phase, CutResult& result)
 {
-    const auto now = std::chrono::steady_clock::now();
-    result.statistics.phases[phase] += std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
+    result.statistics.phases[phase] += watch_.lap();
 }
 
 bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& result)
@@ -59,6 +58,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
 bool Cutter::misses(Side side_of_object, CutResult& result)
 {
     result.side_of_object = side_of_object;
+    result.statistics.section_loops = result.statistics.open_chains = result.statistics.cap_steps = 0;
     result.section_area = 0.0;
     result.caps_exceed_section = false;
     return false;

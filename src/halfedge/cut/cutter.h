@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <optional>
 #include <vector>
 
 #include "common/cutting/cut.h"
+#include "common/support/stopwatch.h"
 #include "halfedge/cut/workspace.h"
 #include "halfedge/universe/universe.h"
 
@@ -81,7 +81,7 @@ private:
     std::vector<DrawGroup> new_groups_;
     bool leaves_open_ = false;  ///< some fragment may be open afterwards
     Plane plane_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    Stopwatch watch_;
 };
 
 }  // namespace kerf::halfedge

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "common/geometry/parallel_rays.h"
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/tolerances.h"
 #include "halfedge/universe/export.h"

@@ -1,4 +1,5 @@
 #include "halfedge/cut/rebuild.h"
+#include "common/mesh/plane_frame.h"
 
 #include <algorithm>
 

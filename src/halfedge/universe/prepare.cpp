@@ -2,8 +2,10 @@
 #include <numeric>
 #include <span>
 
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_noise.h"
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
 

@@ -6,6 +6,7 @@
 
 #include "common/cutting/cut_geometry.h"
 #include "common/mesh/four_floats.h"
+#include "common/mesh/mass_moments.h"
 
 namespace kerf::halfedge {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/mesh/box.h"
+#include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/support_points.h"

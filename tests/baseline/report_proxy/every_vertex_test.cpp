@@ -31,7 +31,7 @@ TEST(EveryVertex, HasTheBoxOfItsVertices)
 
 TEST(EveryVertex, OfAnObjectIsThatOfItsVertices)
 {
-    const auto object = make_backend()->prepare(test::closed_shape("torus")).object;
+    const auto object = make_back_end()->prepare(test::closed_shape("torus")).object;
     std::vector<Vertex> room;
     EXPECT_EQ(every_vertex(*object).points, every_vertex(object->used_vertices(room)).points);
 }

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "common/cutting/cut_geometry.h"
+#include "common/mesh/plane_frame.h"
 #include "common/shapes/shapes.h"
 
 namespace kerf {

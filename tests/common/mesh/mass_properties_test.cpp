@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "common/mesh/mass_moments.h"
 #include "common/shapes/shapes.h"
 
 namespace kerf {

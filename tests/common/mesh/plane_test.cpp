@@ -1,4 +1,6 @@
 #include "common/mesh/plane.h"
+#include "common/mesh/plane_frame.h"
+#include "common/mesh/plane_noise.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 #include <set>
 
+#include "common/mesh/support_points.h"
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "common/support/cpu_stopwatch.h"
+#include "common/support/median.h"
 #include "support/sanitized.h"
 #include "viewer/app/inspect/simulation_report.h"
 #include "viewer/app/painter.h"
@@ -19,11 +20,6 @@
 namespace kerf::test {
 
 namespace {
-
-double median(std::vector<double> values)
-{
-    return app::summary_of(std::move(values)).median;
-}
 
 /// A stroke through a body as the eye sees it, over the next tenth of a second.
 std::vector<sim::InputEvent> stroke_across(const sim::Simulation& simulation, const sim::Body& body, double angle)

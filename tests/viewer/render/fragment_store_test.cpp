@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "back_ends/back_ends.h"
 #include "baseline/baseline.h"
 #include "common/mesh/triangle_soup.h"
 #include "common/shapes/shapes.h"
@@ -66,7 +67,7 @@ protected:
 
 TEST_F(FragmentStoreTest, UploadsAWholeObjectOnce)
 {
-    const auto object = asteroid(*halfedge::make_backend());
+    const auto object = asteroid(*halfedge::make_back_end());
     const DrawView view = object->draw_view();
     const std::uint64_t size = view.vertices.size_bytes() + view.indices.size_bytes();
     const DrawnFragment drawn = store.add(*object);
@@ -80,7 +81,7 @@ TEST_F(FragmentStoreTest, UploadsAWholeObjectOnce)
 TEST_F(FragmentStoreTest, BringsAnObjectBitByBitAndNeverMoreThanAsked)
 {
     constexpr std::uint64_t kMost = 50'000;
-    for (const auto& backend : {halfedge::make_backend(), baseline::make_backend()}) {
+    for (const auto& backend : {halfedge::make_back_end(), baseline::make_back_end()}) {
         const auto object = asteroid(*backend);
         const DrawView view = object->draw_view();
         const std::uint64_t size = view.vertices.size_bytes() + view.indices.size_bytes();
@@ -106,7 +107,7 @@ TEST_F(FragmentStoreTest, BringsAnObjectBitByBitAndNeverMoreThanAsked)
 
 TEST_F(FragmentStoreTest, CountsAndFreesTheBuffersOfWhatIsOnItsWay)
 {
-    const auto object = asteroid(*halfedge::make_backend());
+    const auto object = asteroid(*halfedge::make_back_end());
     {
         render::Arrival arrival;
         store.bring(*object, arrival, 1000);
@@ -127,7 +128,7 @@ TEST_F(FragmentStoreTest, CountsAndFreesTheBuffersOfWhatIsOnItsWay)
 
 TEST_F(FragmentStoreTest, AnObjectThatIsCutOnItsWayComesWithItsPieces)
 {
-    auto object = asteroid(*halfedge::make_backend());
+    auto object = asteroid(*halfedge::make_back_end());
     render::Arrival arrival;
     store.bring(*object, arrival, 100'000);
     ASSERT_FALSE(arrival.is_whole);
@@ -141,7 +142,7 @@ TEST_F(FragmentStoreTest, AnObjectThatIsCutOnItsWayComesWithItsPieces)
 
 TEST_F(FragmentStoreTest, UploadsOfAHalfEdgeCutWhatTheStatisticsSayAndNothingElse)
 {
-    auto object = asteroid(*halfedge::make_backend());
+    auto object = asteroid(*halfedge::make_back_end());
     const DrawnFragment whole = store.add(*object, Room::to_grow);
     for (int i = 0; i < 3; ++i) {
         const std::uint64_t before = store.bytes_uploaded();
@@ -160,7 +161,7 @@ TEST_F(FragmentStoreTest, UploadsOfAHalfEdgeCutWhatTheStatisticsSayAndNothingEls
 
 TEST_F(FragmentStoreTest, UploadsOfABaselineCutBothFragmentsWhole)
 {
-    auto object = asteroid(*baseline::make_backend());
+    auto object = asteroid(*baseline::make_back_end());
     const DrawnFragment whole = store.add(*object);
     const std::uint64_t before = store.bytes_uploaded();
     const CutResult result = halves(std::move(object));
@@ -190,13 +191,13 @@ TEST_F(FragmentStoreTest, CountsTheBytesOfACutExactly)
         const DrawnFragment negative = store.add(*result.negative.front());
         return store.bytes_uploaded() - before;
     };
-    EXPECT_EQ(bytes_for(*halfedge::make_backend()), 70'944u);
-    EXPECT_EQ(bytes_for(*baseline::make_backend()), 354'592u);
+    EXPECT_EQ(bytes_for(*halfedge::make_back_end()), 70'944u);
+    EXPECT_EQ(bytes_for(*baseline::make_back_end()), 354'592u);
 }
 
 TEST_F(FragmentStoreTest, GrowsOnTheCardAndKeepsWhatIsThere)
 {
-    auto object = asteroid(*halfedge::make_backend());
+    auto object = asteroid(*halfedge::make_back_end());
     const DrawnFragment whole = store.add(*object, Room::exact);
     const std::uint64_t before = store.bytes_uploaded();
     CutResult result = halves(std::move(object));
@@ -208,7 +209,7 @@ TEST_F(FragmentStoreTest, GrowsOnTheCardAndKeepsWhatIsThere)
 
 TEST_F(FragmentStoreTest, FreesBuffersWithTheirLastUser)
 {
-    auto object = asteroid(*halfedge::make_backend());
+    auto object = asteroid(*halfedge::make_back_end());
     DrawnFragment whole = store.add(*object);
     CutResult result = halves(std::move(object));
     DrawnFragment positive = store.add(*result.positive.front());
@@ -224,7 +225,7 @@ TEST_F(FragmentStoreTest, FreesBuffersWithTheirLastUser)
 
 TEST_F(FragmentStoreTest, UploadsEverythingAgainWhenTheBuffersWereFreed)
 {
-    const auto object = asteroid(*halfedge::make_backend());
+    const auto object = asteroid(*halfedge::make_back_end());
     store.add(*object);
     store.release_unused();
     const DrawnFragment drawn = store.add(*object);
@@ -233,7 +234,7 @@ TEST_F(FragmentStoreTest, UploadsEverythingAgainWhenTheBuffersWereFreed)
 
 TEST_F(FragmentStoreTest, MakesOneBatchForEachMaterialAndKind)
 {
-    std::vector<StagedPiece> pieces = pieces_of("barrel", *halfedge::make_backend(), 1, 0.0f);
+    std::vector<StagedPiece> pieces = pieces_of("barrel", *halfedge::make_back_end(), 1, 0.0f);
     const DrawnFragment drawn = store.add(*pieces.front().object);
     ASSERT_EQ(drawn.batches.size(), 3u);
     EXPECT_EQ(drawn.batches[0].kind, TriangleKind::surface);

@@ -7,7 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "back_ends/back_ends.h"
 #include "baseline/baseline.h"
+#include "common/mesh/plane_frame.h"
+#include "common/support/median.h"
 #include "support/backends.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/gl_test.h"
@@ -119,13 +122,6 @@ bool is_inner(const std::vector<int>& kinds, int x, int y)
     return true;
 }
 
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 }  // namespace
 
 TEST_P(SceneRendererTest, RangesOfSharedBuffersLookLikeCopiesPixelForPixel)
@@ -135,7 +131,7 @@ TEST_P(SceneRendererTest, RangesOfSharedBuffersLookLikeCopiesPixelForPixel)
         const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
         std::vector<StagedPiece> copies;
         for (const StagedPiece& piece : pieces)
-            copies.push_back({baseline::make_backend()->prepare(piece.object->to_indexed_mesh()).object, piece.model,
+            copies.push_back({baseline::make_back_end()->prepare(piece.object->to_indexed_mesh()).object, piece.model,
                               piece.pattern_scale, piece.plane, piece.is_closed});
         const std::vector<DrawnFragment> fragments_of_copies = uploaded(store, copies);
         for (const Lighting lighting : {Lighting::lambert, Lighting::textured}) {

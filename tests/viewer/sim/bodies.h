@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "back_ends/back_ends.h"
 #include "common/proxy/collision_proxy.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body.h"
@@ -19,7 +20,7 @@ inline std::unique_ptr<sim::Body> body_of(IndexedMesh mesh, sim::ObjectId id, co
                                           const std::string& backend = "baseline/remap")
 {
     const glm::dvec3 middle = mesh.bounds().centre();
-    std::unique_ptr<Cuttable> object = std::move(sim::make_backend(backend)->prepare(std::move(mesh)).object);
+    std::unique_ptr<Cuttable> object = std::move(make_back_end(backend)->prepare(std::move(mesh)).object);
     sim::Identity identity;
     identity.id = id;
     identity.origin.backend = backend;

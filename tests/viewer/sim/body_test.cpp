@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "back_ends/back_ends.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/world.h"
 
@@ -14,7 +15,7 @@ namespace {
 TEST(Body, StandsWhereItWasPut)
 {
     const IndexedMesh mesh = *test::shape("l_step");
-    const auto model = sim::make_backend("baseline/remap");
+    const auto model = make_back_end("baseline/remap");
     Identity identity;
     identity.id = 1;
     MeshPose pose;

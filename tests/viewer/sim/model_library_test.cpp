@@ -6,6 +6,7 @@
 #include <atomic>
 #include <thread>
 
+#include "back_ends/back_ends.h"
 #include "common/io/mesh_file.h"
 #include "support/temporary_folder.h"
 #include "viewer/sim/back_ends.h"
@@ -181,10 +182,10 @@ TEST(ModelLibrary, PreparingABigMeshHoldsUpNobodyWhoWantsAnother)
 
 TEST(BackEnds, AreFoundByName)
 {
-    for (const std::string& name : backend_names()) EXPECT_EQ(make_backend(name)->name(), name);
-    EXPECT_EQ(find_backend("baseline"), "baseline/hash");
-    EXPECT_EQ(find_backend("axe"), "");
-    EXPECT_EQ(make_backend("axe"), nullptr);
+    for (const std::string& name : backend_names()) EXPECT_EQ(make_back_end(name)->name(), name);
+    EXPECT_EQ(known_back_end("baseline"), "baseline/hash");
+    EXPECT_EQ(known_back_end("axe"), "");
+    EXPECT_EQ(make_back_end("axe"), nullptr);
 }
 
 }  // namespace

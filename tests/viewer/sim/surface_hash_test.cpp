@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "back_ends/back_ends.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
@@ -14,7 +15,7 @@ namespace {
 
 std::uint64_t hash_of(IndexedMesh mesh, const std::string& backend = "baseline/remap")
 {
-    return surface_hash(*make_backend(backend)->prepare(std::move(mesh)).object);
+    return surface_hash(*make_back_end(backend)->prepare(std::move(mesh)).object);
 }
 
 TEST(SurfaceHash, IsTheSameForEveryBackEnd)
@@ -23,7 +24,7 @@ TEST(SurfaceHash, IsTheSameForEveryBackEnd)
     const Plane plane = *Plane::through({0.1, 0.05, 0}, {1, 2, 3});
     std::uint64_t whole = 0, positive = 0;
     for (const std::string& name : backend_names()) {
-        std::unique_ptr<Cuttable> object = std::move(make_backend(name)->prepare(mesh).object);
+        std::unique_ptr<Cuttable> object = std::move(make_back_end(name)->prepare(mesh).object);
         const std::uint64_t before = surface_hash(*object);
         const CutResult result = cut(std::move(object), plane);
         const std::uint64_t side = surface_hash(*result.positive.front());

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "back_ends/back_ends.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "viewer/sim/bodies.h"
@@ -19,7 +20,7 @@ IndexedMesh unit_box()
 
 std::unique_ptr<Body> sibling(ObjectId id, const glm::dvec3& centre, std::uint64_t cut, Tick until)
 {
-    const auto model = make_backend("baseline/remap");
+    const auto model = make_back_end("baseline/remap");
     Identity identity;
     identity.id = id;
     if (cut > 0) identity.recent_cuts.push_back({cut, until});

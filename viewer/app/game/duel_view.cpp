@@ -22,7 +22,7 @@ std::array<std::string, 2> opponents(const std::vector<std::string>& wanted)
     const std::string& usual = sim::backend_names().front();
     if (wanted.size() >= 2) return {wanted[0], wanted[1]};
     if (wanted.size() == 1 && wanted[0] != usual) return {usual, wanted[0]};
-    return {usual, sim::find_backend("baseline")};
+    return {usual, sim::known_back_end("baseline")};
 }
 
 std::size_t index_of(const sim::ModelLibrary& models, std::string_view name)

@@ -97,7 +97,7 @@ std::int64_t GiantControls::choose(double share)
 
 void GiantControls::next_backend()
 {
-    const std::string baseline = sim::find_backend("baseline");
+    const std::string baseline = sim::known_back_end("baseline");
     const bool is_baseline = simulation_.backend() == baseline;
     simulation_.command("backend " + (is_baseline ? sim::backend_names().front() : baseline));
     next_giant();
@@ -143,7 +143,7 @@ void GiantControls::write(ui::Canvas& canvas, const glm::vec2& pointer, std::opt
 void GiantControls::write_panel(ui::Canvas& canvas, const glm::vec2& pointer)
 {
     const float u = canvas.unit();
-    const std::string backend = simulation_.backend(), baseline = sim::find_backend("baseline");
+    const std::string backend = simulation_.backend(), baseline = sim::known_back_end("baseline");
     const bool has_cut = cut_times_.of(backend) != nullptr, in_software = render::draws_in_software();
     // A line for each back end that has cut, and one that says what to do before the present one has.
     const std::size_t lines = cut_times_.series().size() + (has_cut ? 0u : 1u);

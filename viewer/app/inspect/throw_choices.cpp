@@ -35,7 +35,7 @@ std::string ThrowChoices::next_backend()
     const auto other = std::find_if(names.begin(), names.end(), [](const auto& name) { return !is_baseline(name); });
     const std::string wanted = !is_baseline(current) || other == names.end() ? last_baseline_ : *other;
     simulation_.command("backend " + wanted);
-    return "the next throw is cut by " + sim::find_backend(wanted);
+    return "the next throw is cut by " + sim::known_back_end(wanted);
 }
 
 std::string ThrowChoices::next_lookup()

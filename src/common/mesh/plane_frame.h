@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "common/mesh/float_range.h"
+#include "common/mesh/float_rules.h"
+
+namespace kerf {
+
+/// Two unit vectors that span a plane: cross(u, v) = normal. Cap uv are coordinates along them, so they are fixed to
+/// the object. The same normal always gives the same frame.
+struct PlaneFrame
+{
+    glm::dvec3 u, v;
+
+    static PlaneFrame of(const glm::dvec3& normal);
+
+    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. In a box of the largest
+    /// floats a coordinate along a diagonal can exceed the largest float; it then becomes the largest.
+    glm::vec2 uv(const glm::vec3& p) const
+    {
+        return {nearest_finite_float(glm::dot(u, glm::dvec3(p))), nearest_finite_float(glm::dot(v, glm::dvec3(p)))};
+    }
+};
+
+}  // namespace kerf

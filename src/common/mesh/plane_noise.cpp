@@ -1,0 +1,13 @@
+#include "common/mesh/plane_noise.h"
+
+#include "common/mesh/float_range.h"
+#include "common/mesh/tolerances.h"
+
+namespace kerf {
+
+double plane_noise(float largest_coordinate)
+{
+    return kNoiseInUnits * unit_in_last_place(largest_coordinate);
+}
+
+}  // namespace kerf
