@@ -12,17 +12,17 @@
 namespace kerf {
 namespace {
 
-const Plane kPlane{{0, 0, 1}, 0.0};
+const Plane kGround{{0, 0, 1}, 0.0};
 
-/// Loops in z = 0: those of even depth are outer ones, the others holes.
-struct Loops
+/// NestedLoops in z = 0: those of even depth are outer ones, the others holes.
+struct NestedLoops
 {
     std::vector<std::vector<glm::vec3>> points;
     std::vector<std::uint32_t> inside_of;  ///< the loop around each, or kNoPart
 };
 
 /// A star of `corners` points around `centre`, with radii from `radius` / 2 to `radius`.
-std::vector<glm::vec3> star(Random& random, const glm::vec2& centre, float radius, bool is_outer)
+std::vector<glm::vec3> star_around(Random& random, const glm::vec2& centre, float radius, bool is_outer)
 {
     const std::uint32_t corners = 3 + random.below(9);
     std::vector<glm::vec3> points;
@@ -37,10 +37,10 @@ std::vector<glm::vec3> star(Random& random, const glm::vec2& centre, float radiu
 /// Stars within a circle, each with up to `depth` generations of stars inside. A star of three or more corners holds
 /// the circle of a quarter of its radius; four circles side by side fit into one of that size.
 void add_stars(Random& random, const glm::vec2& centre, float radius, std::uint32_t around, bool is_outer, int depth,
-               Loops& loops)
+               NestedLoops& loops)
 {
     const auto own = static_cast<std::uint32_t>(loops.points.size());
-    loops.points.push_back(star(random, centre, radius, is_outer));
+    loops.points.push_back(star_around(random, centre, radius, is_outer));
     loops.inside_of.push_back(around);
     if (depth == 0) return;
     const float room = radius / 4.0f, each = room / 3.0f;
@@ -50,7 +50,7 @@ void add_stars(Random& random, const glm::vec2& centre, float radius, std::uint3
 }
 
 /// The piece of each loop, as join_holes() finds it.
-std::vector<std::uint32_t> pieces_of(const Loops& loops)
+std::vector<std::uint32_t> piece_of_each(const NestedLoops& loops)
 {
     std::vector<glm::vec3> points;
     std::vector<OutlineEdge> edges;
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> pieces_of(const Loops& loops)
         }
         points.insert(points.end(), loop.begin(), loop.end());
     }
-    const SectionOutline outline(kPlane, points, edges);
+    const SectionOutline outline(kGround, points, edges);
     std::vector<FlatLoop> flat;
     for (std::uint32_t part = 0; part < paths.size(); ++part) flat.push_back(flatten(outline, paths[part], part, 2));
     DisjointSets pieces(static_cast<std::uint32_t>(flat.size()));
@@ -78,7 +78,7 @@ TEST(Holes, FlatLoopHasItsAreaWhereverItBegins)
 {
     const std::vector<glm::vec3> square{{5, 7, 0}, {8, 7, 0}, {8, 9, 0}, {5, 9, 0}};
     const std::vector<OutlineEdge> edges{{0, 1, {}, 0}, {1, 2, {}, 1}, {2, 3, {}, 2}, {3, 0, {}, 3}};
-    const SectionOutline outline(kPlane, square, edges);
+    const SectionOutline outline(kGround, square, edges);
     const std::vector<std::uint32_t> path{0, 1, 2, 3}, later{2, 3, 0, 1};
     const FlatLoop a = flatten(outline, path, 4, 2), b = flatten(outline, later, 4, 2);
     EXPECT_EQ(a.area2, 2.0 * 6.0);
@@ -94,16 +94,16 @@ TEST(Holes, EdgesThatRunForthAndBackAreNoOutline)
 {
     const std::vector<glm::vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 0}};
     const std::vector<OutlineEdge> edges{{0, 1, {}, 0}, {1, 2, {}, 1}, {2, 0, {}, 2}, {1, 3, {}, 3}, {3, 1, {}, 4}};
-    EXPECT_EQ(SectionOutline(kPlane, points, edges).edges().size(), 3u);
+    EXPECT_EQ(SectionOutline(kGround, points, edges).edges().size(), 3u);
 }
 
 RC_GTEST_PROP(Holes, EachIsJoinedWithTheLoopAroundIt, (std::uint64_t seed))
 {
     Random random(seed);
-    Loops loops;
+    NestedLoops loops;
     add_stars(random, {0, 0}, 100.0f, kNoPart, true, 3, loops);
     add_stars(random, {250, 10}, 100.0f, kNoPart, true, 3, loops);
-    const std::vector<std::uint32_t> piece = pieces_of(loops);
+    const std::vector<std::uint32_t> piece = piece_of_each(loops);
     std::vector<std::uint32_t> depth(piece.size(), 0);
     for (std::uint32_t i = 0; i < piece.size(); ++i) {
         const std::uint32_t around = loops.inside_of[i];
@@ -116,10 +116,10 @@ RC_GTEST_PROP(Holes, EachIsJoinedWithTheLoopAroundIt, (std::uint64_t seed))
 TEST(Holes, OneThatLiesInNoLoopStaysAlone)
 {
     Random random(3);
-    Loops loops;
+    NestedLoops loops;
     add_stars(random, {0, 0}, 1.0f, kNoPart, true, 0, loops);
     add_stars(random, {5, 0}, 1.0f, kNoPart, false, 0, loops);
-    EXPECT_EQ(pieces_of(loops), (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(piece_of_each(loops), (std::vector<std::uint32_t>{0, 1}));
 }
 
 }  // namespace
