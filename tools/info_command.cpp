@@ -5,7 +5,7 @@
 #include "common/io/mesh_file.h"
 #include "common/repair/repair.h"
 #include "tools/commands.h"
-#include "tools/notes_json.h"
+#include "tools/mesh_info.h"
 #include "tools/text.h"
 
 namespace kerf::tools {
@@ -21,7 +21,6 @@ struct InfoOptions
 Json info_json(const io::LoadedMesh& loaded, const std::string& file)
 {
     const MeshFacts& facts = loaded.facts;
-    const Repairs& repairs = loaded.repairs;
     Json warnings = Json::array();
     if (facts.has_coarse_coordinates()) warnings.push_back("coarse_coordinates");
     Json materials = Json::array(), streams = Json::array();
@@ -54,16 +53,7 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
              {{"min", vector_json(glm::dvec3(facts.bounds.lo))}, {"max", vector_json(glm::dvec3(facts.bounds.hi))}}},
             {"materials", std::move(materials)},
             {"streams", std::move(streams)},
-            {"repairs",
-             {{"degenerate_triangles", repairs.degenerate_triangles},
-              {"duplicate_triangles", repairs.duplicate_triangles},
-              {"coinciding_triangles", repairs.coinciding_triangles},
-              {"nonmanifold_edges", repairs.nonmanifold_edges},
-              {"nonmanifold_points", repairs.nonmanifold_points},
-              {"flipped_triangles", repairs.flipped_triangles},
-              {"unorientable_edges", repairs.unorientable_edges},
-              {"replaced_attributes", repairs.replaced_attributes},
-              {"text", repairs.describe()}}}};
+            {"repairs", repairs_json(loaded.repairs)}};
 }
 
 std::string info_text(const io::LoadedMesh& loaded, const std::string& file)

@@ -64,6 +64,8 @@ int run(int argc, char** argv)
     kerf::tools::add_info_command(program);
     kerf::tools::add_cut_command(program);
     kerf::tools::add_compare_command(program);
+    kerf::tools::add_repair_command(program);
+    kerf::tools::add_convert_command(program);
     kerf::tools::add_shape_command(program);
 
     try {

@@ -55,7 +55,9 @@ void add_shape_command(CLI::App& program)
     command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")
         ->transform(command_line::whole_number())
         ->capture_default_str();
-    command->add_option("-o,--out", options->out, "File to write: obj, ply, stl or glb")->required()->type_name("FILE");
+    command->add_option("-o,--out", options->out, "File to write: obj, ply, stl, off or glb")
+        ->required()
+        ->type_name("FILE");
     command->footer("Shapes: " + list_of_names() +
                     ".\n\n"
                     "Examples:\n"

@@ -38,7 +38,7 @@ TEST_F(KerfShape, MakesAboutAsManyTrianglesAsAskedFor)
 
 TEST_F(KerfShape, GivesTheSameBytesForTheSameSeedOnly)
 {
-    for (const char* format : {"obj", "ply", "stl", "glb"}) {
+    for (const char* format : {"obj", "ply", "stl", "off", "glb"}) {
         const std::string end = " --triangles 500 -o ";
         kerf("shape asteroid --seed 1" + end + "a." + format);
         kerf("shape asteroid --seed 1" + end + "b." + format);
@@ -71,7 +71,7 @@ TEST_F(KerfShape, RefusesPlacesThatItCannotWriteTo)
     expect_unusable(kerf("shape box -o link.obj"),
                     "link.obj: it cannot be written: the link of this name leads into a");
     std::filesystem::remove(folder_ / "link.obj");
-    expect_unusable(kerf("shape box -o a.off"), "a.off: the extension");
+    expect_unusable(kerf("shape box -o a.gltf"), "a.gltf: the extension");
     EXPECT_TRUE(names_in_folder().empty());
 }
 

@@ -23,7 +23,7 @@ TEST_F(KerfUse, WrongUseExitsWith2AndShowsUsage)
                                   "cut a.obj --normal 0,0,nan --out b",
                                   "cut a.obj --normal 0,0,0 --out b",
                                   "cut a.obj --normal 1,0,0 --point 1,2 --out b",
-                                  "cut a.obj --normal 1,0,0 --out b --format off",
+                                  "cut a.obj --normal 1,0,0 --out b --format gltf",
                                   "cut a.obj --normal 1,0,0 --out b --backend saw",
                                   "cut a.obj --normal 1,0,0 --out b --lookup guess",
                                   "shape",

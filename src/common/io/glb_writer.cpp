@@ -45,7 +45,7 @@ class GlbWriter
 public:
     explicit GlbWriter(const IndexedMesh& mesh) : mesh_(mesh) {}
 
-    void write(OutputFile& file)
+    void write(ByteSink& file)
     {
         add_materials();
         local_.assign(mesh_.vertices.size(), kUnused);
@@ -188,7 +188,7 @@ private:
         return document;
     }
 
-    void write_container(OutputFile& file) const
+    void write_container(ByteSink& file) const
     {
         std::string json = document().dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
         json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -220,7 +220,7 @@ private:
 
 }  // namespace
 
-void write_glb(OutputFile& file, const IndexedMesh& mesh)
+void write_glb(ByteSink& file, const IndexedMesh& mesh)
 {
     GlbWriter(mesh).write(file);
 }

@@ -107,8 +107,10 @@ std::string GltfBuffers::read_beside(std::string_view uri, const std::string& wh
     }
     const auto beside = name ? file_beside(path_, *name) : std::nullopt;
     if (!beside)
-        fail(path_, where + " names " + in_quotes(uri) +
-                        ": buffers must lie in the folder of the file or below it; copy it there and name it so");
+        fail(path_,
+             where + " names " + in_quotes(uri) +
+                 ": buffers must lie in the folder of the file or below it; copy it there and name it so, or put the "
+                 "buffer into the file");
     std::error_code error;
     const auto type = std::filesystem::status(*beside, error).type();
     if (type == std::filesystem::file_type::not_found)

@@ -31,6 +31,27 @@ std::string extension_of(const fs::path& path)
 
 using Reader = TriangleSoup (*)(const fs::path&, std::string_view, ReadingNotes&);
 
+/// For messages and as an extension: "memory.ply".
+fs::path name_in_memory(std::string_view format)
+{
+    return "memory." + std::string(format);
+}
+
+/// Whether what is being read in this thread is in memory.
+thread_local bool is_in_memory = false;
+
+class InMemory
+{
+public:
+    InMemory() : outer_(std::exchange(is_in_memory, true)) {}
+    ~InMemory() { is_in_memory = outer_; }
+    InMemory(const InMemory&) = delete;
+    InMemory& operator=(const InMemory&) = delete;
+
+private:
+    bool outer_;
+};
+
 Reader reader_for(const fs::path& path)
 {
     const std::string extension = extension_of(path);
@@ -40,6 +61,20 @@ Reader reader_for(const fs::path& path)
     if (extension == "stl") return read_stl;
     if (extension == "gltf" || extension == "glb") return read_gltf;
     fail(path, "the extension is not one of obj, ply, stl, off, gltf, glb; convert the file to one of these");
+}
+
+using Writer = void (*)(ByteSink&, const IndexedMesh&);
+
+/// Of OBJ without a material file.
+Writer writer_for(const fs::path& path)
+{
+    const std::string extension = extension_of(path);
+    if (extension == "obj") return [](ByteSink& sink, const IndexedMesh& mesh) { write_obj(sink, mesh, {}); };
+    if (extension == "ply") return write_ply;
+    if (extension == "stl") return write_stl;
+    if (extension == "off") return write_off;
+    if (extension == "glb") return write_glb;
+    fail(path, "the extension is not one of obj, ply, stl, off, glb; choose one of these");
 }
 
 thread_local std::vector<fs::path>* files_read = nullptr;
@@ -64,6 +99,7 @@ void fail(const fs::path& path, const std::string& reason)
 
 std::optional<fs::path> file_beside(const fs::path& path, const std::string& name)
 {
+    if (is_in_memory) return std::nullopt;
     if (name.empty() || name.find('\0') != std::string::npos || name.find_first_of("\\:") != std::string::npos)
         return std::nullopt;
     const fs::path relative(name);
@@ -96,14 +132,18 @@ std::string read_bytes(const fs::path& path)
     return bytes;
 }
 
-TriangleSoup read_soup(const fs::path& path, ReadingNotes* notes)
+namespace {
+
+/// `bytes` gives the bytes of the file, once it is known that its format can be read.
+template <class Bytes>
+TriangleSoup read_any(const fs::path& path, Bytes bytes, ReadingNotes* notes)
 {
     try {
         const Reader reader = reader_for(path);
-        const std::string bytes = read_bytes(path);
-        if (bytes.empty()) fail(path, "it is empty; export it again");
+        const auto all = bytes();
+        if (all.empty()) fail(path, "it is empty; export it again");
         ReadingNotes unheard;
-        return reader(path, bytes, notes != nullptr ? *notes : unheard);
+        return reader(path, all, notes != nullptr ? *notes : unheard);
     } catch (const std::bad_alloc&) {
         fail(path, "there is not enough memory to read it; divide it or free some");
     } catch (const std::length_error&) {
@@ -111,9 +151,36 @@ TriangleSoup read_soup(const fs::path& path, ReadingNotes* notes)
     }
 }
 
+}  // namespace
+
+TriangleSoup read_soup(const fs::path& path, ReadingNotes* notes)
+{
+    return read_any(
+        path, [&] { return read_bytes(path); }, notes);
+}
+
+TriangleSoup read_soup(std::string_view bytes, std::string_view format, ReadingNotes* notes)
+{
+    const InMemory in_memory;
+    return read_any(
+        name_in_memory(format), [&] { return bytes; }, notes);
+}
+
+std::string mesh_bytes(const IndexedMesh& mesh, std::string_view format)
+{
+    MemorySink sink(name_in_memory(format));
+    try {
+        if (const std::string fault = check(mesh); !fault.empty()) fail(sink.path(), "it cannot be written: " + fault);
+        writer_for(sink.path())(sink, mesh);
+        return sink.take();
+    } catch (const std::bad_alloc&) {
+        fail(sink.path(), "there is not enough memory to write it; free some");
+    }
+}
+
 const std::vector<std::string>& writable_formats()
 {
-    static const std::vector<std::string> formats{"obj", "ply", "stl", "glb"};
+    static const std::vector<std::string> formats{"obj", "ply", "stl", "off", "glb"};
     return formats;
 }
 
@@ -171,31 +238,23 @@ MeshFileSet::~MeshFileSet() = default;
 
 void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
 {
-    const std::string extension = extension_of(path);
     const std::size_t before = impl_->files.size();
     try {
         // Writers use indices without a check.
         if (const std::string fault = check(mesh); !fault.empty()) fail(path, "it cannot be written: " + fault);
-        if (extension == "obj") {
+        const Writer writer = writer_for(path);
+        if (extension_of(path) == "obj" && needs_mtl(mesh)) {
             // The materials first: the OBJ file that names them appears last.
-            if (needs_mtl(mesh)) {
-                if (!can_name_mtl(path))
-                    fail(path,
-                         "an OBJ file cannot name its material file like this; leave out line ends, control "
-                         "characters and a blank at the beginning, or choose another format");
-                OutputFile& materials = impl_->open(mtl_path(path));
-                write_mtl(materials, mesh);
-                materials.finish();
-            }
-            write_obj(impl_->open(path), mesh);
-        } else if (extension == "ply") {
-            write_ply(impl_->open(path), mesh);
-        } else if (extension == "stl") {
-            write_stl(impl_->open(path), mesh);
-        } else if (extension == "glb") {
-            write_glb(impl_->open(path), mesh);
+            if (!can_name_mtl(path))
+                fail(path,
+                     "an OBJ file cannot name its material file like this; leave out line ends, control "
+                     "characters and a blank at the beginning, or choose another format");
+            OutputFile& materials = impl_->open(mtl_path(path));
+            write_mtl(materials, mesh);
+            materials.finish();
+            write_obj(impl_->open(path), mesh, mtl_path(path).filename().string());
         } else {
-            fail(path, "the extension is not one of obj, ply, stl, glb; choose one of these");
+            writer(impl_->open(path), mesh);
         }
         impl_->files.back().finish();
     } catch (const std::bad_alloc&) {

@@ -45,6 +45,11 @@ public:
 ///                    with a coordinate that is not finite
 TriangleSoup read_soup(const std::filesystem::path& path, ReadingNotes* notes = nullptr);
 
+/// The same of a file that is in memory. `format` is an extension, in lower case and without the dot. A file in memory
+/// has no others beside it: of an OBJ file's materials only the names are kept, and buffers of glTF must be inside.
+/// @throws FileError  as above; a format that is not read
+TriangleSoup read_soup(std::string_view bytes, std::string_view format, ReadingNotes* notes = nullptr);
+
 /// A file made ready for cutting, with its facts and repairs.
 struct LoadedMesh
 {
@@ -62,13 +67,22 @@ struct LoadedMesh
 /// @throws FileError
 LoadedMesh read_mesh(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY, STL or GLB, by extension. OBJ and PLY read back bit for bit: positions, uv, normals of length 1,
-/// and in PLY finite values of streams that have a name without blanks; points by equal positions. OBJ and GLB keep
+/// The same of a file in memory; `files` stays empty.
+/// @throws FileError
+LoadedMesh read_mesh(std::string_view bytes, std::string_view format);
+
+/// Writes OBJ, PLY, STL, OFF or GLB, by extension. OBJ and PLY read back bit for bit: positions, uv, normals of length
+/// 1, and in PLY finite values of streams that have a name without blanks; points by equal positions. OFF holds the
+/// positions of points, and triangles, and those read back bit for bit, too. OBJ and GLB keep
 /// materials, OBJ in an .mtl file beside it if they say more than a name; OBJ has the groups `surface` and `cap`. The
 /// file appears complete or not at all: it is written beside its place and renamed. If the name is a symbolic link, the
 /// file that it leads to is replaced. Any mesh that check() accepts is written, proven or not.
 /// @throws FileError
 void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
+
+/// The bytes that write_mesh() writes. OBJ without its material file: of materials only the names are kept.
+/// @throws FileError  a format that is not written; a mesh that check() refuses
+std::string mesh_bytes(const IndexedMesh& mesh, std::string_view format);
 
 /// @throws FileError  `output` is one of `inputs`, by whatever name: another spelling, a symbolic or a hard link
 void refuse_to_replace(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);

@@ -1,55 +1,17 @@
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
 #include <cstring>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "common/io/text_writer.h"
 #include "common/io/write_formats.h"
 
 namespace kerf::io {
 
 namespace {
-
-/// Gathers short pieces of text and hands them on in large ones.
-class TextWriter
-{
-public:
-    explicit TextWriter(OutputFile& file) : file_(file) {}
-
-    TextWriter& operator<<(std::string_view text)
-    {
-        text_ += text;
-        if (text_.size() > kBufferBytes) flush();
-        return *this;
-    }
-
-    /// The shortest decimal number that reads back as the same float.
-    TextWriter& operator<<(float value) { return number(value); }
-    TextWriter& operator<<(std::uint32_t value) { return number(value); }
-
-    void flush()
-    {
-        file_.write(text_);
-        text_.clear();
-    }
-
-private:
-    template <class T>
-    TextWriter& number(T value)
-    {
-        std::array<char, 32> digits;
-        const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-        return *this << std::string_view(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
-    }
-
-    static constexpr std::size_t kBufferBytes = 1 << 16;
-    OutputFile& file_;
-    std::string text_;
-};
 
 /// A v, vt or vn line for each different value, by its bits; indices count from 1.
 template <std::size_t N>
@@ -118,11 +80,11 @@ std::vector<std::string> material_names(const IndexedMesh& mesh)
 
 }  // namespace
 
-void write_obj(OutputFile& file, const IndexedMesh& mesh)
+void write_obj(ByteSink& file, const IndexedMesh& mesh, const std::string& materials)
 {
     TextWriter out(file);
     out << "# Written by Kerf\n";
-    if (needs_mtl(mesh)) out << "mtllib " << mtl_path(file.path()).filename().string() << "\n";
+    if (!materials.empty()) out << "mtllib " << materials << "\n";
 
     // One position for each point, so that other programs see the same connectivity.
     std::vector<std::uint32_t> line_of_point(mesh.point_count, 0);
@@ -187,7 +149,7 @@ bool can_name_mtl(const std::filesystem::path& obj_path)
            std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
 }
 
-void write_mtl(OutputFile& file, const IndexedMesh& mesh)
+void write_mtl(ByteSink& file, const IndexedMesh& mesh)
 {
     TextWriter out(file);
     out << "# Written by Kerf\n";

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/io/byte_sink.h"
 #include "common/io/unfinished_files.h"
 
 // A written file appears complete or not at all.
@@ -27,22 +28,22 @@ std::filesystem::path place_of(const std::filesystem::path& path);
 /// It is written, finished and committed, once each and in this order. A call out of order throws FileError and changes
 /// nothing: writing a finished file, committing an unfinished one, any call after a failure of write() or finish(), and
 /// any call on a file that was moved from. So a file that is not complete never gets its name.
-class OutputFile
+class OutputFile final : public ByteSink
 {
 public:
     /// @throws FileError  the folder cannot be written to, or something that is not a regular file has the name
     explicit OutputFile(std::filesystem::path path);
-    ~OutputFile();  ///< removes the temporary file
+    ~OutputFile() override;  ///< removes the temporary file
     /// Leaves the other one without a file and without a path.
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
 
-    const std::filesystem::path& path() const { return path_; }
+    const std::filesystem::path& path() const override { return path_; }
     /// The place where it appears: behind the links of its name.
     const std::filesystem::path& place() const { return place_; }
 
     /// Appends bytes. @throws FileError  for example: the disk is full; it is finished
-    void write(std::string_view bytes);
+    void write(std::string_view bytes) override;
 
     /// Waits until the disk holds what was written so far, so that not even a power cut after commit() loses any of it.
     /// Takes milliseconds. @throws FileError  for example: the disk is full; it is finished

@@ -28,7 +28,7 @@ std::string header(const IndexedMesh& mesh)
 
 }  // namespace
 
-void write_ply(OutputFile& file, const IndexedMesh& mesh)
+void write_ply(ByteSink& file, const IndexedMesh& mesh)
 {
     std::string bytes = header(mesh);
     const auto flush = [&](std::size_t above) {

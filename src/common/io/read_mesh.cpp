@@ -7,14 +7,14 @@
 
 namespace kerf::io {
 
-LoadedMesh read_mesh(const std::filesystem::path& path)
+namespace {
+
+/// `read(loaded)` gives the soup, and notes in `loaded` what comes with it.
+template <class Read>
+LoadedMesh load(const std::filesystem::path& path, Read read)
 {
     LoadedMesh loaded;
-    TriangleSoup soup;
-    {
-        const ReadRecord record(loaded.files);
-        soup = read_soup(path, &loaded.notes);
-    }
+    TriangleSoup soup = read(loaded);
     try {
         Repaired repaired = repair(std::move(soup));
         if (!repaired.error.empty()) fail(path, repaired.error);
@@ -25,6 +25,22 @@ LoadedMesh read_mesh(const std::filesystem::path& path)
     } catch (const std::bad_alloc&) {
         fail(path, "there is not enough memory to prepare it; divide it or free some");
     }
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const std::filesystem::path& path)
+{
+    return load(path, [&](LoadedMesh& loaded) {
+        const ReadRecord record(loaded.files);
+        return read_soup(path, &loaded.notes);
+    });
+}
+
+LoadedMesh read_mesh(std::string_view bytes, std::string_view format)
+{
+    return load("memory." + std::string(format),
+                [&](LoadedMesh& loaded) { return read_soup(bytes, format, &loaded.notes); });
 }
 
 }  // namespace kerf::io

@@ -19,7 +19,7 @@ glm::vec3 facet_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& 
 
 }  // namespace
 
-void write_stl(OutputFile& file, const IndexedMesh& mesh)
+void write_stl(ByteSink& file, const IndexedMesh& mesh)
 {
     constexpr std::size_t kHeaderBytes = 80, kFlushBytes = 1 << 20;
     // Not "solid": readers take that for text.

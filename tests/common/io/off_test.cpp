@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "common/io/test_files.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 
 namespace kerf::io {
 namespace {
@@ -188,6 +190,19 @@ TEST_F(OffTest, SaysWhatIsWrong)
                          "line 3: a coordinate is missing"));
     EXPECT_TRUE(
         contains(error_of("a.off", "OFF\n4 2 0\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n"), "it may be cut off"));
+}
+
+TEST_F(OffTest, WritesPointsAndTrianglesThatReadBackBitForBit)
+{
+    // Seams of the cylinder have two vertices a point; the file has one line.
+    const IndexedMesh mesh = *repair(shapes::cylinder(0.3f, 1.1f, 7)).mesh;
+    write_mesh(folder_ / "a.off", mesh);
+    const TriangleSoup soup = read_soup(folder_ / "a.off");
+    ASSERT_EQ(soup.triangles.size(), mesh.triangles.size());
+    EXPECT_EQ(soup.vertices.size(), mesh.point_count);
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(soup.vertices[soup.triangles[t][i]].position, mesh.vertices[mesh.triangles[t][i]].position);
 }
 
 }  // namespace
