@@ -24,6 +24,8 @@ endif()
 # CGAL's configuration overwrites nothing of ours when the build type is already set.
 if(KERF_BUILD_HALFEDGE)
   find_package(OpenMesh REQUIRED)
+endif()
+if(KERF_BUILD_CGAL)
   find_package(CGAL REQUIRED)
 elseif(KERF_BUILD_TESTS)
   # Tests ask it for a second opinion; without it there are fewer tests.

@@ -26,7 +26,7 @@ struct CompareCommandOptions
     std::vector<std::string> files;
     ComparisonOptions comparison;
     std::optional<std::uint64_t> only;
-    std::string lookup;
+    std::string first = "baseline", lookup;
     bool random_only = false;
     bool quiet = false;
     bool json = false;
@@ -295,10 +295,11 @@ Json tally_json(const Tally& tally)
 
 void run(const CompareCommandOptions& options)
 {
-    const std::unique_ptr<Backend> baseline = make_back_end("baseline", options.lookup),
+    const std::unique_ptr<Backend> baseline = make_back_end(options.first, options.lookup),
                                    halfedge = make_back_end("halfedge");
     if (!halfedge) throw std::runtime_error("this kerf was built without the half-edge back end");
     ComparisonOptions comparison = options.comparison;
+    comparison.caps_alike = options.first != "baseline";
     comparison.mix = options.random_only ? PlaneMix::random : PlaneMix::nasty;
     if (options.only) {
         comparison.first_plane = *options.only;
@@ -403,6 +404,12 @@ void add_compare_command(CLI::App& program)
                      "Cuts in a row: 2 cuts the two pieces as well, 3 their pieces, ...")
         ->transform(command_line::whole_number(1, 16))
         ->capture_default_str();
+    command
+        ->add_option("--with", options->first,
+                     "The back end beside halfedge: baseline, or linear, whose caps must have the same areas. Rows and "
+                     "fields call it baseline")
+        ->check(CLI::IsMember({"baseline", "linear"}))
+        ->capture_default_str();
     command->add_option("--lookup", options->lookup, "How the baseline looks up vertices: see kerf cut --help");
     command->add_flag("--random-only", options->random_only,
                       "Only random planes through the middle, none through vertices, along edges or in faces");
@@ -429,7 +436,7 @@ void add_compare_command(CLI::App& program)
         "  kerf compare sponge.glb --depth 5 --only 17");
     command->callback([options] {
         try {
-            make_back_end("baseline", options->lookup);
+            make_back_end(options->first, options->lookup);
         } catch (const std::invalid_argument& error) {
             throw CLI::ValidationError("--lookup", error.what());
         }

@@ -299,6 +299,9 @@ private:
         const bool is_rounding = std::abs(row.halfedge.cap_excess) <= units * unit_ * section.length;
         if (!row.cap_fits && !is_rounding && row.section_is_judged && !row.section_intersects_itself)
             row.failures.push_back("half-edge cap area off by " + rounded(row.halfedge.cap_excess));
+        const double apart = std::abs(row.baseline.cap_excess - row.halfedge.cap_excess);
+        if (options_.caps_alike && row.earlier_caps_fit && apart > tolerance && !is_rounding)
+            row.failures.push_back("cap areas differ by " + rounded(apart));
     }
 
     /// Solids are capped one by one, and so they wind around: what one of them does backwards can lie in another.

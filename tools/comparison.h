@@ -26,6 +26,7 @@ struct ComparisonOptions
     PlaneMix mix = PlaneMix::nasty;
     std::uint64_t first_plane = 0;  ///< where to begin in the sequence of planes
     bool was_closed = false;        ///< before the mesh was repaired: it must be closed now, too
+    bool caps_alike = false;        ///< the first back end closes sections rightly, too: caps must have equal areas
 };
 
 /// Volumes and areas must agree to this, relative to the whole, and the half-edge cap with its section: what rounding

@@ -14,7 +14,7 @@
 #include "common/support/stopwatch.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
-#include "tools/notes_json.h"
+#include "tools/mesh_info.h"
 #include "tools/registry.h"
 #include "tools/text.h"
 
@@ -318,7 +318,7 @@ void add_cut_command(CLI::App& program)
             },
             ""))
         ->required();
-    command->add_option("--format", options->format, "Format of the files: obj, ply, stl or glb")
+    command->add_option("--format", options->format, "Format of the files: obj, ply, stl, off or glb")
         ->check(CLI::IsMember(io::writable_formats()).description(""))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of text");

@@ -14,6 +14,7 @@ std::string description_of(const std::string& family)
     if (family == "baseline") return "the report's loop over every triangle, and a fan over the section's mean point";
     if (family == "halfedge")
         return "a tree finds the section, a walk over neighbours cuts it, triangulations close it";
+    if (family == "linear") return "a loop over every triangle, index tables, and the same triangulations";
     return {};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "baseline/baseline.h"
+#include "linear/linear.h"
 #ifdef KERF_HAS_HALFEDGE
 #include "halfedge/halfedge.h"
 #endif
@@ -31,6 +32,7 @@ const std::vector<RegisteredBackend>& back_ends()
 #ifdef KERF_HAS_HALFEDGE
         {"halfedge", false, false, [] { return halfedge::make_back_end(); }},
 #endif
+        {"linear", false, false, [] { return linear::make_back_end(); }},
         baseline_entry(VertexLookup::hash),
         baseline_entry(VertexLookup::remap),
         baseline_entry(VertexLookup::two_bucket_hash),

@@ -21,7 +21,7 @@ struct RegisteredBackend
     std::function<std::unique_ptr<Backend>()> make;
 };
 
-/// All back ends of this build, the default first: "halfedge" (if built), then the report's four look-ups as
+/// All back ends of this build, the default first: "halfedge" (if built), "linear", then the report's four look-ups as
 /// "baseline/hash", "baseline/remap", "baseline/two_bucket_hash" and "baseline/scan".
 const std::vector<RegisteredBackend>& back_ends();
 

@@ -4,11 +4,15 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "common/cutting/back_end_helpers.h"
 #include "common/geometry/dominant_axis.h"
 #include "common/mesh/float_range.h"
 #include "common/mesh/plane_frame.h"
 
 namespace kerf::baseline {
+
+using linear::SectionEdge;
+using linear::SectionPoint;
 
 glm::vec3 section_centre(const Section& section)
 {
@@ -123,6 +127,20 @@ std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& cross
         builder.close_group({0, 0, material, solid_of(p), TriangleKind::cap});
     }
     return path_of_triangle;
+}
+
+linear::ClosedSides FanClosing::close(BySide<SideBuilder>& builders, Crossings& crossings,
+                                      const linear::LinkedSection& linked)
+{
+    if (!linked.with_caps) return {};
+    const glm::vec3 centre = section_centre(linked.section);
+    const FanFacts facts = measure_fan(linked.section, linked.paths, centre, linked.plane);
+    linear::ClosedSides closed;
+    closed.caps_exceed_section = caps_exceed_section(facts.excess, linked.area, facts.rim, linked.unit);
+    for (SideBuilder& b : builders)
+        closed.path_of_cap[b.side()] = close_with_fan(b, crossings, linked.section, linked.paths, centre, linked.unit,
+                                                      linked.plane, linked.material);
+    return closed;
 }
 
 }  // namespace kerf::baseline

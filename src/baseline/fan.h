@@ -4,10 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "baseline/section.h"
-#include "baseline/side_builder.h"
+#include "linear/closing.h"
 
 namespace kerf::baseline {
+
+using linear::Crossings;
+using linear::Section;
+using linear::SectionPath;
+using linear::SideBuilder;
 
 /// The mean of the section's points: where the report puts the centre of its fan.
 glm::vec3 section_centre(const Section& section);
@@ -33,5 +37,13 @@ FanFacts measure_fan(const Section& section, std::span<const SectionPath> paths,
 std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
                                           std::span<const SectionPath> paths, const glm::vec3& centre, double step,
                                           const Plane& plane, std::uint32_t material);
+
+/// Closes sections with the fan.
+class FanClosing final : public linear::Closing
+{
+public:
+    linear::ClosedSides close(BySide<SideBuilder>& builders, Crossings& crossings,
+                              const linear::LinkedSection& linked) override;
+};
 
 }  // namespace kerf::baseline

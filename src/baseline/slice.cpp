@@ -2,19 +2,22 @@
 
 #include <algorithm>
 
-#include "baseline/remap_slicer.h"
-#include "baseline/slicing_steps.h"
+#include "baseline/fan.h"
 #include "baseline/vertex_lookup.h"
+#include "linear/remap_slicer.h"
+#include "linear/slicing_steps.h"
 
 namespace kerf::baseline {
+
+using namespace linear;
 
 namespace {
 
 /// The report's way: each vertex of each triangle is looked up.
 template <class Lookup>
-class LookupSlicer : public Slicer<LookupSlicer<Lookup>>
+class LookupSlicer : public linear::Slicer<LookupSlicer<Lookup>>
 {
-    using Base = Slicer<LookupSlicer<Lookup>>;
+    using Base = linear::Slicer<LookupSlicer<Lookup>>;
     using Base::builders_, Base::classes_, Base::crossings_, Base::mesh_;
 
 public:
@@ -49,23 +52,17 @@ private:
 
 Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& options, VertexLookup lookup)
 {
-    // The report's exclusion, here by the bounds: what the plane misses costs nothing.
-    const auto [least, most] = plane.distance_range(whole.bounds);
-    if (most <= whole.noise || least >= -whole.noise) {
-        Slices missed;
-        missed.statistics.triangles = whole.mesh.triangles.size();
-        missed.side_of_object = most <= whole.noise ? Side::negative : Side::positive;
-        return missed;
-    }
+    if (std::optional<Slices> missed = missed_by_bounds(whole, plane)) return *std::move(missed);
+    FanClosing fan;
     switch (lookup) {
         case VertexLookup::scan:
-            return LookupSlicer<ScanLookup>(whole, plane, options).run();
+            return LookupSlicer<ScanLookup>(whole, plane, options, fan).run();
         case VertexLookup::two_bucket_hash:
-            return LookupSlicer<DictionaryLookup<TwoValuedHash>>(whole, plane, options).run();
+            return LookupSlicer<DictionaryLookup<TwoValuedHash>>(whole, plane, options, fan).run();
         case VertexLookup::hash:
-            return LookupSlicer<DictionaryLookup<ProperHash>>(whole, plane, options).run();
+            return LookupSlicer<DictionaryLookup<ProperHash>>(whole, plane, options, fan).run();
         case VertexLookup::remap:
-            return RemapSlicer(whole, plane, options).run();
+            return RemapSlicer(whole, plane, options, fan).run();
     }
     return {};
 }

@@ -1,25 +1,12 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "baseline/baseline.h"
-#include "baseline/fragment.h"
-#include "common/cutting/cut.h"
+#include "linear/slices.h"
 
 namespace kerf::baseline {
 
-/// The two sides of a cut, each as one fragment or as its pieces.
-struct Slices
-{
-    Status status = Status::missed;        ///< done, open_section or missed
-    Side side_of_object = Side::negative;  ///< see CutResult
-    std::vector<Fragment> positive, negative;
-    double section_area = 0.0;
-    bool caps_exceed_section = false;
-    CutStatistics statistics;
-    std::uint64_t vertex_comparisons = 0;  ///< see ReportCosts
-};
+using linear::Fragment;
+using linear::Slices;
 
 /// Cuts a fragment by the report's method (section 3.2): one loop over all triangles. A triangle that does not cross
 /// goes to its side, a crossing one is divided, and a fan from the section's centre closes both sides. `whole` is left

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "baseline/side_builder.h"
+#include "linear/side_builder.h"
 
 // The report's three ways to find out whether a fragment has a vertex already (VertexLookup); remap_slicer.h has the
 // fourth. Each is made for one side of one cut and answers
@@ -15,6 +15,10 @@
 // and adds a vertex that is missing. These three compare what the vertices are, as the report does.
 
 namespace kerf::baseline {
+
+using linear::Crossings;
+using linear::CrossingTriangle;
+using linear::SideBuilder;
 
 /// Two vertices of a fragment are the same: attributes, point and streams bit for bit.
 inline bool same_vertex(const IndexedMesh& mesh, std::uint32_t a, std::uint32_t b)

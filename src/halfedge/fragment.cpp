@@ -134,12 +134,14 @@ DrawView Fragment::draw_view() const
     return view;
 }
 
-void Fragment::mark_uploaded()
+void Fragment::mark_uploaded(const DrawView& view)
 {
+    if (view.buffers != buffers()) return;
     Universe& u = shared_->universe;
     const std::unique_lock lock(u.mutex);
-    u.uploaded_vertices = u.vertices.size();
-    u.uploaded_slots = u.slots.size();
+    // A relative may have been cut since: what that has added is not on the GPU.
+    u.uploaded_vertices = std::max(u.uploaded_vertices, view.vertices.size());
+    u.uploaded_slots = std::max(u.uploaded_slots, view.indices.size() / 3);
 }
 
 MassProperties Fragment::mass_properties() const

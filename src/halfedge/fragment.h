@@ -25,7 +25,7 @@ public:
     std::uint64_t triangle_count() const override { return triangle_count_; }
     Box bounds() const override { return box_; }
     DrawView draw_view() const override;
-    void mark_uploaded() override;
+    void mark_uploaded(const DrawView& view) override;
     MassProperties mass_properties() const override;
     std::array<glm::vec3, kSupportDirections> support_points() const override;
     std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const override;

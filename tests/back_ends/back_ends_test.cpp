@@ -9,7 +9,7 @@ namespace {
 TEST(BackEnds, AreThoseThatTheBuildWasAskedFor)
 {
     std::vector<std::string> names,
-        expected{"baseline/hash", "baseline/remap", "baseline/two_bucket_hash", "baseline/scan"};
+        expected{"linear", "baseline/hash", "baseline/remap", "baseline/two_bucket_hash", "baseline/scan"};
     if (KERF_BUILD_HALFEDGE) expected.insert(expected.begin(), "halfedge");
     for (const RegisteredBackend& entry : back_ends()) names.push_back(entry.name);
     EXPECT_EQ(names, expected);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "baseline/fragment.h"
 #include "baseline/slice.h"
 #include "common/mesh/plane_noise.h"
 #include "common/mesh/triangle_soup.h"
+#include "linear/fragment.h"
 #include "support/fixtures.h"
 
 // What the tests of the baseline's inside share.

@@ -416,7 +416,7 @@ TEST_P(CutContract, DrawViewShowsEveryTriangleOnce)
     // Fragments may share their buffers, so marking one may mark the other.
     for (const auto* side : {&result.positive, &result.negative}) {
         Cuttable& fragment = *side->front();
-        fragment.mark_uploaded();
+        fragment.mark_uploaded(fragment.draw_view());
         EXPECT_TRUE(fragment.draw_view().new_index_bytes.empty());
         EXPECT_TRUE(fragment.draw_view().new_vertex_bytes.empty());
     }

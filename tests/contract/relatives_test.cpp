@@ -92,7 +92,7 @@ TEST_P(Relatives, AreStrangersOnceOneIsDetached)
         const Bytes one_before = bytes_of(one), other_before = bytes_of(other);
         const std::uint64_t buffers = other.draw_view().buffers;
         const bool shared = one.shares_buffers_with(other);
-        one.mark_uploaded();
+        one.mark_uploaded(one.draw_view());
         EXPECT_EQ(one.detach(), Status::done);
         EXPECT_FALSE(one.shares_buffers_with(other));
         EXPECT_NE(one.draw_view().buffers, buffers);
@@ -103,12 +103,32 @@ TEST_P(Relatives, AreStrangersOnceOneIsDetached)
     }
 }
 
+TEST_P(Relatives, WhatACutAddsAfterAViewIsNewAfterThatViewIsUploaded)
+{
+    for (const char* shape : {"torus", "comb", "uv_sphere"}) {
+        SCOPED_TRACE(shape);
+        CutResult halves = halves_of(*backend_, shape);
+        Cuttable& one = *halves.positive.at(0);
+        const bool shared = one.shares_buffers_with(*halves.negative.at(0));
+        const DrawView view = one.draw_view();
+        const glm::dvec3 centre = halves.negative.at(0)->bounds().centre();
+        const CutResult again = cut(std::move(halves.negative.at(0)), *Plane::through(centre, {3, -1, 2}));
+        ASSERT_FALSE(again.positive.empty());
+        one.mark_uploaded(view);
+        EXPECT_EQ(one.draw_view().new_vertex_bytes.empty(), !shared);
+        one.mark_uploaded(one.draw_view());
+        EXPECT_TRUE(one.draw_view().new_vertex_bytes.empty());
+        one.mark_uploaded(view);
+        EXPECT_TRUE(one.draw_view().new_vertex_bytes.empty()) << "an older view takes nothing back";
+    }
+}
+
 TEST_P(Relatives, WhatSharesNothingIsDetachedAlready)
 {
     CutResult halves = halves_of(*backend_, "torus");
     halves.negative.clear();
     Cuttable& alone = *halves.positive.at(0);
-    alone.mark_uploaded();
+    alone.mark_uploaded(alone.draw_view());
     const std::uint64_t buffers = alone.draw_view().buffers;
     const Vertex* const vertices = alone.draw_view().vertices.data();
     EXPECT_EQ(alone.detach(), Status::done);

@@ -174,7 +174,7 @@ const std::vector<Change>& gentle_changes()
          }},
         {"mark_uploaded",
          [](std::unique_ptr<Cuttable> object) {
-             object->mark_uploaded();
+             object->mark_uploaded(object->draw_view());
              return referee::bytes_of(object->to_indexed_mesh());
          }},
         {"end",
@@ -417,22 +417,51 @@ TEST_P(Threads, DrawBesideReadsOfAnyObject)
     });
 }
 
-TEST_P(Threads, DrawBesideChangesOfRelativesThatDoNotCut)
+TEST_P(Threads, DrawBesideChangesOfRelativesAndStrangers)
 {
     for_each_round([&](const std::string& shape, Family& family, test::Random& random) {
-        return std::vector<Part>{draws(family), changes_by(gentle_changes(), shape, family, Who::relative, random),
-                                 changes_by(gentle_changes(), shape, family, Who::stranger, random)};
+        return std::vector<Part>{draws(family), changes_by(changes(), shape, family, Who::relative, random),
+                                 changes_by(changes(), shape, family, Who::stranger, random)};
     });
 }
 
-TEST_P(Threads, DrawBesideCutsOfStrangers)
+TEST_P(Threads, DrawBesideCutsOfRelativesAndStrangers)
 {
     for_each_round([&](const std::string& shape, Family& family, test::Random& random) {
-        // What was detached is a stranger.
-        EXPECT_EQ(family.relative->detach(), Status::done);
         return std::vector<Part>{draws(family), changes_by(cuts(), shape, family, Who::relative, random),
                                  changes_by(cuts(), shape, family, Who::stranger, random)};
     });
+}
+
+TEST_P(Threads, DrawWhileRelativesAreCutUntilAllReservedRoomIsUsed)
+{
+    // Many times what prepare() reserved: the buffers grow, and what is drawn stays where it is.
+    constexpr int kCuts = 60;
+    for (const std::string shape : {"torus", "asteroid"}) {
+        Family objects = family(shape);
+        const DrawView view = objects.one->draw_view();
+        const Bytes before = drawn(view);
+        std::atomic<bool> is_done = false;
+        std::thread cutter([&] {
+            test::Random random(5);
+            std::vector<std::unique_ptr<Cuttable>> pieces;
+            pieces.push_back(std::move(objects.relative));
+            for (int i = 0; i < kCuts; ++i) {
+                const std::size_t chosen = random.below(static_cast<std::uint32_t>(pieces.size()));
+                std::unique_ptr<Cuttable> piece = std::move(pieces[chosen]);
+                pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(chosen));
+                const glm::dvec3 centre = piece->bounds().centre();
+                CutResult result = cut(std::move(piece), *Plane::through(centre, random.direction()));
+                if (result.object) pieces.push_back(std::move(result.object));
+                for (auto* side : {&result.positive, &result.negative})
+                    for (auto& part : *side) pieces.push_back(std::move(part));
+            }
+            is_done = true;
+        });
+        while (!is_done) EXPECT_EQ(drawn(view), before);
+        cutter.join();
+        EXPECT_EQ(drawn(view), before);
+    }
 }
 
 // ----- around it -----

@@ -44,7 +44,7 @@ public:
     std::uint64_t triangle_count() const override { return honest_->triangle_count(); }
     Box bounds() const override { return honest_->bounds(); }
     DrawView draw_view() const override { return honest_->draw_view(); }
-    void mark_uploaded() override { honest_->mark_uploaded(); }
+    void mark_uploaded(const DrawView& view) override { honest_->mark_uploaded(view); }
     MassProperties mass_properties() const override { return honest_->mass_properties(); }
     std::array<glm::vec3, kSupportDirections> support_points() const override { return honest_->support_points(); }
     std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const override

@@ -231,5 +231,16 @@ TEST_F(KerfCompare, TheHalfEdgeBackEndCanBeChosenForCutting)
     EXPECT_EQ(kerf("cut in.ply --normal 0,1,0 --backend halfedge --lookup hash --out p").status, 2);
 }
 
+TEST_F(KerfCompare, FindsThatTheLinearBackEndClosesAsTheHalfEdgeOneDoes)
+{
+    for (const char* shape : {"menger_sponge", "spiral_wall", "nested_spheres", "overlapping_spheres", "comb"}) {
+        ASSERT_EQ(kerf("shape " + std::string(shape) + " --triangles 600 -o a.ply").status, 0);
+        const Outcome outcome = kerf("compare a.ply --with linear --planes 25 --depth 2 --quiet");
+        EXPECT_EQ(outcome.status, 0) << shape << ": " << outcome.out << outcome.err;
+    }
+    EXPECT_EQ(kerf("compare a.ply --with linear --lookup hash").status, 2);
+    EXPECT_EQ(kerf("compare a.ply --with halfedge").status, 2);
+}
+
 }  // namespace
 }  // namespace kerf::tools

@@ -104,7 +104,7 @@ DrawnFragment FragmentStore::add(Cuttable& object, Room room)
     upload(buffers->vertices, vertices, is_new ? all_vertices : view.new_vertex_bytes);
     upload(buffers->indices, indices, is_new ? all_indices : view.new_index_bytes);
     if (has_moved) describe_vertices(*buffers);
-    object.mark_uploaded();
+    object.mark_uploaded(view);
 
     DrawnFragment drawn{buffers, batches_of(view, looks_), everything_of(view), 0, object.bounds()};
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
@@ -138,7 +138,7 @@ std::uint64_t FragmentStore::bring(Cuttable& object, Arrival& arrival, std::uint
         describe_vertices(*arrival.buffers);
         std::erase(arriving_, arrival.buffers);
         sets_[view.buffers] = arrival.buffers;
-        object.mark_uploaded();
+        object.mark_uploaded(view);
         arrival.is_whole = true;
     }
     return most - left;

@@ -5,7 +5,8 @@
 #include "common/caps/cap_triangulator.h"
 #include "common/caps/edge_routes.h"
 
-// The part that needs CGAL, which is GPL: defined in the library `caps_cgal`, in one file.
+// The part that needs CGAL, which is GPL: defined in the library `caps_cgal`, in one file. A build without CGAL has the
+// library `caps_refuse` in its place, whose ways refuse every outline.
 
 namespace kerf {
 

@@ -63,8 +63,8 @@ struct ByteRange
     std::uint64_t size = 0;
 };
 
-/// What to draw of an object, and what to upload first. Valid until cut() is called, whatever comes of it, on the
-/// object or a relative, and until the object is compacted, detached or destroyed.
+/// What to draw of an object, and what to upload first. Valid until the object is cut, compacted, detached or
+/// destroyed, whatever becomes of its relatives meanwhile: what it shows never moves and never changes.
 struct DrawView
 {
     std::uint64_t buffers = 0;               ///< a serial number, never used again; equal ones are the same buffers
@@ -72,8 +72,8 @@ struct DrawView
     std::span<const std::uint32_t> indices;  ///< the whole index buffer
     std::vector<DrawRange> ranges;           ///< sorted by kind and material, adjacent runs merged
     std::span<const Material> materials;
-    std::vector<ByteRange> new_vertex_bytes;  ///< of the vertex buffer, since mark_uploaded()
-    std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, since mark_uploaded()
+    std::vector<ByteRange> new_vertex_bytes;  ///< of the vertex buffer, not yet given to mark_uploaded()
+    std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, not yet given to mark_uploaded()
 };
 
 /// The material that fills a section when the user names none: "cap", or "cap.1" and so on if the surface has one of
@@ -106,13 +106,13 @@ struct CutResult;
 /// | changes                   | changes                     | no          | yes, in turn | yes      |
 /// | uses what a DrawView says | reads                       | yes         | yes          | yes      |
 /// | uses what a DrawView says | changes, but does not cut   | no          | yes          | yes      |
-/// | uses what a DrawView says | cuts                        | no          | no           | yes      |
+/// | uses what a DrawView says | cuts                        | no          | yes          | yes      |
 ///
 /// "In turn": inside, one waits until the other is done; readers wait for nobody but a change. To cut an object that
-/// another thread is at is the caller's error, because it is gone then. Whoever draws holds off cuts of relatives from
-/// draw_view() to mark_uploaded(), or draws what was detached. A pointer to an object is handed from thread to thread
-/// as any other. Which relatives are cut when changes no byte of to_indexed_mesh(); it changes where things lie in the
-/// buffers, and CutStatistics::bytes_grown.
+/// another thread is at is the caller's error, because it is gone then. What a relative's cut adds to the buffers is
+/// news of the next view: mark_uploaded() is told which view was uploaded. A pointer to an object is handed from thread
+/// to thread as any other. Which relatives are cut when changes no byte of to_indexed_mesh(); it changes where things
+/// lie in the buffers, and CutStatistics::bytes_grown.
 class Cuttable
 {
 public:
@@ -125,8 +125,9 @@ public:
     virtual Box bounds() const = 0;
 
     virtual DrawView draw_view() const = 0;
-    /// Declares that all bytes draw_view() named as new are on the GPU now.
-    virtual void mark_uploaded() = 0;
+    /// Declares that all bytes which a view of this object or a relative named as new are on the GPU now. Views may
+    /// come in any order; one of buffers that the object no longer has changes nothing.
+    virtual void mark_uploaded(const DrawView& view) = 0;
 
     /// Of the closed solid. The sums are about the centre of the object's bounds, or no less precise than such sums.
     virtual MassProperties mass_properties() const = 0;

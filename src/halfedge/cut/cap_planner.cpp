@@ -1,213 +1,23 @@
 #include "halfedge/cut/cap_planner.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "common/caps/clipping_triangulator.h"
-#include "common/caps/constrained_triangulator.h"
-#include "common/caps/convex_triangulator.h"
-#include "common/caps/topological_triangulator.h"
-#include "common/caps/untangling_triangulator.h"
-#include "common/geometry/dominant_axis.h"
-
 namespace kerf::halfedge {
-
-CapPlanner::CapPlanner()
-    : ways_{make_convex_triangulator(), make_clipping_triangulator(),
-            make_untangling_triangulator(make_constrained_triangulator(), make_route_finder()),
-            make_topological_triangulator()}
-{
-}
 
 void CapPlanner::plan(const Plane& plane, const Found& found, Section& section, Caps& caps)
 {
-    found_ = &found;
-    section_ = &section;
-    caps_ = &caps;
-    const int dropped = dominant_axis(plane.normal);
-    axis_u_ = (dropped + 1) % 3;
-    axis_v_ = (dropped + 2) % 3;
-    if (plane.normal[dropped] < 0.0) std::swap(axis_u_, axis_v_);
-    excess_ = 0.0;
-    mesh_.steps = 0;
+    loops_.clear();
+    for (const Loop& loop : section.loops)
+        if (loop.closed) loops_.push_back({loop.first, loop.count, loop.cap_set});
+    closer_.close(plane, loops_, section.loop_points, caps);
 
-    std::vector<std::size_t> closed;
-    for (std::size_t i = 0; i < section_->loops.size(); ++i)
-        if (section_->loops[i].closed) closed.push_back(i);
-    std::stable_sort(closed.begin(), closed.end(), [&](std::size_t a, std::size_t b) {
-        return section_->loops[a].cap_set < section_->loops[b].cap_set;
-    });
-    for (std::size_t first = 0, last; first < closed.size(); first = last) {
-        const Index set = section_->loops[closed[first]].cap_set;
-        for (last = first; last < closed.size() && section_->loops[closed[last]].cap_set == set;) ++last;
-        close_set({closed.data() + first, last - first}, set);
+    for (const Index edge : caps.crossing_edges) {
+        section.loop_edges.push_back(section.loop_edges[edge]);
+        section.share_point(found, section.loop_edges.size() - 1);
     }
-    excess_ /= std::abs(plane.normal[dropped]);
-}
-
-void CapPlanner::clear_outline()
-{
-    points_.clear();
-    positions_.clear();
-    starts_.clear();
-    global_.clear();
-    edge_.clear();
-}
-
-void CapPlanner::append_point(std::size_t p)
-{
-    points_.push_back(projected(section_->loop_points[p]));
-    positions_.push_back(section_->loop_points[p]);
-    global_.push_back(static_cast<Index>(p));
-    edge_.push_back(CapLink::to_outline(static_cast<Index>(p)));
-    box_.add(points_.back().x, points_.back().y);
-}
-
-void CapPlanner::drop_point()
-{
-    points_.pop_back();
-    positions_.pop_back();
-    global_.pop_back();
-    edge_.pop_back();
-}
-
-bool CapPlanner::append_loop(const Loop& loop)
-{
-    const auto place = [&](std::size_t i) { return projected(section_->loop_points[loop.first + i % loop.count]); };
-    // Start where two points follow one another that don't fall together.
-    std::size_t start = 0;
-    while (start < loop.count && place(start) == place(start + 1)) ++start;
-    if (start == loop.count) return false;
-
-    const std::size_t first = points_.size(), first_cap = caps_->triangles.size();
-    // Takes the last point away: the triangle from the one before it over it to `next`.
-    const auto take_away = [&](std::size_t next) {
-        const Index t = static_cast<Index>(caps_->triangles.size()), last = static_cast<Index>(points_.size() - 1);
-        caps_->triangles.push_back({{global_[last - 1], global_[last], static_cast<Index>(next)}});
-        connect(CapLink::to_triangle(t, 0), edge_[last - 1]);
-        connect(CapLink::to_triangle(t, 1), edge_[last]);
-        drop_point();
-        edge_.back() = CapLink::to_triangle(t, 2);
-    };
-    for (std::size_t i = 0; i < loop.count; ++i) {
-        const std::size_t p = loop.first + (start + i) % loop.count;
-        if (i > 0 && points_.back() == projected(section_->loop_points[p])) take_away(p);
-        append_point(p);
+    for (const auto& [a, b] : caps.cancelled) {
+        section.cancelled.push_back({section.loop_edges[a], section.loop_edges[b]});
+        for (const OutlineEdgeId edge : section.cancelled.back()) section.share_ends(found, edge);
     }
-    while (points_.size() - first >= 2 && points_.back() == points_[first]) take_away(global_[first]);
-    if (points_.size() - first >= 3) {
-        starts_.push_back(static_cast<Index>(first));
-        return true;
-    }
-    while (points_.size() > first) drop_point();
-    caps_->triangles.resize(first_cap);
-    return false;
-}
-
-void CapPlanner::connect(CapLink a, CapLink b)
-{
-    if (!kerf::connect(caps_->triangles, a, b)) return;
-    section_->cancelled.push_back({section_->loop_edges[a.outline_edge()], section_->loop_edges[b.outline_edge()]});
-    for (const OutlineEdgeId edge : section_->cancelled.back()) section_->share_ends(*found_, edge);
-}
-
-void CapPlanner::close_set(std::span<const std::size_t> loops, Index set)
-{
-    CapSet cap{set, caps_->triangles.size(), 0};
-    upright_.clear();
-    box_ = {};
-    clear_outline();
-    for (const std::size_t i : loops)
-        if (!append_loop(section_->loops[i])) upright_.push_back(i);
-    close_outline();
-    // Loops without an inside are closed on their own, as they are: none of the others is the worse for them.
-    clear_outline();
-    for (const std::size_t i : upright_) {
-        const Loop& loop = section_->loops[i];
-        starts_.push_back(static_cast<Index>(points_.size()));
-        for (std::size_t p = loop.first; p < loop.first + loop.count; ++p) append_point(p);
-    }
-    close_outline();
-    cap.count = caps_->triangles.size() - cap.first;
-    caps_->sets.push_back(cap);
-    order_spatially(cap);
-}
-
-void CapPlanner::close_outline()
-{
-    if (starts_.empty()) return;
-    starts_.push_back(static_cast<Index>(points_.size()));
-    const CapOutline outline{points_, positions_, starts_, axis_u_, axis_v_};
-    const auto way =
-        std::find_if(ways_.begin(), ways_.end(), [&](const auto& each) { return each->triangulate(outline, mesh_); });
-    take_over();
-    // The first two turn no triangle over.
-    if (way - ways_.begin() >= 2) excess_ += 2.0 * turned_area();
-}
-
-double CapPlanner::turned_area() const
-{
-    double twice = 0.0;
-    for (const CapTriangle& t : mesh_.triangles) {
-        const auto place = [&](std::size_t i) { return projected(section_->loop_points[global_[t.corner[i]]]); };
-        const glm::dvec2 p = place(1) - place(0), q = place(2) - place(0);
-        twice -= std::min(0.0, p.x * q.y - p.y * q.x);
-    }
-    return 0.5 * twice;
-}
-
-void CapPlanner::take_over()
-{
-    const Index first = static_cast<Index>(caps_->triangles.size());
-    for (const CrossingPoint& crossing : mesh_.crossing_points) {
-        global_.push_back(static_cast<Index>(section_->loop_points.size()));
-        section_->loop_points.push_back(crossing.position);
-        const OutlineEdgeId edge = section_->loop_edges[global_[crossing.edge]];
-        section_->loop_edges.push_back(edge);
-        section_->share_point(*found_, global_.back());
-    }
-    for (const CapTriangle& t : mesh_.triangles)
-        caps_->triangles.push_back({{global_[t.corner[0]], global_[t.corner[1]], global_[t.corner[2]]}});
-    for (Index t = 0; t < mesh_.triangles.size(); ++t)
-        for (Index i = 0; i < 3; ++i) {
-            const CapLink link = mesh_.triangles[t].link[i];
-            connect(CapLink::to_triangle(first + t, i),
-                    link.is_outline() ? edge_[link.outline_edge()]
-                                      : CapLink::to_triangle(first + link.triangle(), link.corner()));
-        }
-    for (const auto& [a, b] : mesh_.cancelled) connect(edge_[a], edge_[b]);
-    for (const Index i : mesh_.shared_points) section_->share_point(*found_, global_[i]);
-}
-
-void CapPlanner::order_spatially(const CapSet& cap)
-{
-    // Neighbouring triangles go to the same leaves: along a Morton curve of 1024 x 1024 cells.
-    const glm::dvec2 lo(box_.lo_x, box_.lo_y);
-    const double longest = std::max(box_.hi_x - box_.lo_x, box_.hi_y - box_.lo_y);
-    const double scale = longest > 0.0 ? 1023.0 / (3.0 * longest) : 0.0;
-    const auto spread = [](std::uint32_t v) {
-        v = (v | (v << 8)) & 0x00ff00ffu;
-        v = (v | (v << 4)) & 0x0f0f0f0fu;
-        v = (v | (v << 2)) & 0x33333333u;
-        return (v | (v << 1)) & 0x55555555u;
-    };
-    keys_.clear();
-    for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) {
-        glm::dvec2 cell{0.0};
-        for (const Index corner : caps_->triangles[t].corner) cell += projected(section_->loop_points[corner]) - lo;
-        cell *= scale;
-        keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), static_cast<Index>(t));
-    }
-    // Two stable counting passes of ten bits.
-    sorted_.resize(keys_.size());
-    for (std::uint32_t shift = 0; shift < 20; shift += 10) {
-        std::array<std::uint32_t, 1025> start{};
-        for (const auto& [key, t] : keys_) ++start[((key >> shift) & 1023u) + 1];
-        for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-        for (const auto& item : keys_) sorted_[start[(item.first >> shift) & 1023u]++] = item;
-        keys_.swap(sorted_);
-    }
-    for (const auto& [key, t] : keys_) caps_->order.push_back(t);
+    for (const Index point : caps.shared_points) section.share_point(found, point);
 }
 
 void Caps::reserve(std::size_t crossings_expected)

@@ -158,7 +158,8 @@ void Cutter::plan_cap_groups(const CutOptions& options)
         if (is_new) new_groups_.push_back({material, shell.solid, TriangleKind::cap});
         shell.cap_group = GroupId(entry->second);
     }
-    u.materials.reserve(u.materials.size() + 1);
+    // Views of relatives show the materials, which do not move: there has been room for this one from the beginning.
+    if (adds_cap_material_) u.materials.reserve(u.materials.size() + 1);
     u.groups.reserve(u.groups.size() + new_groups_.size());
 }
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "halfedge/universe/huge_pages.h"
 #include "halfedge/universe/ids.h"
+#include "halfedge/universe/memory_block.h"
 
 namespace kerf::halfedge {
 
@@ -17,8 +18,10 @@ namespace kerf::halfedge {
 /// page costs more than the work of a cut on it. Elements beyond size() may be written up to capacity(); they become
 /// part of the array by extend(), which can't fail. Elements are trivial.
 ///
-/// Behind the touched memory lies as much again that is only asked for: it costs addresses, not memory. When room runs
-/// out it is touched bit by bit, so that the cost of growth depends on what is added, not on what is there.
+/// Elements never move: room behind them is reserved as addresses (memory_block.h) and touched bit by bit when it runs
+/// out, so that the cost of growth depends on what is added, not on what is there. If addresses run out as well, the
+/// elements are copied, and the old ones stay where they are until the buffer ends. So who reads elements that were
+/// there once may go on while others are appended.
 ///
 /// Key: what an element is found by, a number or an id.
 template <class T, class Key = std::size_t>
@@ -28,7 +31,7 @@ class AppendBuffer
 
 public:
     AppendBuffer() = default;
-    ~AppendBuffer() { std::free(data_); }
+    ~AppendBuffer() = default;
     AppendBuffer(const AppendBuffer& other) : AppendBuffer()
     {
         reserve(other.capacity_);
@@ -46,7 +49,7 @@ public:
         std::swap(data_, other.data_);
         std::swap(size_, other.size_);
         std::swap(capacity_, other.capacity_);
-        std::swap(asked_, other.asked_);
+        std::swap(blocks_, other.blocks_);
     }
 
     std::size_t size() const { return size_; }
@@ -67,7 +70,9 @@ public:
     {
         if (capacity <= capacity_) return;
         if (capacity > static_cast<std::size_t>(-1) / sizeof(T) / kAskedFor) throw std::bad_alloc();
-        if (capacity > asked_ && !ask_for(kAskedFor * capacity) && !ask_for(capacity)) throw std::bad_alloc();
+        const std::size_t bytes = capacity * sizeof(T);
+        if (blocks_.empty() || blocks_.back().reserved() < bytes) move_to_block_for(capacity);
+        if (!blocks_.back().commit(bytes)) throw std::bad_alloc();
         T* const fresh = data_ + capacity_;
         prefer_huge_pages(static_cast<void*>(fresh), (capacity - capacity_) * sizeof(T));
         // Not 0: the compiler would ask the system for zeroed memory, which comes untouched.
@@ -100,20 +105,32 @@ public:
 private:
     static constexpr std::size_t kAskedFor = 2;
 
-    bool ask_for(std::size_t count)
+    /// With room in advance, if there is any.
+    static MemoryBlock block_for(std::size_t capacity)
     {
-        // realloc() moves the pages of a large block instead of copying what is in them.
-        void* data = std::realloc(static_cast<void*>(data_), count * sizeof(T));
-        if (data == nullptr) return false;
-        data_ = static_cast<T*>(data);
-        asked_ = count;
-        return true;
+        try {
+            return MemoryBlock(kAskedFor * capacity * sizeof(T));
+        } catch (const std::bad_alloc&) {
+            return MemoryBlock(capacity * sizeof(T));
+        }
+    }
+
+    /// Copies the elements to a new block. The old one stays.
+    void move_to_block_for(std::size_t capacity)
+    {
+        MemoryBlock block = block_for(capacity);
+        if (!block.commit(capacity * sizeof(T))) throw std::bad_alloc();
+        blocks_.reserve(blocks_.size() + 1);
+        T* const data = static_cast<T*>(block.begin());
+        if (capacity_ > 0) std::memcpy(static_cast<void*>(data), data_, capacity_ * sizeof(T));
+        blocks_.push_back(std::move(block));
+        data_ = data;
     }
 
     T* data_ = nullptr;
     std::size_t size_ = 0;
-    std::size_t capacity_ = 0;  ///< touched
-    std::size_t asked_ = 0;
+    std::size_t capacity_ = 0;         ///< touched
+    std::vector<MemoryBlock> blocks_;  ///< the last one holds the elements; the others held them once
 };
 
 }  // namespace kerf::halfedge

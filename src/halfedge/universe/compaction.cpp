@@ -213,7 +213,7 @@ void plant_trees(std::span<Segment* const> order, std::span<const Segment> segme
 std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot> shells, Universe& v)
 {
     v.groups = u.groups;
-    v.materials = u.materials;
+    v.set_materials(u.materials);
     v.cap_material = u.cap_material;
     v.reference = u.reference;
     v.noise = u.noise;

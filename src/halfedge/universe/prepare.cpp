@@ -238,7 +238,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
     const Box bounds = mesh.bounds();
     u.reference = mass_reference(bounds);
     u.noise = plane_noise(bounds.largest_coordinate());
-    u.materials = mesh.materials;
+    u.set_materials(mesh.materials);
     for (const VertexStream& stream : mesh.streams) u.streams.push_back({stream.name, stream.width, {}});
 
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);

@@ -13,13 +13,19 @@ Universe::Universe(const Universe& other)
       stamp_base(other.stamp_base),
       tree(other.tree),
       groups(other.groups),
-      materials(other.materials),
       cap_material(other.cap_material),
       reference(other.reference),
       noise(other.noise),
       has_boundary(other.has_boundary),
       live_slots(0)
 {
+    set_materials(other.materials);
+}
+
+void Universe::set_materials(const std::vector<Material>& from)
+{
+    materials.reserve(from.size() + 1);
+    materials = from;
 }
 
 std::size_t Universe::bytes_reserved() const

@@ -61,7 +61,7 @@ struct Universe
     std::uint64_t stamp_base = 1;
     TriangleTree tree;
     std::vector<DrawGroup> groups;
-    std::vector<Material> materials;
+    std::vector<Material> materials;                   ///< never moved by a cut: views of relatives show them
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< the one that was added for caps, if one was
     glm::dvec3 reference{0.0};  ///< mass moments are summed about it: the centre of the prepared mesh
     double noise = 0.0;         ///< plane_noise() of the prepared mesh
@@ -75,6 +75,9 @@ struct Universe
     /// The copy has a lock of its own. Call it with `other` locked.
     Universe(const Universe& other);
     Universe& operator=(const Universe&) = delete;
+
+    /// Takes over the materials of a mesh, with room for the one that caps may add.
+    void set_materials(const std::vector<Material>& from);
 
     const Vertex& vertex(VertexId v) const { return vertices[v.number()]; }
     const DrawGroup& group(GroupId id) const { return groups[id.number()]; }

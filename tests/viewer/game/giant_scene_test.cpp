@@ -49,7 +49,8 @@ void play_with_autopilot(sim::Simulation& simulation, sim::Tick ticks)
 void upload_next(const sim::Simulation& simulation)
 {
     for (const std::size_t model : simulation.scene().next_models())
-        if (const auto copy = simulation.models().stocked(model, simulation.backend())) copy->object->mark_uploaded();
+        if (const auto copy = simulation.models().stocked(model, simulation.backend()))
+            copy->object->mark_uploaded(copy->object->draw_view());
 }
 
 // Ticks until the giant is there.

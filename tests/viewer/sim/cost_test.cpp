@@ -38,7 +38,7 @@ Cost cut_asteroid(std::uint64_t triangles)
     World world(0.0);
     Body& body = world.add(test::body_of(*test::shape("asteroid", triangles), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
                                          ProxyKind::bounded_hull, "halfedge"));
-    body.object().mark_uploaded();
+    body.object().mark_uploaded(body.object().draw_view());
     Cost cost;
     cost.record.number = 1;
     cost.record.swipe = 1;
@@ -52,7 +52,7 @@ Cost cut_asteroid(std::uint64_t triangles)
     // The pieces share their buffers: what one has uploaded the others need not.
     for (const auto& piece : world.bodies()) {
         cost.new_bytes += bytes_to_upload(piece->object());
-        piece->object().mark_uploaded();
+        piece->object().mark_uploaded(piece->object().draw_view());
     }
     return cost;
 }
@@ -107,7 +107,7 @@ std::vector<Price> prices_of_three_strokes(const std::string& backend)
     World world(0.0);
     world.add(test::body_of(*test::shape("asteroid", 5000), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
                             ProxyKind::bounded_hull, backend));
-    world.find(1)->object().mark_uploaded();
+    world.find(1)->object().mark_uploaded(world.find(1)->object().draw_view());
     ObjectId last_id = 1;
     std::vector<Price> prices;
     for (std::uint32_t swipe = 1; swipe <= 3; ++swipe) {
@@ -125,7 +125,7 @@ std::vector<Price> prices_of_three_strokes(const std::string& backend)
             std::uint64_t uploaded = 0;
             for (const auto& piece : world.bodies()) {
                 uploaded += bytes_to_upload(piece->object());
-                piece->object().mark_uploaded();
+                piece->object().mark_uploaded(piece->object().draw_view());
             }
             EXPECT_EQ(uploaded, record.statistics.bytes_to_upload);
             prices.push_back({allocations, uploaded, record.statistics.crossing_triangles});

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "baseline/crossing.h"
 #include "common/caps/outline_loops.h"
 #include "common/cutting/cut.h"
+#include "linear/crossing.h"
 
 // The baseline's section: outline edges of its crossing triangles, linked into paths.
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 /// A point of the section's outline: a point that existed before the cut, or a new one.
 struct SectionPoint
@@ -38,6 +38,7 @@ struct Section
 {
     std::vector<SectionPoint> points;
     std::vector<SectionEdge> edges;
+    bool has_cancelled_edges = false;  ///< some ran forth and back, and are gone
 };
 
 /// A polyline of section edges that visits no point twice.
@@ -76,4 +77,4 @@ double area_of(const Section& section, std::span<const SectionPath> paths, const
 /// The path in the form of the contract.
 SectionLoop to_loop(const Section& section, const SectionPath& path);
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

@@ -1,4 +1,4 @@
-#include "baseline/parts_and_pieces.h"
+#include "linear/parts_and_pieces.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 #include "common/mesh/mass_properties.h"
 #include "common/repair/halfedges_by_edge.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 namespace {
 
@@ -263,4 +263,4 @@ std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std:
     return pieces;
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

@@ -1,5 +1,3 @@
-#include "baseline/fragment.h"
-
 #include <gtest/gtest.h>
 
 #include "baseline/report_costs.h"
@@ -10,38 +8,6 @@ namespace kerf::baseline {
 namespace {
 
 using test::closed_shape;
-
-TEST(Fragment, ASmallPieceGivesSpareRoomBack)
-{
-    Fragment fragment = fragment_of(closed_shape("cube"));
-    const auto before = referee::bytes_of(fragment.mesh);
-    fragment.mesh.vertices.reserve(100 * fragment.mesh.vertices.size());
-    fragment.mesh.points.reserve(100 * fragment.mesh.points.size());
-    fragment.mesh.triangles.reserve(100 * fragment.mesh.triangles.size());
-    fragment.mesh.sources.reserve(100 * fragment.mesh.sources.size());
-    fragment.release_spare_room();
-    EXPECT_EQ(fragment.mesh.vertices.capacity(), fragment.mesh.vertices.size());
-    EXPECT_EQ(fragment.mesh.points.capacity(), fragment.mesh.points.size());
-    EXPECT_EQ(fragment.mesh.triangles.capacity(), fragment.mesh.triangles.size());
-    EXPECT_EQ(fragment.mesh.sources.capacity(), fragment.mesh.sources.size());
-    EXPECT_EQ(referee::bytes_of(fragment.mesh), before);
-}
-
-TEST(Fragment, ALargePieceIsNotMoved)
-{
-    Fragment fragment = fragment_of(closed_shape("cube"));
-    fragment.mesh.vertices.reserve(2 * fragment.mesh.vertices.size());
-    const Vertex* const place = fragment.mesh.vertices.data();
-    fragment.release_spare_room();
-    EXPECT_EQ(fragment.mesh.vertices.data(), place);
-}
-
-TEST(Fragment, BoundsAreThoseOfItsVertices)
-{
-    const Fragment fragment = fragment_of(closed_shape("cube"));
-    EXPECT_EQ(fragment.bounds.lo, glm::vec3(-0.5f));
-    EXPECT_EQ(fragment.bounds.hi, glm::vec3(0.5f));
-}
 
 TEST(Pivot, IsTheMeanOfTheVerticesAndGoesToScratch)
 {

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "baseline/crossing.h"
-#include "baseline/fragment.h"
-#include "baseline/vertex_box.h"
 #include "common/geometry/pair_table.h"
+#include "linear/crossing.h"
+#include "linear/fragment.h"
+#include "linear/vertex_box.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 /// Collects the triangles and vertices of one side of a cut. Whether a vertex is there already is decided by the
 /// VertexLookup (vertex_lookup.h), not here.
@@ -185,4 +185,4 @@ private:
     std::vector<std::uint32_t> point_of_cut_;  // by class of cut points
 };
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

@@ -1,4 +1,4 @@
-#include "baseline/section.h"
+#include "linear/section.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -6,7 +6,7 @@
 #include "common/caps/section_area.h"
 #include "common/geometry/pair_table.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 namespace {
 
@@ -62,8 +62,10 @@ private:
 /// Removes pairs of opposite edges, wherever they were found.
 void cancel_opposite_edges(Section& section)
 {
-    for (const auto& pair : opposite_edges(section.points.size(), outline_of(section)))
+    for (const auto& pair : opposite_edges(section.points.size(), outline_of(section))) {
+        section.has_cancelled_edges = true;
         for (const std::uint32_t edge : pair) section.edges[edge].from = kNone;
+    }
     std::erase_if(section.edges, [](const SectionEdge& edge) { return edge.from == kNone; });
 }
 
@@ -208,4 +210,4 @@ SectionLoop to_loop(const Section& section, const SectionPath& path)
     return loop;
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "baseline/cut_point_classes.h"
 #include "common/cutting/cut_geometry.h"
 #include "common/mesh/indexed_mesh.h"
+#include "linear/cut_point_classes.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 /// A triangle that the plane crosses, and how it falls apart.
 struct CrossingTriangle
@@ -42,4 +42,4 @@ void corner_stream(const IndexedMesh& mesh, const VertexStream& stream, const Cr
 /// Splits the triangles named in `crossings` (index and group filled in) and identifies cut points that are one. O(k).
 void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Crossings& crossings);
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

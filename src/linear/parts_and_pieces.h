@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "baseline/fragment.h"
-#include "baseline/section.h"
-#include "baseline/side_builder.h"
 #include "common/cutting/group_pieces.h"
+#include "linear/fragment.h"
+#include "linear/section.h"
+#include "linear/side_builder.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 /// One side before its cap, flooded over its edges.
 struct FoundParts
@@ -32,4 +32,4 @@ BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builde
 /// Takes a fragment apart, each piece with just the vertices and points that it uses, in their old order. O(n).
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle);
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

@@ -1,4 +1,4 @@
-#include "baseline/cut_point_classes.h"
+#include "linear/cut_point_classes.h"
 
 #include <gtest/gtest.h>
 

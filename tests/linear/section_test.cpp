@@ -1,8 +1,8 @@
-#include "baseline/section.h"
+#include "linear/section.h"
 
 #include <gtest/gtest.h>
 
-namespace kerf::baseline {
+namespace kerf::linear {
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
@@ -67,4 +67,4 @@ TEST(FindSection, WhereFourTrianglesMeetOnlyThePairThatChangesSidesCounts)
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

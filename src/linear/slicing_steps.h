@@ -6,20 +6,22 @@
 #include <tuple>
 #include <vector>
 
-#include "baseline/fan.h"
-#include "baseline/parts_and_pieces.h"
-#include "baseline/section.h"
-#include "baseline/side_builder.h"
-#include "baseline/slice.h"
-#include "baseline/vertex_sides.h"
 #include "common/cutting/back_end_helpers.h"
 #include "common/cutting/cut_geometry.h"
 #include "common/mesh/plane_noise.h"
+#include "common/mesh/tolerances.h"
 #include "common/support/stopwatch.h"
+#include "linear/closing.h"
+#include "linear/parts_and_pieces.h"
+#include "linear/section.h"
+#include "linear/side_builder.h"
+#include "linear/slices.h"
+#include "linear/vertex_sides.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
-/// One cut: the steps of slice(), in order. `Self` derives from this and adds what differs from lookup to lookup:
+/// One cut by a loop over all triangles, step by step: what does not cross goes to its side, what crosses is divided,
+/// and both sides are closed. `Self` derives from this and adds what differs from lookup to lookup:
 ///   classify_vertices()            fills `classes_`
 ///   distribute(group)              triangles of a group of which no vertex is on the plane
 ///   expect_cut_points(count)       before the first vertex at a cut point is asked for
@@ -28,8 +30,8 @@ template <class Self>
 class Slicer
 {
 public:
-    Slicer(const Fragment& whole, const Plane& plane, const CutOptions& options)
-        : whole_(whole), mesh_(whole.mesh), plane_(plane), options_(options)
+    Slicer(const Fragment& whole, const Plane& plane, const CutOptions& options, Closing& closing)
+        : whole_(whole), mesh_(whole.mesh), plane_(plane), options_(options), closing_(closing)
     {
     }
 
@@ -150,8 +152,6 @@ protected:
         CutStatistics& statistics = slices_.statistics;
         materials_ = mesh_.materials;
         const std::uint32_t material = material_of_caps();
-        const glm::vec3 centre = section_centre(section_);
-        const double step = rounding_unit(whole_.noise);
         statistics.phases[Phase::cap] += watch.lap();
         BySide<FoundParts> parts;
         BySide<std::vector<std::uint32_t>> piece_of_part;
@@ -181,13 +181,11 @@ protected:
                               piece_at(Side::positive, path.edges.front()) != kNoPart;
         for (const SectionPath& path : paths) ++(path.closed ? statistics.section_loops : statistics.open_chains);
         slices_.section_area = area_of(section_, paths, plane_);
-        BySide<std::vector<std::uint32_t>> path_of_cap;
-        if (options_.build_caps) {
-            const FanFacts fan = measure_fan(section_, paths, centre, plane_);
-            slices_.caps_exceed_section = caps_exceed_section(fan.excess, slices_.section_area, fan.rim, step);
-            for (SideBuilder& b : builders_)
-                path_of_cap[b.side()] = close_with_fan(b, crossings_, section_, paths, centre, step, plane_, material);
-        }
+        const ClosedSides closed = closing_.close(builders_, crossings_,
+                                                  {section_, paths, tags, plane_, slices_.section_area,
+                                                   whole_.noise / kNoiseInUnits, material, options_.build_caps});
+        slices_.caps_exceed_section = closed.caps_exceed_section;
+        statistics.cap_steps = closed.steps;
         statistics.phases[Phase::cap] += watch.lap();
         if (options_.split_components)
             for (const Side side : kSides) {
@@ -200,7 +198,7 @@ protected:
                     piece_of_triangle_[side].reserve(builders_[side].mesh.triangles.size());
                     for (const std::uint32_t part : parts[side].part_of_triangle)
                         piece_of_triangle_[side].push_back(piece[part]);
-                    for (const std::uint32_t path : path_of_cap[side])
+                    for (const std::uint32_t path : closed.path_of_cap[side])
                         piece_of_triangle_[side].push_back(piece_of_path(path));
                 }
                 for (std::uint32_t path = 0; path < paths.size(); ++path)
@@ -253,6 +251,7 @@ protected:
             for (std::size_t i = 0; i < piece_of_loop_[side].size(); ++i)
                 if (piece_of_loop_[side][i] != kNoPart) out[piece_of_loop_[side][i]].section.push_back(loops_[i]);
             for (Fragment& piece : out) {
+                closing_.finish(piece, plane_);
                 piece.release_spare_room();
                 slices_.statistics.bytes_to_upload +=
                     piece.mesh.vertices.size() * sizeof(Vertex) + piece.mesh.triangles.size() * sizeof(Triangle);
@@ -264,6 +263,7 @@ protected:
     const IndexedMesh& mesh_;
     const Plane& plane_;
     const CutOptions& options_;
+    Closing& closing_;
 
     Slices slices_;
     VertexSides classes_;
@@ -282,4 +282,4 @@ protected:
     BySide<std::vector<std::uint32_t>> piece_of_loop_;
 };
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

@@ -1,10 +1,10 @@
-#include "baseline/crossing.h"
+#include "linear/crossing.h"
 
 #include <algorithm>
 
 #include "common/geometry/pair_table.h"
 
-namespace kerf::baseline {
+namespace kerf::linear {
 
 namespace {
 
@@ -77,4 +77,4 @@ void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Cross
     }
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::linear

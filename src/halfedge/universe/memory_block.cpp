@@ -1,0 +1,90 @@
+#include "halfedge/universe/memory_block.h"
+
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+namespace kerf::halfedge {
+
+namespace {
+
+#ifdef __linux__
+/// Bytes: smaller blocks are ordinary memory. A mapping costs a call to the system, and a page at least.
+constexpr std::size_t kLeastMapped = std::size_t(1) << 20;
+/// How many times its size a block has addresses for. A game cuts an object to a few times its size before it is
+/// compacted; addresses are not short: 47 bits of them.
+constexpr std::size_t kRoom = 64;
+/// The same where the system gives out few of them.
+constexpr std::size_t kLittleRoom = 2;
+
+bool addresses_are_short()
+{
+    rlimit limit{};
+    return getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
+}
+
+std::size_t page_size()
+{
+    static const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return size;
+}
+
+std::size_t whole_pages(std::size_t bytes)
+{
+    return (bytes + page_size() - 1) / page_size() * page_size();
+}
+#endif
+
+}  // namespace
+
+MemoryBlock::MemoryBlock(std::size_t bytes)
+{
+#ifdef __linux__
+    if (bytes >= kLeastMapped) {
+        if (bytes > static_cast<std::size_t>(-1) / (2 * kRoom)) throw std::bad_alloc();
+        for (const std::size_t room : {kRoom, kLittleRoom, std::size_t(1)}) {
+            if (begin_ != nullptr || (room == kRoom && addresses_are_short())) continue;
+            reserved_ = whole_pages(room * bytes);
+            void* const mapped =
+                mmap(nullptr, reserved_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+            if (mapped != MAP_FAILED) begin_ = mapped;
+        }
+        if (begin_ == nullptr) throw std::bad_alloc();
+        is_mapped_ = true;
+        return;
+    }
+#endif
+    begin_ = ::operator new(bytes);
+    reserved_ = committed_ = bytes;
+}
+
+MemoryBlock::~MemoryBlock()
+{
+#ifdef __linux__
+    if (is_mapped_) {
+        munmap(begin_, reserved_);
+        return;
+    }
+#endif
+    ::operator delete(begin_);
+}
+
+bool MemoryBlock::commit(std::size_t bytes)
+{
+    if (bytes > reserved_) return false;
+#ifdef __linux__
+    if (is_mapped_ && bytes > committed_) {
+        const std::size_t wanted = whole_pages(bytes);
+        char* const from = static_cast<char*>(begin_) + committed_;
+        if (mprotect(from, wanted - committed_, PROT_READ | PROT_WRITE) != 0) return false;
+        committed_ = wanted;
+    }
+#endif
+    return true;
+}
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+namespace kerf::halfedge {
+
+/// A run of memory that can grow where it stands. A large block has addresses for many times its size: they are
+/// reserved and cost no memory until commit() asks for some of it. A small one is ordinary memory.
+class MemoryBlock
+{
+public:
+    MemoryBlock() = default;
+    /// Reserves addresses for at least `bytes`, none of which may be used yet. Throws std::bad_alloc.
+    explicit MemoryBlock(std::size_t bytes);
+    ~MemoryBlock();
+    MemoryBlock(MemoryBlock&& other) noexcept
+        : begin_(std::exchange(other.begin_, nullptr)),
+          reserved_(std::exchange(other.reserved_, 0)),
+          committed_(std::exchange(other.committed_, 0)),
+          is_mapped_(std::exchange(other.is_mapped_, false))
+    {
+    }
+    MemoryBlock& operator=(MemoryBlock&& other) noexcept
+    {
+        std::swap(begin_, other.begin_);
+        std::swap(reserved_, other.reserved_);
+        std::swap(committed_, other.committed_);
+        std::swap(is_mapped_, other.is_mapped_);
+        return *this;
+    }
+
+    void* begin() const { return begin_; }
+    std::size_t reserved() const { return reserved_; }
+
+    /// Makes the first `bytes` usable; false if there is no memory, or more than is reserved. What was usable stays as
+    /// it is and where it is.
+    bool commit(std::size_t bytes);
+
+private:
+    void* begin_ = nullptr;
+    std::size_t reserved_ = 0, committed_ = 0;
+    bool is_mapped_ = false;
+};
+
+}  // namespace kerf::halfedge

@@ -1,0 +1,53 @@
+#include "linear/fragment_object.h"
+
+#include <utility>
+
+#include "common/cutting/back_end_helpers.h"
+#include "common/mesh/mass_moments.h"
+#include "common/mesh/plane_noise.h"
+#include "common/mesh/support_points.h"
+
+namespace kerf::linear {
+
+FragmentObject::FragmentObject(Fragment&& fragment) : fragment_(std::move(fragment)), serial_(new_buffers_serial()) {}
+
+DrawView FragmentObject::draw_view() const
+{
+    const IndexedMesh& mesh = fragment_.mesh;
+    DrawView view;
+    view.buffers = serial_;
+    view.vertices = mesh.vertices;
+    static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+    view.indices = {reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()), mesh.triangles.size() * 3};
+    view.materials = mesh.materials;
+    for (const TriangleGroup& group : mesh.groups)
+        view.ranges.push_back({3 * group.first, 3 * group.count, group.material, group.kind});
+    merge_ranges(view.ranges);
+    if (!is_uploaded_) {
+        view.new_vertex_bytes.push_back({0, view.vertices.size_bytes()});
+        view.new_index_bytes.push_back({0, view.indices.size_bytes()});
+    }
+    return view;
+}
+
+MassProperties FragmentObject::mass_properties() const
+{
+    const glm::dvec3 reference = mass_reference(fragment_.bounds);
+    return mass_moments(fragment_.mesh.vertices, fragment_.mesh.triangles, reference).properties(reference);
+}
+
+std::array<glm::vec3, kSupportDirections> FragmentObject::support_points() const
+{
+    return kerf::support_points(fragment_.mesh.vertices);
+}
+
+Fragment fragment_of(ProvenMesh&& mesh)
+{
+    Fragment fragment;
+    fragment.mesh = *std::move(mesh);
+    fragment.bounds = fragment.mesh.bounds();
+    fragment.noise = plane_noise(fragment.bounds.largest_coordinate());
+    return fragment;
+}
+
+}  // namespace kerf::linear

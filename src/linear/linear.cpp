@@ -1,0 +1,49 @@
+#include "linear/linear.h"
+
+#include <utility>
+
+#include "linear/fragment_object.h"
+#include "linear/remap_slicer.h"
+#include "linear/right_caps.h"
+
+namespace kerf::linear {
+
+namespace {
+
+class LinearObject final : public FragmentObject
+{
+public:
+    using FragmentObject::FragmentObject;
+
+    std::unique_ptr<Cuttable> clone() const override { return std::make_unique<LinearObject>(Fragment(fragment())); }
+
+private:
+    CutResult cut_by(const Plane& plane, const CutOptions& options) override
+    {
+        RightCaps caps;
+        std::optional<Slices> missed = missed_by_bounds(fragment(), plane);
+        return to_result(missed ? *std::move(missed) : RemapSlicer(fragment(), plane, options, caps).run(),
+                         [](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part)); });
+    }
+};
+
+class LinearBackend final : public Backend
+{
+public:
+    std::string name() const override { return "linear"; }
+
+private:
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
+    {
+        return std::make_unique<LinearObject>(fragment_of(std::move(mesh)));
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_back_end()
+{
+    return std::make_unique<LinearBackend>();
+}
+
+}  // namespace kerf::linear
