@@ -8,7 +8,7 @@
 #include "halfedge/halfedge.h"
 #endif
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::unique_ptr<Backend> make_back_end(std::string_view name)
     return entry == nullptr ? nullptr : entry->make();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

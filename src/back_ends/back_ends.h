@@ -10,7 +10,7 @@
 
 // The one list of back ends, for every program that lets its user choose one by name.
 
-namespace kerf {
+namespace kerf::core {
 
 /// A back end that this build has.
 struct RegisteredBackend
@@ -31,4 +31,4 @@ const RegisteredBackend* find_back_end(std::string_view name);
 /// Makes the back end of that name. Null for a name that this build does not have.
 std::unique_ptr<Backend> make_back_end(std::string_view name);
 
-}  // namespace kerf
+}  // namespace kerf::core

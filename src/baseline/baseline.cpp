@@ -5,7 +5,7 @@
 #include "common/support/stopwatch.h"
 #include "linear/fragment_object.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 std::string_view name_of(VertexLookup lookup)
 {
@@ -104,4 +104,4 @@ std::unique_ptr<Backend> make_back_end(VertexLookup lookup, bool rewrite_pivots)
     return std::make_unique<BaselineBackend>(Method{lookup, rewrite_pivots});
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

@@ -8,7 +8,7 @@
 
 // The baseline: the report's slicer, a loop over all triangles with four ways to look up vertices and a fan for a cap.
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 /// How the baseline finds out whether a fragment has a vertex already. n is the number of triangles.
 enum class VertexLookup : std::uint8_t
@@ -26,4 +26,4 @@ std::string_view name_of(VertexLookup lookup);
 /// lookup that does not exist means `hash`.
 std::unique_ptr<Backend> make_back_end(VertexLookup lookup = VertexLookup::hash, bool rewrite_pivots = false);
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

@@ -9,7 +9,7 @@
 #include "common/mesh/float_range.h"
 #include "common/mesh/plane_frame.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 using linear::SectionEdge;
 using linear::SectionPoint;
@@ -143,4 +143,4 @@ linear::ClosedSides FanClosing::close(BySide<SideBuilder>& builders, Crossings& 
     return closed;
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

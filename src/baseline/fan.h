@@ -6,7 +6,7 @@
 
 #include "linear/closing.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 using linear::Crossings;
 using linear::Section;
@@ -46,4 +46,4 @@ public:
                               const linear::LinkedSection& linked) override;
 };
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

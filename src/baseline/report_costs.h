@@ -4,7 +4,7 @@
 
 #include "common/cutting/cut.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 /// What only the report's method does in a cut, counted for both sides together.
 struct ReportCosts
@@ -17,4 +17,4 @@ struct ReportCosts
 /// fragments carry them: ask before they are moved away. O(1).
 ReportCosts report_costs(const CutResult& result);
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

@@ -7,7 +7,7 @@
 #include "linear/remap_slicer.h"
 #include "linear/slicing_steps.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 using namespace linear;
 
@@ -80,4 +80,4 @@ glm::vec3 rewrite_around_pivot(const IndexedMesh& mesh, Buffer<Vertex>& scratch)
     return pivot;
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

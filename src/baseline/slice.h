@@ -3,7 +3,7 @@
 #include "baseline/baseline.h"
 #include "linear/slices.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 using linear::Fragment;
 using linear::Slices;
@@ -18,4 +18,4 @@ Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& option
 /// O(n).
 glm::vec3 rewrite_around_pivot(const IndexedMesh& mesh, Buffer<Vertex>& scratch);
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

@@ -14,7 +14,7 @@
 //   cut(crossings, c, code)    index in the fragment of the vertex at a cut corner
 // and adds a vertex that is missing. These three compare what the vertices are, as the report does.
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 using linear::Crossings;
 using linear::CrossingTriangle;
@@ -145,4 +145,4 @@ private:
     std::unordered_set<std::uint32_t, HashOfIndex, SameVertex> dictionary_;
 };
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

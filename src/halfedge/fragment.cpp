@@ -12,7 +12,7 @@
 #include "halfedge/universe/compaction.h"
 #include "halfedge/universe/export.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 Fragment::Fragment(std::shared_ptr<SharedUniverse> shared, std::span<const ShellRoot> shells,
                    std::size_t material_count)
@@ -233,4 +233,4 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
     return result;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -8,7 +8,7 @@
 #include "common/cutting/cut.h"
 #include "halfedge/shared_universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 class Cutter;
 
@@ -63,4 +63,4 @@ private:
     std::vector<SectionLoop> loops_;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

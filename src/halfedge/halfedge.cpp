@@ -2,7 +2,7 @@
 
 #include "halfedge/fragment.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -28,4 +28,4 @@ std::unique_ptr<Backend> make_back_end()
     return std::make_unique<HalfedgeBackend>();
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -5,7 +5,7 @@
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// What all objects that descend from one prepared mesh share: the universe that they lie in, and the memory that cuts
 /// of any of them are planned in. Both are guarded by the universe's lock.
@@ -28,4 +28,4 @@ struct SharedUniverse
     void make_room(std::size_t triangles) { workspace.reserve(crossings_of_one_cut(triangles)); }
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

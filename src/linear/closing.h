@@ -9,7 +9,7 @@
 
 // How the sides of a cut are closed: with right caps (right_caps.h), or with the report's fan (baseline/fan.h).
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// A section, linked into paths.
 struct LinkedSection
@@ -50,4 +50,4 @@ public:
     }
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

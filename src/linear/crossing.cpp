@@ -4,7 +4,7 @@
 
 #include "common/geometry/pair_table.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 namespace {
 
@@ -77,4 +77,4 @@ void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Cross
     }
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -7,7 +7,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "linear/cut_point_classes.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// A triangle that the plane crosses, and how it falls apart.
 struct CrossingTriangle
@@ -42,4 +42,4 @@ void corner_stream(const IndexedMesh& mesh, const VertexStream& stream, const Cr
 /// Splits the triangles named in `crossings` (index and group filled in) and identifies cut points that are one. O(k).
 void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Crossings& crossings);
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

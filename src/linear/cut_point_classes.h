@@ -9,7 +9,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/index.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Which cut points of one cut are the same point of the surface. split_triangle() says so for one triangle at a time;
 /// this is the transitive closure over all of them, and over points that existed before the cut: if cut points of one
@@ -92,4 +92,4 @@ private:
     std::map<std::uint32_t, std::uint32_t> joined_;  ///< nearly always empty
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

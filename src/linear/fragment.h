@@ -5,7 +5,7 @@
 #include "common/cutting/cut.h"
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// A mesh or a part of one, as the baseline keeps it: compact arrays that belong to nobody else.
 struct Fragment
@@ -35,4 +35,4 @@ struct Fragment
     }
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -7,7 +7,7 @@
 #include "common/mesh/plane_noise.h"
 #include "common/mesh/support_points.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 FragmentObject::FragmentObject(Fragment&& fragment) : fragment_(std::move(fragment)), serial_(new_buffers_serial()) {}
 
@@ -38,7 +38,7 @@ MassProperties FragmentObject::mass_properties() const
 
 std::array<glm::vec3, kSupportDirections> FragmentObject::support_points() const
 {
-    return kerf::support_points(fragment_.mesh.vertices);
+    return core::support_points(fragment_.mesh.vertices);
 }
 
 Fragment fragment_of(ProvenMesh&& mesh)
@@ -50,4 +50,4 @@ Fragment fragment_of(ProvenMesh&& mesh)
     return fragment;
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -6,7 +6,7 @@
 #include "common/cutting/cut.h"
 #include "linear/slices.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// An object that is one Fragment: all of Cuttable but how it is cut and copied.
 class FragmentObject : public Cuttable
@@ -54,4 +54,4 @@ CutResult to_result(Slices slices, Make make)
     return result;
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

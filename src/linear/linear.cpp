@@ -6,7 +6,7 @@
 #include "linear/remap_slicer.h"
 #include "linear/right_caps.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::unique_ptr<Backend> make_back_end()
     return std::make_unique<LinearBackend>();
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

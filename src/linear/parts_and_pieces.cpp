@@ -9,7 +9,7 @@
 #include "common/mesh/mass_properties.h"
 #include "common/repair/halfedges_by_edge.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 namespace {
 
@@ -263,4 +263,4 @@ std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std:
     return pieces;
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -10,7 +10,7 @@
 #include "linear/section.h"
 #include "linear/side_builder.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// One side before its cap, flooded over its edges.
 struct FoundParts
@@ -32,4 +32,4 @@ BySide<std::vector<std::uint32_t>> find_pieces(const BySide<SideBuilder>& builde
 /// Takes a fragment apart, each piece with just the vertices and points that it uses, in their old order. O(n).
 std::vector<Fragment> extract_pieces(const Fragment& whole, std::span<const std::uint32_t> piece_of_triangle);
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

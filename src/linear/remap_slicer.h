@@ -10,7 +10,7 @@
 #include "linear/slicing_steps.h"
 #include "linear/vertex_box.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// Old index -> new index: compares where vertices come from, not what they are, which gives the same fragments as the
 /// lookups of vertex_lookup.h in a fraction of the time. Vertices strictly on a side are copied in source order before
@@ -171,4 +171,4 @@ private:
                                  RemapLookup(builders_[Side::positive], table_)};
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -11,7 +11,7 @@
 #include "common/mesh/plane_frame.h"
 #include "linear/split_points.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 void RightCaps::collect_loops(const LinkedSection& linked)
 {
@@ -153,4 +153,4 @@ void RightCaps::finish(Fragment& fragment, const Plane& plane)
     if (!is_regular_) split_points(fragment.mesh, plane, fragment.noise);
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

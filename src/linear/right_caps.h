@@ -5,7 +5,7 @@
 #include "common/caps/section_closer.h"
 #include "linear/closing.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// Closes sections of any shape, as the half-edge back end does: common/caps/section_closer.h. O(k log k) for k outline
 /// edges; if the section passes a point twice or touches what was there before, O(n) more.
@@ -34,4 +34,4 @@ private:
     bool is_regular_ = true;
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

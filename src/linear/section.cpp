@@ -6,7 +6,7 @@
 #include "common/caps/section_area.h"
 #include "common/geometry/pair_table.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 namespace {
 
@@ -210,4 +210,4 @@ SectionLoop to_loop(const Section& section, const SectionPath& path)
     return loop;
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

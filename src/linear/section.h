@@ -10,7 +10,7 @@
 
 // The baseline's section: outline edges of its crossing triangles, linked into paths.
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// A point of the section's outline: a point that existed before the cut, or a new one.
 struct SectionPoint
@@ -77,4 +77,4 @@ double area_of(const Section& section, std::span<const SectionPath> paths, const
 /// The path in the form of the contract.
 SectionLoop to_loop(const Section& section, const SectionPath& path);
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -11,7 +11,7 @@
 #include "linear/fragment.h"
 #include "linear/vertex_box.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// Collects the triangles and vertices of one side of a cut. Whether a vertex is there already is decided by the
 /// VertexLookup (vertex_lookup.h), not here.
@@ -185,4 +185,4 @@ private:
     std::vector<std::uint32_t> point_of_cut_;  // by class of cut points
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -7,7 +7,7 @@
 #include "common/cutting/cut.h"
 #include "linear/fragment.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// The two sides of a cut, each as one fragment or as its pieces.
 struct Slices
@@ -32,4 +32,4 @@ inline std::optional<Slices> missed_by_bounds(const Fragment& whole, const Plane
     return missed;
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

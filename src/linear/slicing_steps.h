@@ -18,7 +18,7 @@
 #include "linear/slices.h"
 #include "linear/vertex_sides.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// One cut by a loop over all triangles, step by step: what does not cross goes to its side, what crosses is divided,
 /// and both sides are closed. `Self` derives from this and adds what differs from lookup to lookup:
@@ -282,4 +282,4 @@ protected:
     BySide<std::vector<std::uint32_t>> piece_of_loop_;
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -7,7 +7,7 @@
 #include "common/repair/edge_pairing.h"
 #include "common/repair/vertex_fans.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 namespace {
 
@@ -148,4 +148,4 @@ void split_points(IndexedMesh& mesh, const Plane& plane, double noise)
     drop_unused(mesh);
 }
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -3,7 +3,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/plane.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// Gives each fan of triangles around a point near the plane a point of its own, and drops vertices and points that no
 /// triangle uses: what IndexedMesh promises holds again after a section that passes a point twice, or shrinks to one. A
@@ -14,4 +14,4 @@ namespace kerf::linear {
 /// O(n), and O(k log k) for k triangles near the plane.
 void split_points(IndexedMesh& mesh, const Plane& plane, double noise);
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

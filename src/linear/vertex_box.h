@@ -6,7 +6,7 @@
 #include "common/mesh/box.h"
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// The box around vertices that are added one at a time, in a few instructions each: four floats are compared at once,
 /// the three of the position and one more that is ignored.
@@ -29,4 +29,4 @@ private:
     Lanes lo_{kEnd, kEnd, kEnd, kEnd}, hi_{-kEnd, -kEnd, -kEnd, -kEnd};
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -6,7 +6,7 @@
 #include "common/mesh/plane.h"
 #include "linear/fragment.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 
 /// Where a vertex lies, as bits, so that the classes of a triangle's corners can be joined by "or".
 enum : std::uint8_t
@@ -58,4 +58,4 @@ struct VertexSides
     bool one_side_is_empty() const { return far_below == 0 || far_above == 0; }
 };
 
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -7,7 +7,7 @@
 #include "baseline/slices.h"
 #include "support/referee.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 namespace {
 
 using test::closed_shape;
@@ -129,4 +129,4 @@ TEST(Fan, AConcaveSectionIsCoveredWronglyAndTheVolumeIsRightAllTheSame)
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

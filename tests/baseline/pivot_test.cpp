@@ -4,7 +4,7 @@
 #include "baseline/slices.h"
 #include "support/referee.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 namespace {
 
 using test::closed_shape;
@@ -38,4 +38,4 @@ TEST(Pivot, RewritingIsTimedAndChangesNoFragment)
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

@@ -9,7 +9,7 @@
 #include "common/shapes/shapes.h"
 #include "support/referee.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 namespace {
 
 using test::closed_shape;
@@ -217,4 +217,4 @@ TEST(Slice, FanCentresAreNotTakenForSurface)
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

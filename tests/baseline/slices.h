@@ -8,7 +8,7 @@
 
 // What the tests of the baseline's inside share.
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 inline Fragment fragment_of(IndexedMesh mesh)
 {
@@ -62,4 +62,4 @@ inline TriangleSoup spike()
     return soup;
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

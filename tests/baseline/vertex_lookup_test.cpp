@@ -10,7 +10,7 @@
 #include "common/shapes/hard_sections.h"
 #include "support/referee.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 namespace {
 
 using test::closed_shape;
@@ -179,4 +179,4 @@ TEST(VertexLookup, ComparesNoMoreWhereAllCutPointsLieInOnePlace)
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

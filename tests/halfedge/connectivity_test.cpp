@@ -12,7 +12,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 using Fragments = std::vector<std::unique_ptr<Cuttable>>;
@@ -131,4 +131,4 @@ TEST(Connectivity, ACloneIsConsistentAndIndependent)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

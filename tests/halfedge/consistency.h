@@ -5,7 +5,7 @@
 #include "halfedge/fragment.h"
 #include "support/check_universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// What is inconsistent in the mesh that a fragment is part of; empty: nothing. O(n).
 inline std::string faults(const Cuttable& object)
@@ -14,4 +14,4 @@ inline std::string faults(const Cuttable& object)
     return check_universe(fragment.universe(), fragment.shells());
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

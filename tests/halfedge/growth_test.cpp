@@ -14,7 +14,7 @@
 #include "support/sanitized.h"
 #include "support/touched_memory.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 // Limits of the issue, per crossing triangle.
@@ -184,4 +184,4 @@ TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

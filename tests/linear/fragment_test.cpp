@@ -7,7 +7,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 namespace {
 
 Fragment cube()
@@ -48,4 +48,4 @@ TEST(Fragment, BoundsAreThoseOfItsVertices)
 }
 
 }  // namespace
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

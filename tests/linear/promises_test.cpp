@@ -11,7 +11,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 namespace {
 
 void expect_promises(const std::vector<std::unique_ptr<Cuttable>>& fragments)
@@ -96,4 +96,4 @@ TEST(RightCaps, HaveTheAreaOfTheirSectionOrSayThatTheyExceedIt)
 }
 
 }  // namespace
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
@@ -67,4 +67,4 @@ TEST(FindSection, WhereFourTrianglesMeetOnlyThePairThatChangesSidesCounts)
 }
 
 }  // namespace
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

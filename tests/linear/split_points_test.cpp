@@ -6,7 +6,7 @@
 #include "common/shapes/shapes.h"
 #include "support/fixtures.h"
 
-namespace kerf::linear {
+namespace kerf::core::linear {
 namespace {
 
 /// Two cubes, one above the plane z = 0 and turned over its edge, that have their points in one place in common: one
@@ -91,4 +91,4 @@ TEST(SplitPoints, WhatNoTriangleUsesIsDropped)
 }
 
 }  // namespace
-}  // namespace kerf::linear
+}  // namespace kerf::core::linear

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -189,4 +189,4 @@ std::string check_universe(const Universe& universe, std::span<const ShellRoot> 
     return Checker(universe).run(shells);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

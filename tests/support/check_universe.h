@@ -5,7 +5,7 @@
 
 #include "halfedge/universe/universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Empty when everything that the fragment over `shells` refers to is consistent; otherwise one sentence that names the
 /// first thing that is wrong. Looks at connectivity (opposite, next, previous, face, vertex, vertex fans), at positions
@@ -13,4 +13,4 @@ namespace kerf::halfedge {
 /// twice. For tests; O(n), shares no code with what it checks beyond the data structures.
 std::string check_universe(const Universe& universe, std::span<const ShellRoot> shells);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

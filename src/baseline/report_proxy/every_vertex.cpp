@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 
 CollisionProxy every_vertex(std::span<const Vertex> vertices)
 {
@@ -29,4 +29,4 @@ CollisionProxy every_vertex(const Cuttable& object)
     return every_vertex(object.used_vertices(room));
 }
 
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

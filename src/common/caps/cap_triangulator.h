@@ -15,7 +15,7 @@
 // constrained_triangulator.h), and whatever is left (topological_triangulator.h). CapPlanner of the half-edge back end
 // tries them.
 
-namespace kerf {
+namespace kerf::core {
 
 /// The other side of a cap triangle's edge: an edge of another cap triangle, or an edge of the outline.
 class CapLink
@@ -102,7 +102,7 @@ struct CapMesh
     /// Joins two edges; they cancel if both belong to the outline.
     void connect(CapLink a, CapLink b)
     {
-        if (kerf::connect(triangles, a, b)) cancelled.push_back({a.outline_edge(), b.outline_edge()});
+        if (core::connect(triangles, a, b)) cancelled.push_back({a.outline_edge(), b.outline_edge()});
     }
 };
 
@@ -117,4 +117,4 @@ public:
     virtual bool triangulate(const CapOutline& outline, CapMesh& cap) = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,9 @@
 #include <new>
 #include <utility>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Memory of one cap's triangulation, freed as a whole. CGAL's containers lose a block if the next allocation fails
 /// (Compact_container::allocate_new_block in CGAL 5.5); an arena loses nothing.
@@ -69,4 +71,4 @@ struct CapArenaAllocator
     friend bool operator==(const CapArenaAllocator&, const CapArenaAllocator&) { return true; }
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

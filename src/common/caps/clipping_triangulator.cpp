@@ -8,7 +8,7 @@
 // longer by a constant factor from pass to pass, and a line crosses O(log k) triangles on its way in and out; clipping
 // one corner after the other would leave a fan.
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::unique_ptr<CapTriangulator> make_clipping_triangulator()
     return std::make_unique<ClippingTriangulator>();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

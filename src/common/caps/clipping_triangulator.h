@@ -4,10 +4,10 @@
 
 #include "common/caps/cap_triangulator.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Closes one simple concave loop by clipping ears in layers: a line crosses as few triangles as in a Delaunay
 /// triangulation, at a fraction of the cost. Refuses loops that have few ears at a time. O(k log k).
 std::unique_ptr<CapTriangulator> make_clipping_triangulator();
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 
 // The allocator of CGAL's containers (CGAL/memory.h).
 #undef CGAL_ALLOCATOR
-#define CGAL_ALLOCATOR(T) kerf::CapArenaAllocator<T>
+#define CGAL_ALLOCATOR(T) kerf::core::CapArenaAllocator<T>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -27,7 +27,7 @@
 
 // The only file that includes CGAL, whose triangulations are under the GPL.
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -77,16 +77,16 @@ struct Kernel : ExactPredicates
 
 }  // namespace
 
-}  // namespace kerf
+}  // namespace kerf::core
 
 /// As for the kernel it is based on: walks begin without exact predicates.
 template <>
-struct CGAL::Triangulation_structural_filtering_traits<kerf::Kernel>
-    : CGAL::Triangulation_structural_filtering_traits<kerf::ExactPredicates>
+struct CGAL::Triangulation_structural_filtering_traits<kerf::core::Kernel>
+    : CGAL::Triangulation_structural_filtering_traits<kerf::core::ExactPredicates>
 {
 };
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -721,4 +721,4 @@ std::unique_ptr<RouteFinder> make_route_finder()
     return std::make_unique<CgalRouteFinder>();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

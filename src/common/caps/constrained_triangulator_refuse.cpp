@@ -2,7 +2,7 @@
 
 // In builds without CGAL: sections with holes go to the ways after these, which close them, cover too much, and say so.
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::unique_ptr<RouteFinder> make_route_finder()
     return std::make_unique<RefusingRouteFinder>();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

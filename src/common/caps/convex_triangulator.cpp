@@ -3,7 +3,7 @@
 #include "common/caps/halve_loop.h"
 #include "common/geometry/turn.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::unique_ptr<CapTriangulator> make_convex_triangulator()
     return std::make_unique<ConvexTriangulator>();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

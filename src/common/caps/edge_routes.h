@@ -9,7 +9,7 @@
 
 #include "common/mesh/index.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// The places that edges run over, each edge from its start to its end.
 struct EdgeRoutes
@@ -34,4 +34,4 @@ public:
                       std::size_t most_added, std::size_t most_points, EdgeRoutes& routes) = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

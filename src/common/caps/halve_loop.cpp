@@ -1,6 +1,6 @@
 #include "common/caps/halve_loop.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -66,4 +66,4 @@ void halve_loop(std::span<const glm::vec3> positions, std::span<const Index> rin
     Halver(positions, ring, triangles).run();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

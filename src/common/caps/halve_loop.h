@@ -5,11 +5,11 @@
 
 #include "common/caps/cap_triangulator.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Triangulates one loop by its order alone. `ring` holds the points' numbers; edge i of `ring` runs from ring[i] to
 /// its successor and is the outline's edge ring[i]. Equal positions are never joined by a diagonal, so no triangle has
 /// two corners at one place: `ring` must have no two consecutive edges that run forth and back. Appends to `triangles`.
 void halve_loop(std::span<const glm::vec3> positions, std::span<const Index> ring, std::vector<CapTriangle>& triangles);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -9,7 +9,7 @@
 #include "common/geometry/containment.h"
 #include "common/geometry/line_hits.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -152,4 +152,4 @@ void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -13,7 +13,7 @@
 
 // How a hole of a section finds its outer loop. common/cutting/group_pieces.cpp sorts the loops by solid first.
 
-namespace kerf {
+namespace kerf::core {
 
 /// The section as edges between points, without edges that run forth and back.
 class SectionOutline
@@ -57,4 +57,4 @@ FlatLoop flatten(const SectionOutline& outline, std::span<const std::uint32_t> p
 /// two of three interior sample points do. O(e log e) for e edges.
 void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,9 +6,11 @@
 #include <limits>
 #include <vector>
 
+#include "common/support/core_names.h"
+
 // A tree of boxes along the edges of a loop, to find those that a box meets.
 
-namespace kerf {
+namespace kerf::core {
 
 /// A box in the plane of a section; initially empty.
 struct Box2
@@ -89,4 +91,4 @@ private:
     std::size_t count_ = 0, first_leaf_ = 1;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace kerf {
+namespace kerf::core {
 
 std::vector<Index> stand_ins(std::span<const glm::dvec2> places, std::span<const Index> order, double radius)
 {
@@ -106,4 +106,4 @@ void PlaceTree::search(const Edge& edge, std::size_t first, std::size_t last, in
     search(edge, middle + 1, last, 1 - axis, found, looks, upper, hi);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 
 // Places in the plane of a section that are closer to one another than the distance that rounding moves them.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Gives each place a stand-in, at most `radius` away along each axis. A stand-in stands for itself, and stand-ins are
 /// farther than that from one another. `order` says which place comes first. O(n) expected.
@@ -40,4 +40,4 @@ private:
     std::vector<Index> which_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

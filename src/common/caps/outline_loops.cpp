@@ -9,7 +9,7 @@
 #include "common/mesh/index.h"
 #include "common/mesh/position_order.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -258,4 +258,4 @@ DividedOutline divide_outline(const Plane& plane, std::span<const glm::vec3> poi
     return Divider(plane.normal[dominant_axis(plane.normal)] < 0.0, points, edges, tags).run();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

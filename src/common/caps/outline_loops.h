@@ -14,7 +14,7 @@
 // chains". The result depends on the positions of the outline's points and on the triangles that its edges lie in, not
 // on the order in which a back end finds them.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Stands for no part: nothing is left of an edge's triangle on that side (OutlineEdge::part).
 inline constexpr std::uint32_t kNoPart = 0xFFFFFFFFu;
@@ -60,4 +60,4 @@ std::vector<std::array<std::uint32_t, 2>> opposite_edges(std::size_t point_count
 DividedOutline divide_outline(const Plane& plane, std::span<const glm::vec3> points, std::span<const OutlineEdge> edges,
                               std::span<const std::uint64_t> tags = {});
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 
 // Signed area and length of sections, the same in whatever order their edges come.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Adds up numbers below a bound; the sum has the same bits in any order. Numbers are rounded to 2^-90 of the bound and
 /// added as integers, so up to 2^36 of them lose no more than a double does for one.
@@ -53,4 +53,4 @@ double section_area(const Plane& plane, ForEachEdge for_each_edge)
     return 0.5 * twice.value();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -11,7 +11,7 @@
 #include "common/caps/untangling_triangulator.h"
 #include "common/geometry/dominant_axis.h"
 
-namespace kerf {
+namespace kerf::core {
 
 SectionCloser::SectionCloser()
     : ways_{make_convex_triangulator(), make_clipping_triangulator(),
@@ -106,7 +106,7 @@ bool SectionCloser::append_loop(const CapLoop& loop)
 
 void SectionCloser::connect(CapLink a, CapLink b)
 {
-    if (kerf::connect(caps_->triangles, a, b)) caps_->cancelled.push_back({a.outline_edge(), b.outline_edge()});
+    if (core::connect(caps_->triangles, a, b)) caps_->cancelled.push_back({a.outline_edge(), b.outline_edge()});
 }
 
 void SectionCloser::close_set(std::span<const std::size_t> loops, Index set)
@@ -206,4 +206,4 @@ void SectionCloser::order_spatially(const CapSet& cap)
     for (const auto& [key, t] : keys_) caps_->order.push_back(t);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

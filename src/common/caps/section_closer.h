@@ -13,7 +13,7 @@
 
 // Closes whole sections, for every back end that has right caps.
 
-namespace kerf {
+namespace kerf::core {
 
 /// A closed loop of a section: a run of its points. Edge i of the section runs from point i to the next of its loop.
 struct CapLoop
@@ -114,4 +114,4 @@ private:
     std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,7 @@
 
 #include "common/caps/halve_loop.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::unique_ptr<CapTriangulator> make_topological_triangulator()
     return std::make_unique<TopologicalTriangulator>();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

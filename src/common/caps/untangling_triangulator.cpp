@@ -40,7 +40,7 @@
 // which is quick; holes need the constrained triangulation. That covers a place as often as it is wound around,
 // triangle upon triangle; if that takes too many, simple loops are covered on their own after all, with holes turned over.
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -733,4 +733,4 @@ std::unique_ptr<CapTriangulator> make_untangling_triangulator(std::unique_ptr<Ca
     return std::make_unique<UntanglingTriangulator>(std::move(constrained), std::move(finder));
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -5,7 +5,7 @@
 #include "common/caps/cap_triangulator.h"
 #include "common/caps/edge_routes.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Closes outlines that touch or cross themselves. An edge that meets a point, or crosses an edge beside it, is led
 /// over that point by a triangle with (almost) no area; edges that cross farther than rounding from their ends are both
@@ -16,4 +16,4 @@ namespace kerf {
 std::unique_ptr<CapTriangulator> make_untangling_triangulator(std::unique_ptr<CapTriangulator> constrained,
                                                               std::unique_ptr<RouteFinder> finder);
 
-}  // namespace kerf
+}  // namespace kerf::core

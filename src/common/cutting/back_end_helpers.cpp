@@ -13,7 +13,7 @@
 #include <tuple>
 #include <utility>
 
-namespace kerf {
+namespace kerf::core {
 
 void merge_ranges(std::vector<DrawRange>& ranges)
 {
@@ -89,4 +89,4 @@ std::uint64_t new_buffers_serial() noexcept
     return ++last;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -12,7 +12,7 @@
 // the plane (halfedge/cut/cutter.cpp: missed_side(); baseline/slice.cpp: bounds), a side keeps no triangle, or nothing
 // crosses but what vanishes (cutter.cpp: plan(); baseline/slicing_steps.h: vertices, and sides that vanish).
 
-namespace kerf {
+namespace kerf::core {
 
 /// Sorts ranges by kind, material and place, and joins those that follow one another.
 void merge_ranges(std::vector<DrawRange>& ranges);
@@ -33,4 +33,4 @@ std::uint64_t new_buffers_serial() noexcept;
 /// @param unit            in the last place of the largest coordinate, mesh units
 bool caps_exceed_section(double excess, double section_area, double section_length, double unit);
 
-}  // namespace kerf
+}  // namespace kerf::core

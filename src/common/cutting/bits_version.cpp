@@ -1,10 +1,10 @@
 #include "common/cutting/bits_version.h"
 
-namespace kerf {
+namespace kerf::core {
 
 std::uint32_t bits_version() noexcept
 {
     return 1;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// The version of the results' bits. "The same object and the same plane give the same bytes" holds as long as this
 /// number stays: for every back end, compiler, optimisation and machine with IEEE floats that Kerf supports. A release
@@ -12,4 +14,4 @@ namespace kerf {
 /// tests/contract/bits_test.cpp compares surfaces, caps and written files with what is recorded for this number.
 std::uint32_t bits_version() noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::core

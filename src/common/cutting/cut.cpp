@@ -6,7 +6,7 @@
 
 #include "common/mesh/coordinate_grain.h"
 
-namespace kerf {
+namespace kerf::core {
 
 std::string_view name_of(Status status)
 {
@@ -113,4 +113,4 @@ PrepareResult Backend::prepare(IndexedMesh mesh) const
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

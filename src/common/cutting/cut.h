@@ -22,7 +22,7 @@
 // fragments on both sides of a plane, each a Cuttable again. What the result is, bit for bit, is in
 // docs/cutting-rules.md.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Outcome of preparing, cutting or detaching. Bad geometry is an expected outcome, not an exception.
 enum class Status : std::uint8_t
@@ -131,7 +131,7 @@ public:
 
     /// Of the closed solid. The sums are about the centre of the object's bounds, or no less precise than such sums.
     virtual MassProperties mass_properties() const = 0;
-    /// The extreme vertex in each support direction, as kerf::support_points() defines it. O(log n) for ordinary shapes
+    /// The extreme vertex in each support direction, as core::support_points() defines it. O(log n) for ordinary shapes
     /// with the half-edge back end, O(n) with the baseline.
     virtual std::array<glm::vec3, kSupportDirections> support_points() const = 0;
     /// The vertices that the object uses, each once: its own, or `room`, which is filled then. Valid as long as both.
@@ -235,4 +235,4 @@ private:
     virtual std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -160,4 +160,4 @@ TriangleSplit split_triangle(const std::array<glm::vec3, 3>& p, const std::array
     return split;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

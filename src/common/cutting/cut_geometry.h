@@ -13,7 +13,7 @@
 // The geometry of one cut triangle, shared by both back ends so that they agree bit for bit. docs/cutting-rules.md
 // explains why the rules are as they are.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Where a triangle lies.
 enum class TriangleClass : std::uint8_t
@@ -100,4 +100,4 @@ struct TriangleSplit
 /// result does not depend on which corner comes first, beyond the numbering of the corners.
 TriangleSplit split_triangle(const std::array<glm::vec3, 3>& p, const std::array<double, 3>& d);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -14,7 +14,7 @@
 #include "common/geometry/dominant_axis.h"
 #include "common/mesh/index.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -357,4 +357,4 @@ BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide
     return {grouping[Side::negative].result(), grouping[Side::positive].result()};
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -17,7 +17,7 @@
 // back ends; they differ in how they find its input. The input is the same for both up to the order, and the result
 // does not depend on the order, nor on where loops begin, nor on how a cap is triangulated.
 
-namespace kerf {
+namespace kerf::core {
 
 /// A part of one side's surface: triangles that are connected by edges, without caps of this cut.
 struct SurfacePart
@@ -74,4 +74,4 @@ BySide<std::vector<std::uint32_t>> group_pieces(const Plane& plane, const BySide
                                                 std::span<const glm::vec3> points,
                                                 std::span<const OutlineEdge> outline);
 
-}  // namespace kerf
+}  // namespace kerf::core

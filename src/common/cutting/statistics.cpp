@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace kerf {
+namespace kerf::core {
 
 std::string_view name_of(Phase phase)
 {
@@ -32,4 +32,4 @@ double PhaseTimes::total() const
     return std::accumulate(ms.begin(), ms.end(), 0.0);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

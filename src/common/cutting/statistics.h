@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <string_view>
 
+#include "common/support/core_names.h"
+
 // The cost of a cut: exact counters, and times.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Where the time of a cut goes. A back end leaves the phases that it does not have at 0.
 enum class Phase : std::uint8_t
@@ -53,4 +55,4 @@ struct CutStatistics
     PhaseTimes phases;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

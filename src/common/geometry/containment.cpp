@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -72,4 +72,4 @@ void WindingNumbers::vote(std::span<std::uint8_t> lies_in) const
     for (std::size_t i = 0; i < lies_in.size(); ++i) lies_in[i] = balance[i] > 0;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

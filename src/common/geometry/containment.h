@@ -12,7 +12,7 @@
 
 // Containment of closed shapes (shells, loops). Shells in space and loops in a plane (z = 0) share the search.
 
-namespace kerf {
+namespace kerf::core {
 
 inline constexpr std::uint32_t kNoContainer = std::numeric_limits<std::uint32_t>::max();
 
@@ -73,4 +73,4 @@ private:
     std::vector<int> windings_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include "common/mesh/buffer.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Union-find over 0..n-1 with path halving. The representative of a set is its smallest element, so that results do
 /// not depend on the order of unions.
@@ -46,4 +46,4 @@ private:
     Buffer<std::uint32_t> parent_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

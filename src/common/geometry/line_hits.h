@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// A place on a line at which it goes through a closed outline or surface.
 struct LineHit
@@ -34,4 +36,4 @@ inline std::optional<double> middle_of_longest_inside(std::vector<LineHit>& hits
     return middle;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include "common/mesh/index.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Open-addressing hash table from a pair of ids to an id: O(1) per look-up, no removal.
 class PairTable
@@ -80,4 +80,4 @@ private:
     std::size_t size_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 #include "common/geometry/point_tree.h"
 #include "common/geometry/ray_crossing.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Rays of one direction, tested against triangles and boxes one at a time. Building costs O(r log r) for r rays; a
 /// triangle costs a search for the rays through its bounds.
@@ -57,4 +57,4 @@ private:
     PointTree tree_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

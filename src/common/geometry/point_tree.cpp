@@ -5,7 +5,7 @@
 
 #include "common/geometry/dominant_axis.h"
 
-namespace kerf {
+namespace kerf::core {
 
 PointTree::PointTree(std::span<const glm::vec3> points)
     : points_(points), order_(points.size()), leaf_of_(points.size())
@@ -53,4 +53,4 @@ void PointTree::remove(std::uint32_t index)
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

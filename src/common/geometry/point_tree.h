@@ -7,7 +7,7 @@
 
 #include "common/mesh/box.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// A k-d tree over points that finds those in a box and lets points be removed. Building costs O(n log n), a search
 /// O(n^(2/3) + k) at worst for k points found and far less for small boxes, removing O(log n).
@@ -94,4 +94,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,7 @@
 
 #include "common/geometry/turn.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// An axis-parallel ray from a vertex.
 struct AxisRay
@@ -56,4 +56,4 @@ inline int ray_crossing(const AxisRay& ray, const glm::vec3& a, const glm::vec3&
     return ray.ascending ? turns : -turns;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -73,4 +73,4 @@ double turn_by_expansion(const glm::dvec2& a, const glm::dvec2& b, const glm::dv
     return area.rounded();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 // The exact sign of a turn: on which side of a directed line a point of the plane lies.
 
-namespace kerf {
+namespace kerf::core {
 
 /// turn() for points at which rounding could decide its sign.
 double turn_by_expansion(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
@@ -30,4 +30,4 @@ inline double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c
     return turn_by_expansion(a, b, c);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace kerf::io {
+#include "common/support/core_names.h"
+
+namespace kerf::core::io {
 
 /// Where a writer puts its bytes.
 class ByteSink
@@ -41,4 +43,4 @@ private:
     std::string bytes_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

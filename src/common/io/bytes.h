@@ -7,7 +7,9 @@
 #include <cstring>
 #include <string>
 
-namespace kerf::io {
+#include "common/support/core_names.h"
+
+namespace kerf::core::io {
 
 enum class Endian : std::uint8_t
 {
@@ -35,4 +37,4 @@ void store_little(std::string& bytes, T value)
     bytes.append(raw.data(), raw.size());
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

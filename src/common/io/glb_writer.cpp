@@ -10,7 +10,7 @@
 #include "common/io/read_formats.h"
 #include "common/io/write_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -225,4 +225,4 @@ void write_glb(ByteSink& file, const IndexedMesh& mesh)
     GlbWriter(mesh).write(file);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -7,7 +7,7 @@
 #include "common/io/bytes.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -252,4 +252,4 @@ std::string_view GltfAccessors::bytes_of_buffer(const GltfJson& source, std::uin
     return files_.bytes_of(uri->get_ref<const std::string&>(), where);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

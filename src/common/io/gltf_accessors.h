@@ -14,7 +14,7 @@
 
 // Accessors of glTF: typed arrays in buffers, sparse and normalised ones included.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Component types, by the format's numbers.
 enum class GltfComponent : std::uint64_t
@@ -128,4 +128,4 @@ private:
     Once<GltfAccessor> accessors_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -7,7 +7,7 @@
 #include "common/io/read_formats.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::string GltfBuffers::read_beside(std::string_view uri, const std::string& wh
     return bytes;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

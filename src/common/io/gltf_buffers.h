@@ -8,7 +8,7 @@
 
 #include "common/io/reading_notes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Whether a reference holds its data itself. Schemes are the same in either case.
 bool is_data_uri(std::string_view uri);
@@ -41,4 +41,4 @@ private:
     std::uint64_t beside_ = 0;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

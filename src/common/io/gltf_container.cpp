@@ -7,7 +7,7 @@
 #include "common/io/bytes.h"
 #include "common/io/read_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -70,4 +70,4 @@ GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, 
     return parts;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

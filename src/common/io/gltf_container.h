@@ -5,7 +5,7 @@
 
 #include "common/io/reading_notes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// The chunks of a GLB file, or the text of a glTF file.
 struct GltfParts
@@ -22,4 +22,4 @@ struct GltfParts
 /// @throws FileError  another version; the file, or one of its first two kinds of chunks, is shorter than it says
 GltfParts split_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -6,7 +6,7 @@
 #include "common/io/read_formats.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -161,4 +161,4 @@ void GltfDocument::check_version() const
         refuse("it is not version 2 of glTF, but " + in_quotes(text) + "; convert it to glTF 2.0");
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

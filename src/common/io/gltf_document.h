@@ -11,7 +11,7 @@
 #include "common/io/gltf_container.h"
 #include "common/io/reading_notes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 using GltfJson = nlohmann::json;
 
@@ -74,4 +74,4 @@ private:
     GltfJson root_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

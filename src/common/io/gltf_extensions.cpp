@@ -6,7 +6,7 @@
 
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -55,4 +55,4 @@ void GltfExtensions::check(const GltfJson& object, const std::string& where) con
                              ", which may change its triangles and is not supported; export it without");
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -5,7 +5,7 @@
 
 #include "common/io/gltf_document.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// The extensions that a file requires of its readers, and whether its surface can be read without them.
 ///
@@ -29,4 +29,4 @@ private:
     std::set<std::string, std::less<>> required_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

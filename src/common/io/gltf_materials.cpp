@@ -8,7 +8,7 @@
 
 #include "common/io/gltf_buffers.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::vector<GltfMaterial> gltf_materials(const GltfDocument& document)
     return materials;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

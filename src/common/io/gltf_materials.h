@@ -7,7 +7,7 @@
 #include "common/io/gltf_document.h"
 #include "common/mesh/triangle_soup.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// A material and how its colour texture lies on the surface.
 struct GltfMaterial
@@ -25,4 +25,4 @@ struct GltfMaterial
 /// The materials of a document. They are decoration: invalid members are left out and never refuse a file.
 std::vector<GltfMaterial> gltf_materials(const GltfDocument& document);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -23,7 +23,7 @@
 // Reads the meshes that the scene of a glTF file shows, and nothing else of it. Transforms are applied in double; a
 // mesh without one keeps its coordinates bit for bit.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -395,4 +395,4 @@ TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes
     return GltfReader(path, bytes, notes).read();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -10,7 +10,7 @@
 
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -254,4 +254,4 @@ std::vector<GltfPlacement> placements_of(const GltfDocument& document, GltfAcces
     return placements;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

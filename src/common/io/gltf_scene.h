@@ -9,7 +9,7 @@
 
 // What a scene of glTF shows: meshes at their places, instances included.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Copies of a mesh in one place (EXT_mesh_gpu_instancing), each with a transform of its own.
 struct GltfInstances
@@ -39,4 +39,4 @@ struct GltfPlacement
 /// @throws FileError  a reference out of range, a node with two parents or below itself, an invalid transform
 std::vector<GltfPlacement> placements_of(const GltfDocument& document, GltfAccessors& accessors);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

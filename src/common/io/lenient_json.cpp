@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -147,4 +147,4 @@ nlohmann::json parse_lenient_json(std::string_view text, ReadingNotes& notes)
     return document;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

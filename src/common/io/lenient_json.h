@@ -10,7 +10,7 @@
 
 // JSON of glTF files, with the faults that other programs leave in it.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// JSON text that cannot be read.
 class JsonError : public std::runtime_error
@@ -31,4 +31,4 @@ public:
 /// @throws JsonError
 nlohmann::json parse_lenient_json(std::string_view text, ReadingNotes& notes);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -13,7 +13,7 @@
 #include "common/io/read_formats.h"
 #include "common/io/write_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace fs = std::filesystem;
 
@@ -287,4 +287,4 @@ void write_mesh(const fs::path& path, const IndexedMesh& mesh)
     files.commit();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

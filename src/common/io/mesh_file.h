@@ -13,7 +13,7 @@
 
 // Reading and writing mesh files: what users of the library call.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// A file that cannot be read or written. what() is one sentence that names the file and the reason.
 class FileError : public std::runtime_error
@@ -118,4 +118,4 @@ private:
 /// Extensions that write_mesh() knows, in lower case and without the dot.
 const std::vector<std::string>& writable_formats();
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

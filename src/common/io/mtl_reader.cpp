@@ -8,7 +8,7 @@
 #include "common/io/read_formats.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -97,4 +97,4 @@ void parse_mtl(const std::filesystem::path& path, std::string_view bytes, Materi
     }
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

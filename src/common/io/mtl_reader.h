@@ -7,7 +7,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 using MaterialLibrary = std::unordered_map<std::string, Material>;
 
@@ -18,4 +18,4 @@ void read_mtl(const std::filesystem::path& path, MaterialLibrary& materials);
 /// The same from the bytes of the file.
 void parse_mtl(const std::filesystem::path& path, std::string_view bytes, MaterialLibrary& materials);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

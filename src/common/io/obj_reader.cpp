@@ -15,7 +15,7 @@
 #include "common/io/soup_builder.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -347,4 +347,4 @@ TriangleSoup read_obj(const std::filesystem::path& path, std::string_view bytes,
     return ObjReader(path, without_padding(text.view(), notes), notes).read();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

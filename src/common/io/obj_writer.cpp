@@ -9,7 +9,7 @@
 #include "common/io/text_writer.h"
 #include "common/io/write_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -164,4 +164,4 @@ void write_mtl(ByteSink& file, const IndexedMesh& mesh)
     out.flush();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -9,7 +9,7 @@
 #include "common/io/soup_builder.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -229,4 +229,4 @@ TriangleSoup read_off(const std::filesystem::path& path, std::string_view bytes,
     return OffReader(path, without_padding(text.view(), notes), notes).read();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

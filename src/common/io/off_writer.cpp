@@ -3,7 +3,7 @@
 #include "common/io/text_writer.h"
 #include "common/io/write_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 void write_off(ByteSink& file, const IndexedMesh& mesh)
 {
@@ -28,4 +28,4 @@ void write_off(ByteSink& file, const IndexedMesh& mesh)
     out.flush();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -10,7 +10,7 @@
 
 #include "common/io/read_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace fs = std::filesystem;
 
@@ -180,4 +180,4 @@ void OutputFile::fail_to_write(int reason) const
     fail(path_, std::string("it cannot be written (") + std::strerror(reason) + "); choose another place");
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -11,7 +11,7 @@
 
 // A written file appears complete or not at all.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// The file that a name stands for: where symbolic links lead, existing or not; without links the name itself.
 /// @throws FileError  they lead in a circle
@@ -92,4 +92,4 @@ private:
     State state_ = State::open;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -6,7 +6,7 @@
 
 #include "common/io/bytes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::string_view without_padding(std::string_view text, ReadingNotes& notes)
     return text.substr(0, size);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -5,7 +5,7 @@
 
 #include "common/io/reading_notes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// The text of a file in UTF-8: converted, and noted, if the file is UTF-16, which some shells make of redirected
 /// output; otherwise a view of the bytes. Without a byte order mark UTF-16 is told by the first two characters, which
@@ -28,4 +28,4 @@ private:
 /// A text without the padding of a block at its end: zero bytes, and the end-of-file character of DOS. Noted.
 std::string_view without_padding(std::string_view text, ReadingNotes& notes);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -8,7 +8,7 @@
 #include "common/io/read_formats.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -184,4 +184,4 @@ PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& te
     return header;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

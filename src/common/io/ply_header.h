@@ -8,7 +8,7 @@
 #include "common/io/plain_text.h"
 #include "common/io/reading_notes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 enum class PlyFormat : std::uint8_t
 {
@@ -59,4 +59,4 @@ struct PlyHeader
 /// @throws FileError
 PlyHeader read_ply_header(const std::filesystem::path& path, const PlainText& text, ReadingNotes& notes);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

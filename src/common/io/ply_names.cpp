@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::vector<std::string> ply_property_names(const VertexStream& stream)
     return names;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

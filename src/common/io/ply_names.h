@@ -15,7 +15,7 @@
 //   NAME_0 NAME_1 ...        stream NAME of that width
 //   NAME                     stream NAME of width 1
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// A stream that a PLY vertex carries.
 struct PlyStream
@@ -47,4 +47,4 @@ PlyVertexLayout ply_vertex_layout(const PlyElement& vertex);
 /// Characters that would end a name become '_'.
 std::vector<std::string> ply_property_names(const VertexStream& stream);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -17,7 +17,7 @@
 #include "common/io/soup_builder.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -436,4 +436,4 @@ TriangleSoup read_ply(const std::filesystem::path& path, std::string_view bytes,
     return PlyReader(path, header, BinarySource(path, bytes, header), notes).read();
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

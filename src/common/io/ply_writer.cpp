@@ -5,7 +5,7 @@
 #include "common/io/ply_names.h"
 #include "common/io/write_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -53,4 +53,4 @@ void write_ply(ByteSink& file, const IndexedMesh& mesh)
     flush(0);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -7,7 +7,7 @@
 
 #include "common/geometry/dominant_axis.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -187,4 +187,4 @@ bool triangulate_polygon(std::span<const std::uint32_t> indices, std::span<const
     return true;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -8,7 +8,7 @@
 
 // Triangulation of a file's polygons without a new vertex.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// The most corners of a face that is not convex: triangulating it takes quadratic time, here about a second.
 inline constexpr std::size_t kMostConcaveCorners = 1 << 14;
@@ -42,4 +42,4 @@ private:
 bool triangulate_polygon(std::span<const std::uint32_t> indices, std::span<const Vertex> vertices,
                          Buffer<Triangle>& triangles, ConcaveBudget& budget);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -12,7 +12,7 @@
 // One reader per format. Each gets the whole file as bytes and returns its triangles; SoupBuilder checks and completes
 // what all formats have in common. Harmless faults are put right and noted. All throw FileError.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// @throws FileError  "FILE: REASON"
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason);
@@ -46,4 +46,4 @@ TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes,
 /// glTF text with its buffers beside it, or GLB.
 TriangleSoup read_gltf(const std::filesystem::path& path, std::string_view bytes, ReadingNotes& notes);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

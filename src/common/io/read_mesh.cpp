@@ -5,7 +5,7 @@
 #include "common/io/read_formats.h"
 #include "common/repair/repair.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -43,4 +43,4 @@ LoadedMesh read_mesh(std::string_view bytes, std::string_view format)
                 [&](LoadedMesh& loaded) { return read_soup(bytes, format, &loaded.notes); });
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 std::string describe(const ReadingNote& note)
 {
@@ -33,4 +33,4 @@ std::string ReadingNotes::describe() const
     return text;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace kerf::io {
+#include "common/support/core_names.h"
+
+namespace kerf::core::io {
 
 /// Something in a file that says nothing about the surface and that a reader put right or passed over.
 struct ReadingNote
@@ -47,4 +49,4 @@ private:
     std::vector<ReadingNote> notes_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -7,7 +7,7 @@
 #include "common/io/read_formats.h"
 #include "common/mesh/is_finite.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -107,4 +107,4 @@ void SoupBuilder::finish_attributes()
     notes_.add(kBadValues, clean_streams(soup));
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -19,7 +19,7 @@
 
 // What the readers of all formats have in common. Numbers are cleaned by common/repair/clean_soup.h.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Collects what a reader finds, and completes it in one way for all formats.
 class SoupBuilder
@@ -84,4 +84,4 @@ private:
     std::unordered_map<std::string, std::uint32_t> material_of_name_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -12,7 +12,7 @@
 #include "common/io/soup_builder.h"
 #include "common/io/text_scanner.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -324,4 +324,4 @@ TriangleSoup read_stl(const std::filesystem::path& path, std::string_view bytes,
     return read_binary(path, bytes, notes);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -4,7 +4,7 @@
 #include "common/io/bytes.h"
 #include "common/io/write_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -45,4 +45,4 @@ void write_stl(ByteSink& file, const IndexedMesh& mesh)
     file.write(bytes);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

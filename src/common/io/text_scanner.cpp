@@ -9,7 +9,7 @@
 
 #include "common/io/read_formats.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -340,4 +340,4 @@ void TextScanner::fail(const std::string& reason) const
     io::fail(path_, "line " + std::to_string(line_) + ": " + reason + doubt);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -12,7 +12,7 @@
 
 // Words and numbers of text formats, with the line that a message names.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Why a piece of text is not a number that fits.
 enum class NumberError : std::uint8_t
@@ -147,6 +147,6 @@ private:
     std::uint64_t lines_passed_over_ = 0;
 };
 
-using kerf::in_quotes;
+using core::in_quotes;
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

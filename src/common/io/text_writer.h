@@ -8,7 +8,7 @@
 
 #include "common/io/byte_sink.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Gathers short pieces of text and hands them on in large ones.
 class TextWriter
@@ -47,4 +47,4 @@ private:
     std::string text_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <string>
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 namespace {
 
@@ -134,4 +134,4 @@ SignalsWait::~SignalsWait()
     ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

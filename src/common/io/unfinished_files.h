@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "common/support/core_names.h"
+
 // Temporary files are removed if a signal ends the program.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// The record of a temporary file for a signal handler.
 struct UnfinishedPlace;
@@ -46,4 +48,4 @@ private:
     sigset_t before_;
 };
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -9,7 +9,7 @@
 
 // One writer per format. Each writes the whole file; the caller finishes and commits it. All throw FileError.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Positions and triangles alone: the plain form, which every program reads.
 void write_off(ByteSink& file, const IndexedMesh& mesh);
@@ -26,4 +26,4 @@ std::filesystem::path mtl_path(const std::filesystem::path& obj_path);
 bool can_name_mtl(const std::filesystem::path& obj_path);
 void write_mtl(ByteSink& file, const IndexedMesh& mesh);
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -4,7 +4,9 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Axis-aligned box lo <= p <= hi. A default box is empty: it contains nothing and grows from there.
 struct Box
@@ -37,4 +39,4 @@ struct Box
     }
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

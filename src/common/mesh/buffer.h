@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Allocator that leaves trivial elements uninitialised on resize(): a linear cutter that zeroes 30 MB before it writes
 /// them pays for the memory twice. Everything else is std::allocator.
@@ -40,4 +42,4 @@ struct UninitialisedAllocator : std::allocator<T>
 template <class T>
 using Buffer = std::vector<T, UninitialisedAllocator<T>>;
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include "common/mesh/float_range.h"
 
-namespace kerf {
+namespace kerf::core {
 
 double coordinate_grain(const Box& box)
 {
@@ -33,4 +33,4 @@ double shortest_edge(std::span<const Vertex> vertices, std::span<const Triangle>
     return std::sqrt(shortest);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

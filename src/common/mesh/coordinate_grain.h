@@ -5,7 +5,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// The distance between neighbouring floats at the largest coordinate, in mesh units: how coarse positions are.
 double coordinate_grain(const Box& box);
@@ -26,4 +26,4 @@ inline constexpr const char* kCoarseCoordinatesText =
     "coarse coordinates: the shortest edge is under 16 steps of the coordinates' precision; move the mesh towards the "
     "origin before it is stored in single precision";
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 
 // Arithmetic at the end of the range of float: coordinates may be as large as the largest float.
 
-namespace kerf {
+namespace kerf::core {
 
 /// The finite float nearest to `value`: a value beyond the largest float becomes the largest float, which can be
 /// stored, written and cut. NaN stays NaN.
@@ -29,4 +29,4 @@ inline double unit_in_last_place(float value)
     return double(above) - double(value);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstring>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Four floats: what every x86-64 and every 64-bit ARM computes in one step.
 using Four = float __attribute__((vector_size(16)));
@@ -30,4 +32,4 @@ inline void store(float* p, const Four& four)
     std::memcpy(p, &four, sizeof four);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -5,7 +5,7 @@
 
 #include "common/support/reason.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::string check(const IndexedMesh& mesh)
     return check_groups(mesh);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -15,7 +15,7 @@
 
 // The mesh: vertices with attributes, triangles in groups, points that say which vertices are one.
 
-namespace kerf {
+namespace kerf::core {
 
 /// What the GPU reads for one corner: 32 bytes, interleaved.
 struct Vertex
@@ -111,4 +111,4 @@ bool are_in_range(std::span<const Triangle> triangles, std::size_t vertex_count)
 /// prove() does. O(n).
 std::string check(const IndexedMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Whether all coordinates are.
 template <class Number>
@@ -12,4 +14,4 @@ bool is_finite(const glm::vec<3, Number>& p)
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -10,7 +10,7 @@
 
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 // Two doubles, one for each of two triangles: what every x86-64 and every 64-bit ARM computes in one step.
@@ -147,4 +147,4 @@ glm::dvec3 mass_reference(const Box& bounds)
     return distance <= kHalfSizesFromOrigin * largest_half ? glm::dvec3(0.0) : centre;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -9,7 +9,7 @@
 
 // The sums that mass properties are made of. For back ends, which add them up over the parts of an object.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Volume integrals of 1, x, y, z and the products, over signed tetrahedra from one reference point. They add up: over
 /// triangles, over parts of a mesh, over the nodes of a tree, as long as the reference point is the same.
@@ -65,4 +65,4 @@ bool has_no_volume(double volume6, const Box& box, double noise);
 /// box that hardly any digits are lost.
 glm::dvec3 mass_reference(const Box& bounds);
 
-}  // namespace kerf
+}  // namespace kerf::core

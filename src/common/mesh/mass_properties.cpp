@@ -2,7 +2,7 @@
 
 #include "common/mesh/mass_moments.h"
 
-namespace kerf {
+namespace kerf::core {
 
 MassProperties mass_properties(const IndexedMesh& mesh)
 {
@@ -11,4 +11,4 @@ MassProperties mass_properties(const IndexedMesh& mesh)
     return mass_moments(mesh.vertices, mesh.triangles, reference).properties(reference);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

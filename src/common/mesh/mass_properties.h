@@ -5,7 +5,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Mass properties of the solid that a closed mesh bounds, at density 1.
 struct MassProperties
@@ -20,4 +20,4 @@ struct MassProperties
 /// empty mesh and for a mesh with an index out of range. O(n).
 MassProperties mass_properties(const IndexedMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::core

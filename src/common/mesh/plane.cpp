@@ -4,7 +4,7 @@
 
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 
 std::optional<Plane> Plane::through(const glm::dvec3& point, const glm::dvec3& normal)
 {
@@ -23,4 +23,4 @@ bool Plane::valid() const
     return std::isfinite(length) && std::isfinite(offset) && std::abs(length - 1.0) <= kUnitTolerance;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

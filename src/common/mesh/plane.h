@@ -7,7 +7,7 @@
 #include "common/mesh/box.h"
 #include "common/mesh/float_rules.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// { p : dot(normal, p) = offset }. The positive side is where the normal points to, the plane itself included.
 struct Plane
@@ -44,4 +44,4 @@ struct Plane
     bool valid() const;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,7 @@
 
 #include <glm/common.hpp>
 
-namespace kerf {
+namespace kerf::core {
 
 PlaneFrame PlaneFrame::of(const glm::dvec3& normal)
 {
@@ -17,4 +17,4 @@ PlaneFrame PlaneFrame::of(const glm::dvec3& normal)
     return {u, glm::cross(normal, u)};
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 #include "common/mesh/float_range.h"
 #include "common/mesh/float_rules.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Two unit vectors that span a plane: cross(u, v) = normal. Cap uv are coordinates along them, so they are fixed to
 /// the object. The same normal always gives the same frame.
@@ -25,4 +25,4 @@ struct PlaneFrame
     }
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

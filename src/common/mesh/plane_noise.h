@@ -2,7 +2,7 @@
 
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// How far from the plane a side must reach to be a fragment: kNoiseInUnits units in the last place of the mesh's
 /// largest coordinate, in mesh units. `largest_coordinate` is that of the mesh before any cut
@@ -15,4 +15,4 @@ inline double rounding_unit(double plane_noise)
     return plane_noise / kNoiseInUnits;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,9 @@
 
 #include <glm/vec3.hpp>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// True if `a` comes before `b` in the order by x, then y, then z.
 inline bool lexicographically_less(const glm::vec3& a, const glm::vec3& b)
@@ -18,4 +20,4 @@ inline bool same_position(const glm::vec3& a, const glm::vec3& b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "common/support/core_names.h"
+
 // The two sides of a plane.
 
-namespace kerf {
+namespace kerf::core {
 
 enum class Side : std::uint8_t
 {
@@ -43,4 +45,4 @@ inline Side side_of(double signed_distance)
     return signed_distance >= 0.0 ? Side::positive : Side::negative;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

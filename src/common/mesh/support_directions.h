@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Number of directions of the bounded hull, hence the bound on its points.
 inline constexpr std::size_t kSupportDirections = 32;
@@ -14,4 +16,4 @@ inline constexpr std::size_t kSupportDirections = 32;
 /// than 24.6 degrees from one of them.
 const std::array<glm::vec3, kSupportDirections>& support_directions();
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,7 @@
 #include "common/mesh/four_floats.h"
 #include "common/mesh/position_order.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 constexpr std::size_t kLines = kSupportDirections / 2;  // directions come in opposite pairs
@@ -159,4 +159,4 @@ std::array<glm::vec3, kSupportDirections> support_points(std::span<const Vertex>
     return points;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

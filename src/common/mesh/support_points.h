@@ -9,7 +9,7 @@
 
 // The extreme vertices of a mesh along fixed directions: what its bounded hull is made of.
 
-namespace kerf {
+namespace kerf::core {
 
 /// dot(direction, p) in float. All searches for extreme vertices use this one order of operations, so that a maximum
 /// found in a tree and one found in a loop are the same number. Infinite values (of coordinates beyond 2e38) are equal,
@@ -24,4 +24,4 @@ inline float support_value(const glm::vec3& direction, const glm::vec3& p)
 /// vertices. O(vertices * kSupportDirections).
 std::array<glm::vec3, kSupportDirections> support_points(std::span<const Vertex> vertices);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,9 @@
 
 #include <cstddef>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Units in the last place of the prepared mesh's largest coordinate, as plane_noise(): how far from the plane a side
 /// must reach to be a fragment. Cut points are rounded to float, so a cap deviates from its plane by about one unit; a
@@ -65,4 +67,4 @@ inline constexpr double kLostDigits = 1e-11;
 /// Steps of the hull's lattice: a thinner hull is flat. Rounding to the lattice moves either side by one step.
 inline constexpr double kThinnestInSteps = 2.0;
 
-}  // namespace kerf
+}  // namespace kerf::core

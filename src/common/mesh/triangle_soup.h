@@ -5,7 +5,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Triangles as a file or a generator gives them: nothing is promised.
 struct TriangleSoup
@@ -18,4 +18,4 @@ struct TriangleSoup
     bool has_normals = true;          ///< false: repair() computes smooth normals with a crease angle
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

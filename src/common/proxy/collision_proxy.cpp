@@ -9,7 +9,7 @@
 #include "common/mesh/support_points.h"
 #include "common/proxy/convex_hull.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 Box box_around(std::span<const Vertex> vertices)
@@ -117,4 +117,4 @@ CollisionProxy collision_proxy(const Cuttable& object, ProxyKind kind)
     return collision_proxy(kind, object.used_vertices(room));
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

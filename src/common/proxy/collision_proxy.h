@@ -12,7 +12,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/support_points.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// The shapes that can stand for a fragment in the physics engine.
 enum class ProxyKind : std::uint8_t
@@ -50,4 +50,4 @@ CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices)
 /// O(1).
 CollisionProxy collision_proxy(const Cuttable& object, ProxyKind kind);
 
-}  // namespace kerf
+}  // namespace kerf::core

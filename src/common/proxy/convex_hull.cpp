@@ -14,7 +14,7 @@
 #include "common/mesh/is_finite.h"
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 // Twice the signed area of (a, b, c).
@@ -148,4 +148,4 @@ ConvexHull convex_hull(std::span<const glm::vec3> points)
     return hull;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// A convex polyhedron whose corners are some of the input points.
 struct ConvexHull
@@ -27,4 +27,4 @@ inline constexpr double kHullLattice = 10216.0;
 /// lattice, as in Bullet's btConvexHullComputer; flat sets by Andrew's monotone chain, 1979.
 ConvexHull convex_hull(std::span<const glm::vec3> points);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace kerf {
+namespace kerf::core {
 
 Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell)
 {
@@ -58,4 +58,4 @@ Adjacency adjacency_in_order(std::span<const Index> opposite, std::span<const In
     return adjacency;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

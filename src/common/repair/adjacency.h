@@ -5,7 +5,7 @@
 #include "common/mesh/buffer.h"
 #include "common/mesh/index.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// The neighbours in a mesh that is repaired, or proven: a table. linked_surface.h finds out who they are. Half-edge 3
 /// * triangle + corner runs from that corner's point to the next one's.
@@ -26,4 +26,4 @@ Buffer<Index> opposite_in_order(std::span<const Index> opposite, std::span<const
 Adjacency adjacency_in_order(std::span<const Index> opposite, std::span<const Index> shell,
                              std::span<const Index> order);
 
-}  // namespace kerf
+}  // namespace kerf::core

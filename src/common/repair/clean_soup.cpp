@@ -7,7 +7,7 @@
 #include "common/mesh/is_finite.h"
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::uint64_t clean_streams(TriangleSoup& soup)
     return count;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

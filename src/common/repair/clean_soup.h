@@ -6,7 +6,7 @@
 
 // Where the numbers of a soup are made fit for use, whether a file or a program gave them.
 
-namespace kerf {
+namespace kerf::core {
 
 /// The normal of a vertex that has none, until clean() gives it one.
 inline constexpr glm::vec3 kNoNormal{0.0f};
@@ -34,4 +34,4 @@ UnfitAttributes clean(TriangleSoup& soup);
 /// meaning. O(n).
 std::uint64_t clean_streams(TriangleSoup& soup);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include "common/mesh/tolerances.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -144,4 +144,4 @@ void pair_at_edges(LinkedSurface& surface, std::span<const NonmanifoldEdge> edge
     for (const NonmanifoldEdge& edge : edges) pairing.pair(edge);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

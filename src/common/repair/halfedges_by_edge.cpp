@@ -1,6 +1,6 @@
 #include "common/repair/halfedges_by_edge.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -55,4 +55,4 @@ HalfedgesByEdge::HalfedgesByEdge(std::uint32_t point_count, std::span<const Tria
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -9,7 +9,7 @@
 #include "common/mesh/index.h"
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf {
+namespace kerf::core {
 
 // A half-edge is a triangle's side with a direction, numbered 3 * triangle + corner: it runs from that corner to the
 // next one.
@@ -60,4 +60,4 @@ private:
     Buffer<std::uint32_t> bucket_end_;  ///< for each smaller point the end of its bucket in entries_
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

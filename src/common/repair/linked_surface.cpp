@@ -7,7 +7,7 @@
 #include "common/repair/orient_patches.h"
 #include "common/repair/orient_sheets.h"
 
-namespace kerf {
+namespace kerf::core {
 
 void LinkedSurface::turn_over(std::span<const std::uint8_t> flip)
 {
@@ -126,4 +126,4 @@ std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_cou
     return static_cast<std::uint64_t>(open);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

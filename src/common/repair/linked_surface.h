@@ -10,7 +10,7 @@
 // Who is whose neighbour, before a mesh is proven. Patches that face the wrong way are found in orient_patches.h and
 // orient_sheets.h, whole shells in solids.h; edges of more than two triangles are taken apart in edge_pairing.h.
 
-namespace kerf {
+namespace kerf::core {
 
 /// An edge where more than two triangles met: all of its half-edges.
 using NonmanifoldEdge = std::vector<std::uint32_t>;
@@ -66,4 +66,4 @@ LinkedSurface link_surface(Buffer<Triangle> corners, const HalfedgesByEdge& edge
 /// n) otherwise.
 std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_count);
 
-}  // namespace kerf
+}  // namespace kerf::core

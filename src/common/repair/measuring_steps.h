@@ -6,7 +6,7 @@
 
 // The steps of measure(). repair() takes the same ones, with the welding, faults and edges that it needs anyway.
 
-namespace kerf {
+namespace kerf::core {
 
 /// The numbers of triangles, vertices, positions and faults. O(n).
 MeshFacts count_triangles(std::size_t vertex_count, std::uint32_t point_count, const Faults& faults);
@@ -34,4 +34,4 @@ void count_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span<c
 /// Bounds, area, volume and the shortest edge. The open edges are counted before. O(n).
 void measure_geometry(MeshFacts& facts, std::span<const Vertex> vertices, std::span<const Triangle> triangles);
 
-}  // namespace kerf
+}  // namespace kerf::core

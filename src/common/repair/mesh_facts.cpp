@@ -13,7 +13,7 @@
 #include "common/repair/vertex_fans.h"
 #include "common/repair/weld.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -165,4 +165,4 @@ MeshFacts measure(const IndexedMesh& mesh)
     return measure(mesh.vertices, mesh.points, mesh.point_count, mesh.triangles);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

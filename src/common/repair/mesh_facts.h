@@ -6,7 +6,7 @@
 #include "common/mesh/coordinate_grain.h"
 #include "common/mesh/triangle_soup.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Facts of a mesh before repair, welded by bit-equal position; only `open_edges` is the number that repair leaves.
 struct MeshFacts
@@ -36,7 +36,7 @@ struct MeshFacts
     bool closed() const { return open_edges == 0; }
     bool manifold() const { return nonmanifold_edges == 0 && nonmanifold_points == 0; }
     bool oriented() const { return misoriented_edges == 0; }
-    bool has_coarse_coordinates() const { return kerf::has_coarse_coordinates(shortest_edge, bounds); }
+    bool has_coarse_coordinates() const { return core::has_coarse_coordinates(shortest_edge, bounds); }
 };
 
 /// Measures triangles as repair() does on its way; for those that are not repaired. Without triangles and with an index
@@ -47,4 +47,4 @@ MeshFacts measure(const TriangleSoup& soup);
 /// point id out of range the result is the same as above. O(n log n).
 MeshFacts measure(const IndexedMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::core

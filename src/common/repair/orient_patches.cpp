@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -100,4 +100,4 @@ Patches orient_patches(const LinkedSurface& surface)
     return PatchFlood(surface).run();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

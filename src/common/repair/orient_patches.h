@@ -4,7 +4,7 @@
 
 #include "common/repair/linked_surface.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Patches of triangles that are joined by edges with two triangles.
 struct Patches
@@ -19,4 +19,4 @@ struct Patches
 /// inconsistent already, if there are any. O(n).
 Patches orient_patches(const LinkedSurface& surface);
 
-}  // namespace kerf
+}  // namespace kerf::core

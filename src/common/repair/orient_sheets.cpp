@@ -9,7 +9,7 @@
 #include "common/mesh/index.h"
 #include "common/repair/halfedges_by_edge.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -371,4 +371,4 @@ Buffer<std::uint8_t> find_turned_sheets(std::uint32_t point_count, std::span<con
     return SheetTurner(point_count, corners).run();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 // The first of three ways to find triangles that face the wrong way: at edges of more than two triangles. Ordinary
 // surfaces: orient_patches.h; whole shells: solids.h.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Finds triangles to turn over so that edges where more than two triangles meet are closed. Returns 1 for each of
 /// them, or nothing if that closes none. `corners` holds the three point ids of each triangle, all below `point_count`;
@@ -26,4 +26,4 @@ namespace kerf {
 /// turned. O(n log n) time; the search ends after a number of looks proportional to n.
 Buffer<std::uint8_t> find_turned_sheets(std::uint32_t point_count, std::span<const Triangle> corners);
 
-}  // namespace kerf
+}  // namespace kerf::core

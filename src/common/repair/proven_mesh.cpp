@@ -3,7 +3,7 @@
 #include "common/mesh/coordinate_grain.h"
 #include "common/repair/halfedges_by_edge.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -139,4 +139,4 @@ Proof prove(IndexedMesh mesh)
     return proof;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

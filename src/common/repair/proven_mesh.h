@@ -8,7 +8,7 @@
 #include "common/mesh/indexed_mesh.h"
 #include "common/repair/adjacency.h"
 
-namespace kerf {
+namespace kerf::core {
 
 struct Repaired;
 struct Proof;
@@ -100,4 +100,4 @@ struct Proof
 /// of `repair()` are proven. O(n) time and memory. Throws std::bad_alloc.
 Proof prove(IndexedMesh mesh);
 
-}  // namespace kerf
+}  // namespace kerf::core

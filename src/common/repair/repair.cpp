@@ -18,7 +18,7 @@
 // (orient_sheets.h, if triangle_faults.h finds edges that need it), patches that are connected by edges of two
 // triangles (orient_patches.h), and whole shells (solids.h).
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -239,4 +239,4 @@ Repaired repair(TriangleSoup soup)
     return result;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

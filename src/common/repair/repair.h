@@ -10,7 +10,7 @@
 
 // From a soup of triangles to a mesh that keeps its promises: the steps are listed at the top of repair.cpp.
 
-namespace kerf {
+namespace kerf::core {
 
 /// What repair() changed. Nothing here moves a vertex.
 struct Repairs
@@ -58,4 +58,4 @@ struct Repaired
 /// time, O(n) memory. Throws std::bad_alloc if memory runs out.
 Repaired repair(TriangleSoup soup);
 
-}  // namespace kerf
+}  // namespace kerf::core

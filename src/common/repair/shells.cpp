@@ -6,7 +6,7 @@
 #include "common/mesh/tolerances.h"
 #include "common/repair/adjacency.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -109,4 +109,4 @@ Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::sp
     return result;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -9,7 +9,7 @@
 #include "common/repair/linked_surface.h"
 #include "common/repair/vertex_fans.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// A part of a surface that is connected by edges.
 struct ConnectedShell
@@ -31,4 +31,4 @@ struct Shells
 /// get volume 0. O(n).
 Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::span<const glm::vec3> positions);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,7 @@
 #include "common/mesh/tolerances.h"
 #include "common/repair/vertex_fans.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -72,4 +72,4 @@ SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::
     return result;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 
 // Normals for meshes that have none.
 
-namespace kerf {
+namespace kerf::core {
 
 /// Normals for the corners of a surface; corners of one sector share theirs.
 struct SmoothNormals
@@ -22,4 +22,4 @@ struct SmoothNormals
 /// polygonal facets", 1998). O(n).
 SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions);
 
-}  // namespace kerf
+}  // namespace kerf::core

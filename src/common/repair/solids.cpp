@@ -15,7 +15,7 @@
 #include "common/mesh/plane.h"
 #include "common/mesh/plane_noise.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -211,4 +211,4 @@ Solids find_solids(const LinkedSurface& surface, const Shells& shells, std::span
     return SolidFinder(surface, shells, positions).run();
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

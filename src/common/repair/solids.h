@@ -6,7 +6,7 @@
 
 #include "common/repair/shells.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Which shells make up which solid, and which shells are inside out.
 struct Solids
@@ -22,4 +22,4 @@ struct Solids
 /// triangles if most shells with nested boxes are nested.
 Solids find_solids(const LinkedSurface& surface, const Shells& shells, std::span<const glm::vec3> positions);
 
-}  // namespace kerf
+}  // namespace kerf::core

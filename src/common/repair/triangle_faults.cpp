@@ -10,7 +10,7 @@
 #include "common/repair/halfedges_by_edge.h"
 #include "common/repair/orient_sheets.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -268,4 +268,4 @@ KeptTriangles keep(Buffer<Triangle> corners, const Faults& faults)
     return kept;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

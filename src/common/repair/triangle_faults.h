@@ -6,7 +6,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// How to treat a triangle before the search for its neighbours. A repeat has the same three points as an earlier
 /// triangle, in the same orientation.
@@ -65,4 +65,4 @@ struct KeptTriangles
 /// Drops triangles, in otherwise unchanged order, and turns others over. O(n).
 KeptTriangles keep(Buffer<Triangle> corners, const Faults& faults);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,7 @@
 #include "common/mesh/index.h"
 #include "common/repair/smooth_normals.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -146,4 +146,4 @@ void build_vertices(const VertexSources& sources, std::span<const std::uint32_t>
     VertexBuilder(sources, mesh).run(order);
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 #include "common/repair/linked_surface.h"
 #include "common/repair/vertex_fans.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// What the vertices of a repaired mesh are made from. Triangles of the surface are numbered as in `surface`.
 struct VertexSources
@@ -26,4 +26,4 @@ struct VertexSources
 /// turned if they point behind them. The soup is clean (clean_soup.h). O(n).
 void build_vertices(const VertexSources& sources, std::span<const std::uint32_t> order, IndexedMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::core

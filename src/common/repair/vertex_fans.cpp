@@ -8,7 +8,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/index.h"
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::uint64_t count_nonmanifold_points(std::uint32_t point_count, std::span<cons
         std::count_if(fans_at.begin(), fans_at.end(), [](std::uint32_t n) { return n > 1; }));
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

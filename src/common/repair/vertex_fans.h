@@ -7,7 +7,7 @@
 #include "common/repair/halfedges_by_edge.h"
 #include "common/repair/linked_surface.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Which vertex fan each corner of a surface is in. A vertex fan is a run of triangles around a point in which each is
 /// the neighbour of the next. Corners are numbered like half-edges.
@@ -31,4 +31,4 @@ VertexFans find_vertex_fans(LinkedSurface& surface, std::span<const NonmanifoldE
 std::uint64_t count_nonmanifold_points(std::uint32_t point_count, std::span<const Triangle> corners,
                                        const HalfedgesByEdge& edges);
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace kerf {
+namespace kerf::core {
 
 namespace {
 
@@ -118,4 +118,4 @@ Buffer<std::uint32_t> first_equal_vertices(const Weld& weld, std::span<const Ver
     return first_equal;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,7 @@
 #include "common/mesh/buffer.h"
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf {
+namespace kerf::core {
 
 /// Which vertices are at one place.
 struct Weld
@@ -23,4 +23,4 @@ Weld weld_positions(std::span<const Vertex> vertices);
 Buffer<std::uint32_t> first_equal_vertices(const Weld& weld, std::span<const Vertex> vertices,
                                            std::span<const VertexStream> streams, bool ignore_normals);
 
-}  // namespace kerf
+}  // namespace kerf::core

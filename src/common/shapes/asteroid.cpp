@@ -7,7 +7,7 @@
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 namespace {
 
 // A value in about [-1, 1] and its gradient.
@@ -138,4 +138,4 @@ TriangleSoup asteroid(std::uint64_t triangles, std::uint64_t seed)
     return soup;
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -9,7 +9,7 @@
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 namespace {
 
 // Nearest whole number to x, at least `least`.
@@ -176,4 +176,4 @@ std::optional<TriangleSoup> make(std::string_view name, std::uint64_t triangles,
     return found->make(double(std::min(triangles, kMostTriangles)), seed);
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -13,7 +13,7 @@
 // Building blocks of the generators. Positions are computed in double and rounded once; vertices that share a place get
 // it from the same expression on the same numbers, so that they are equal bit for bit.
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 /// Throws std::length_error for a shape of more triangles than a mesh can have, before memory is taken for it.
 inline void require_room(double triangles)
@@ -133,4 +133,4 @@ void add_box_grid(TriangleSoup& soup, glm::uvec3 cells, MakeVertex make)
     }
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

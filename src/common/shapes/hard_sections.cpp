@@ -11,7 +11,7 @@
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 namespace {
 
@@ -345,4 +345,4 @@ std::optional<HardSection> hard_section(std::string_view name, std::uint32_t n)
     return found->second(std::max(n, 1u));
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -11,7 +11,7 @@
 
 // Sections on which a quadratic method takes minutes: for tests and benchmarks of the worst cost of cuts.
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 /// A closed mesh, and a plane whose section is hard for a cutter.
 struct HardSection
@@ -46,4 +46,4 @@ const std::vector<std::string>& hard_section_names();
 /// A hard section of about size `n`; empty for an unknown name. O(n).
 std::optional<HardSection> hard_section(std::string_view name, std::uint32_t n);
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -6,7 +6,7 @@
 
 #include "common/shapes/corner_grid.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 ProfileRun straight_run(double r0, double z0, double r1, double z1, std::uint32_t parts)
 {
@@ -67,4 +67,4 @@ TriangleSoup turn(const std::vector<ProfileRun>& profile, std::uint32_t slices)
     return soup;
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

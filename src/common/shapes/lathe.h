@@ -5,7 +5,7 @@
 
 #include "common/mesh/triangle_soup.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 /// A point of a profile in the half plane r >= 0, with the profile's normal there.
 struct ProfilePoint
@@ -25,4 +25,4 @@ ProfileRun straight_run(double r0, double z0, double r1, double z1, std::uint32_
 /// at the same point, for a closed surface. slices >= 3. Directions come from the C library's sin and cos.
 TriangleSoup turn(const std::vector<ProfileRun>& profile, std::uint32_t slices);
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -8,7 +8,7 @@
 #include "common/shapes/lathe.h"
 #include "common/shapes/shapes.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 TriangleSoup icosphere(float radius, std::uint32_t frequency)
 {
@@ -140,4 +140,4 @@ TriangleSoup overlapping_spheres(float radius, float distance, std::uint32_t fre
     return soup;
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -19,7 +19,7 @@
 // triangles that repair() drops or refuses.
 // `asteroid`, `shuffled` and all random numbers use exactly rounded operations only and are the same everywhere.
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 
 /// The most triangles that make() asks a generator for, and the most of asteroid(): 16 million.
 inline constexpr std::uint64_t kMostTriangles = 16'000'000;
@@ -105,4 +105,4 @@ const std::vector<std::string>& names();
 /// level). Only the asteroid uses the seed. Empty for an unknown name.
 std::optional<TriangleSoup> make(std::string_view name, std::uint64_t triangles, std::uint64_t seed);
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

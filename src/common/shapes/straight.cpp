@@ -9,7 +9,7 @@
 #include "common/shapes/corner_grid.h"
 #include "common/shapes/shapes.h"
 
-namespace kerf::shapes {
+namespace kerf::core::shapes {
 namespace {
 
 // The planes of a lattice of blocks along the three axes, ascending.
@@ -202,4 +202,4 @@ TriangleSoup spiral_wall(float turns, std::uint32_t segments_per_turn)
     return soup;
 }
 
-}  // namespace kerf::shapes
+}  // namespace kerf::core::shapes

@@ -2,7 +2,9 @@
 
 #include <ctime>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Time that the calling thread has spent on a processor, its page faults included, in seconds since construction or
 /// the last lap. The timed work runs in one thread and waits for nothing; on a shared machine wall-clock time would
@@ -27,4 +29,4 @@ private:
     double start_ = 0.0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

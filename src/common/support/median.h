@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// The middle value; the upper one of an even number, 0 of none. O(n).
 inline double median(std::vector<double> values)
@@ -15,4 +17,4 @@ inline double median(std::vector<double> values)
     return *middle;
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", 2014). The distributions of the
 /// standard library differ between implementations; this gives the same numbers everywhere.
@@ -35,4 +37,4 @@ private:
     std::uint64_t state_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace kerf {
+namespace kerf::core {
 
 std::string in_quotes(std::string_view text)
 {
@@ -22,4 +22,4 @@ std::string but_there_are_only(std::uint64_t count)
     return ", but there are only " + std::to_string(count) + ", counted from 0";
 }
 
-}  // namespace kerf
+}  // namespace kerf::core

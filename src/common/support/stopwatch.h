@@ -2,7 +2,9 @@
 
 #include <chrono>
 
-namespace kerf {
+#include "common/support/core_names.h"
+
+namespace kerf::core {
 
 /// Wall-clock time in milliseconds since construction or the last lap().
 class Stopwatch
@@ -21,4 +23,4 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace kerf
+}  // namespace kerf::core

@@ -1,6 +1,6 @@
 #include "halfedge/cut/cap_planner.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 void CapPlanner::plan(const Plane& plane, const Found& found, Section& section, Caps& caps)
 {
@@ -27,4 +27,4 @@ void Caps::reserve(std::size_t crossings_expected)
     reserve_touched(piece_shells, crossings_expected);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

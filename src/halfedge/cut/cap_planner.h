@@ -3,7 +3,7 @@
 #include "halfedge/cut/caps.h"
 #include "halfedge/cut/section.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// CAP: closes the loops of a section, set by set, with common/caps/section_closer.h.
 class CapPlanner
@@ -22,4 +22,4 @@ private:
     std::vector<CapLoop> loops_;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

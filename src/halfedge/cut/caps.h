@@ -5,7 +5,7 @@
 #include "common/caps/section_closer.h"
 #include "common/mesh/side.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// The result of CAP: the triangles that close the section. Their corners are loop points, and outline edges are those
 /// of `loop_edges` (section.h).
@@ -21,4 +21,4 @@ struct Caps : SectionCaps
     }
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -9,7 +9,7 @@
 
 // What the plane meets: triangles that it crosses, and edges that lie in it.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// A point where an edge meets the plane: a place in Section::cut_points.
 using CutPointId = Id<struct CutPointKind>;
@@ -81,4 +81,4 @@ struct FlushEdge
     TargetId target;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

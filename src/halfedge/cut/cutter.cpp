@@ -9,7 +9,7 @@
 #include "halfedge/cut/split.h"
 #include "halfedge/cut/stitch.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 void Cutter::done(Phase phase, CutResult& result)
 {
@@ -189,4 +189,4 @@ std::vector<PlannedFragment> Cutter::planned_fragments(Side side) const
     return fragments;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -12,7 +12,7 @@
 // A cut of the half-edge back end, from beginning to end: FIND, SPLIT, WALK, the parts and pieces, the caps (planned by
 // plan(), which changes no result), STITCH, REBUILD (carried out by carry_out()). Each has a header of its own.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// A fragment to be.
 struct PlannedFragment
@@ -84,4 +84,4 @@ private:
     Stopwatch watch_;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -1,6 +1,6 @@
 #include "halfedge/cut/find.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -281,4 +281,4 @@ bool Found::keeps_triangles(Side side) const
                        [&](LeafEntry entry) { return !entry.is_crossing() && goes_to_side(entry.target()); });
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -11,7 +11,7 @@
 
 // FIND: which triangles the plane crosses and which parts of the tree go to a side as they are. Result: Found.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.
 struct TreeOp
@@ -162,4 +162,4 @@ private:
     std::vector<std::pair<NodeId, bool>> stack_;  // nodes to visit; true: its children are done
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

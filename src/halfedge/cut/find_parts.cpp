@@ -4,7 +4,7 @@
 
 #include "halfedge/universe/export.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -396,4 +396,4 @@ void PartFinder::open_subtree(NodeId root, Side side, Index shell)
     }
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

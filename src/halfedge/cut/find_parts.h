@@ -13,7 +13,7 @@
 // Which triangles of a side are connected: parts. Which parts make a piece: piece_plan.h, by
 // common/cutting/group_pieces.h.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Finds the triangles on each side of a cut that are connected by half-edges. One curve on a connected shell leaves
 /// one part on each side, for any genus, and costs nothing. If there are more curves, a search starts from each of them
@@ -77,4 +77,4 @@ private:
     BySide<Box> small_parts_;  // what the parts that are not the largest reach
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

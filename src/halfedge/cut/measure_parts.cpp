@@ -9,7 +9,7 @@
 #include "common/mesh/tolerances.h"
 #include "halfedge/universe/export.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -309,4 +309,4 @@ void PartsOfSide::make_piece_shells(const std::vector<std::uint32_t>& piece, Pie
     pieces.fragment_count[side_] = count;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -7,7 +7,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "halfedge/cut/planned_pieces.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// The parts of one side: triangles that are connected by edges. Targets are numbered first, then whole shells.
 class PartsOfSide
@@ -49,4 +49,4 @@ private:
     Index cut_count_ = 0;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

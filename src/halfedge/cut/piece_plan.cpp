@@ -9,7 +9,7 @@
 #include "halfedge/cut/irregular/irregular.h"
 #include "halfedge/cut/measure_parts.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -191,4 +191,4 @@ void divide_piece_shells(const Found& found, const Section& section, Caps& caps,
         }
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -4,7 +4,7 @@
 #include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/section.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Makes the first targets: one for each side of each shell that is cut.
 void make_first_targets(const Found& found, Pieces& pieces);
@@ -12,7 +12,7 @@ void make_first_targets(const Found& found, Pieces& pieces);
 /// One fragment a side: one piece shell for each side of each solid that is cut.
 void plan_sides(const Found& found, const Section& section, Pieces& pieces);
 
-/// One fragment for each connected piece, as kerf::group_pieces() decides; targets must have been separated. An
+/// One fragment for each connected piece, as core::group_pieces() decides; targets must have been separated. An
 /// irregular outline is linked once more, so each loop lies between two piece shells.
 void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Section& section, Pieces& pieces);
 
@@ -26,4 +26,4 @@ void hand_out_caps(const Found& found, const Section& section, Caps& caps, Piece
 /// several shells.
 void divide_piece_shells(const Found& found, const Section& section, Caps& caps, Pieces& pieces);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -12,7 +12,7 @@
 //       PieceShell        targets that caps or touching edges join: a shell of a fragment
 //         fragment        piece shells of one side (or of one piece, if the caller asks for pieces), and whole shells
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// A connected part of one side of a cut shell: where triangles go. Each side of each cut shell has a first_target();
 /// if a side falls apart there are more behind them.
@@ -76,4 +76,4 @@ struct Pieces
     }
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

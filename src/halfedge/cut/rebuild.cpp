@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -266,4 +266,4 @@ void Rebuilder::write_caps(Universe& u, const StitchPlan& numbers, std::size_t p
                                                                          piece_shell.cap_count, piece_shell.cap_group));
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

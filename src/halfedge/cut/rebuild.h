@@ -3,7 +3,7 @@
 #include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/stitch_plan.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// REBUILD: makes the trees and the index buffer of both sides. Subtrees that the plane does not meet are handed over
 /// by reference. Leaves that it meets are written anew at the end of the index buffer; each side's new triangles lie in
@@ -48,4 +48,4 @@ private:
     VertexId cap_vertices_;  // first vertex of the caps: negative side, then positive side
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

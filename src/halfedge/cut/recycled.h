@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace kerf::halfedge {
+#include "common/support/core_names.h"
+
+namespace kerf::core::halfedge {
 
 /// A vector whose elements are used again and again without being made anew: add() returns one as it was left.
 template <class T>
@@ -43,4 +45,4 @@ void reserve_touched(std::vector<T>& vector, std::size_t count)
     vector.clear();
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -4,7 +4,7 @@
 
 #include "common/caps/section_area.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 void Section::reserve(std::size_t crossings_expected)
 {
@@ -31,7 +31,7 @@ void Section::clear()
 
 double section_area(const Plane& plane, const Section& section)
 {
-    return kerf::section_area(plane, [&](auto visit) {
+    return core::section_area(plane, [&](auto visit) {
         for (const Loop& loop : section.loops) {
             if (!loop.closed) continue;
             const glm::vec3* p = &section.loop_points[loop.first];
@@ -52,4 +52,4 @@ double section_length(const Section& section)
     return length;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

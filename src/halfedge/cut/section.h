@@ -10,7 +10,7 @@
 
 // The section: what WALK makes of the crossing triangles. Outline edges, cut points, and loops of them.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// A closed loop of outline edges, or a chain that ends at boundary.
 struct Loop
@@ -120,4 +120,4 @@ double section_area(const Plane& plane, const Section& section);
 /// Length of the closed loops, mesh units. O(k).
 double section_length(const Section& section);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

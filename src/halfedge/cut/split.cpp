@@ -1,6 +1,6 @@
 #include "halfedge/cut/split.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -55,4 +55,4 @@ Coincidences split_crossings(const Universe& u, Found& found)
     return noted;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

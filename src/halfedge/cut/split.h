@@ -2,7 +2,7 @@
 
 #include "halfedge/cut/find.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Which points of a section coincide with others. Nearly always none.
 struct Coincidences
@@ -15,4 +15,4 @@ struct Coincidences
 /// SPLIT: says of each crossing triangle how it falls apart. O(k).
 Coincidences split_crossings(const Universe& universe, Found& found);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

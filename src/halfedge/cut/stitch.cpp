@@ -2,7 +2,7 @@
 
 #include "halfedge/cut/irregular/irregular.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 std::size_t plan_stitch(Universe& u, const Found& found, const Section& section, const Caps& caps, StitchPlan& plan)
 {
@@ -289,4 +289,4 @@ void stitch(Universe& universe, const Found& found, const Section& section, cons
     StitchRun(plan, universe, found, section, caps).run();
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -1,6 +1,6 @@
 #include "halfedge/cut/stitch_plan.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 bool diagonal_from_n(const Crossing& c)
 {
@@ -27,4 +27,4 @@ std::array<SubFace, 3> StitchPlan::sub_faces(const Crossing& c, Index number) co
     return {sub(c.face, near, lone, n, p), sub(f, far, n, next, p), sub(g, far, next, previous, p)};
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

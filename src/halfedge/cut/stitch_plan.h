@@ -8,7 +8,7 @@
 
 // What STITCH will do, worked out before anything is changed. Result: StitchPlan.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// One of the up to three sub-triangles of a crossing triangle, as a face.
 struct SubFace
@@ -119,4 +119,4 @@ inline void move_outgoing(SurfaceMesh& mesh, PointId point, HalfedgeId from, Hal
     if (mesh.halfedge_of(point) == from) mesh.set_halfedge_of(point, to);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

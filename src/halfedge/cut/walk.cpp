@@ -4,7 +4,7 @@
 
 #include "halfedge/cut/irregular/irregular.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -167,4 +167,4 @@ void Walker::run(Universe& universe, const Plane& plane, const Coincidences& coi
     for (const Loop& loop : section.loops) ++section.loops_on_shell[loop.shell];
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

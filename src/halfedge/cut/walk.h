@@ -2,7 +2,7 @@
 
 #include "halfedge/cut/section.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// WALK: goes from every crossing triangle that is not seen yet over opposite half-edges until the loop closes or ends.
 /// Each crossed edge gets one cut point, and one new vertex, or two at a seam. The points of an irregular outline then
@@ -19,4 +19,4 @@ private:
     std::vector<Index> run_;  // crossing triangles in a row
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 void CutWorkspace::reserve(std::size_t crossings)
 {
@@ -28,4 +28,4 @@ void CutWorkspace::begin(Universe& u)
     caps.clear();
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

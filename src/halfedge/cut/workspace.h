@@ -11,7 +11,7 @@
 #include "halfedge/cut/stitch_plan.h"
 #include "halfedge/cut/walk.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// The steps of a cut and their results. All of it keeps its memory from cut to cut.
 struct CutWorkspace
@@ -36,4 +36,4 @@ struct CutWorkspace
     std::uint64_t stamps_used() const { return found.crossings.size() + part_finder.stamps_used(); }
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

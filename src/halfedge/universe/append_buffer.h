@@ -12,7 +12,7 @@
 #include "halfedge/universe/ids.h"
 #include "halfedge/universe/memory_block.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// An array that only grows at its end, in memory that has been written to before it is needed: the first touch of a
 /// page costs more than the work of a cut on it. Elements beyond size() may be written up to capacity(); they become
@@ -133,4 +133,4 @@ private:
     std::vector<MemoryBlock> blocks_;  ///< the last one holds the elements; the others held them once
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

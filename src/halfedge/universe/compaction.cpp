@@ -6,7 +6,7 @@
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/export.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -244,4 +244,4 @@ std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot
     return copies;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -4,7 +4,7 @@
 
 #include "halfedge/universe/universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Copies some shells of a universe into an empty one and returns them there. The copy holds only what they use, in the
 /// order in which export_mesh() visits it. Its trees have the same order, so the export of the copy and of all
@@ -13,4 +13,4 @@ namespace kerf::halfedge {
 /// shells are a small part of it.
 std::vector<ShellRoot> compact_copy(const Universe& universe, std::span<const ShellRoot> shells, Universe& copy);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -40,4 +40,4 @@ void reserve(Universe& u, const UniverseSize& size, std::size_t crossings)
     u.tree.reserve(size.nodes + crossings + (crossings >> kNodesShift) + kNodesInAnyCase);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -6,7 +6,7 @@
 
 // Room for cuts to come, so that a cut need not wait for memory.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Sizes of a universe's arrays. In a new universe each triangle is one face and one slot.
 struct UniverseSize
@@ -25,4 +25,4 @@ std::size_t crossings_of_one_cut(std::size_t triangles);
 /// the room. Throws std::bad_alloc.
 void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
 {
@@ -69,4 +69,4 @@ IndexedMesh export_mesh(const Universe& u, std::span<const ShellRoot> shells)
     return mesh;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

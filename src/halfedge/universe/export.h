@@ -4,7 +4,7 @@
 
 #include "halfedge/universe/universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Calls visit(slot) for each slot under a root, in tree order.
 template <class Visit>
@@ -27,4 +27,4 @@ void for_each_slot(const Universe& universe, NodeId root, Visit visit)
 /// and memory of the size of the universe.
 IndexedMesh export_mesh(const Universe& universe, std::span<const ShellRoot> shells);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

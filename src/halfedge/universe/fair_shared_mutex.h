@@ -3,7 +3,9 @@
 #include <mutex>
 #include <shared_mutex>
 
-namespace kerf::halfedge {
+#include "common/support/core_names.h"
+
+namespace kerf::core::halfedge {
 
 /// A std::shared_mutex (many readers or one writer) that takes turns: readers that come after a waiting writer wait for
 /// it, so that a stream of them cannot hold it up for ever. (glibc's lock lets readers pass.) Works with
@@ -30,4 +32,4 @@ private:
     std::shared_mutex mutex_;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 void prefer_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes)
 {
@@ -19,4 +19,4 @@ void prefer_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_
 #endif
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -2,11 +2,13 @@
 
 #include <cstddef>
 
-namespace kerf::halfedge {
+#include "common/support/core_names.h"
+
+namespace kerf::core::halfedge {
 
 /// Asks the operating system to back a large block by large pages, before it is touched: a cut reads a little
 /// everywhere, and with small pages half of its time goes into looking up addresses. No effect on a system that has no
 /// such request, or on small blocks.
 void prefer_huge_pages(void* begin, std::size_t bytes);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

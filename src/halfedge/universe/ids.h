@@ -9,7 +9,7 @@
 // Numbers that can't be mistaken for one another: at run time each is 32 bits. Only a triangle of the index buffer holds
 // vertices as plain numbers, because the GPU reads them.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 // Of the half-edge mesh. A point is what OpenMesh calls a vertex: several vertices of the vertex buffer may lie at it.
 using PointId = OpenMesh::VertexHandle;
@@ -89,4 +89,4 @@ using NodeId = Id<struct NodeKind>;
 /// A draw group: triangles of one material, solid and kind.
 using GroupId = Id<struct GroupKind>;
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #endif
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -87,4 +87,4 @@ bool MemoryBlock::commit(std::size_t bytes)
     return true;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

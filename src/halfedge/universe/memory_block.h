@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <utility>
 
-namespace kerf::halfedge {
+#include "common/support/core_names.h"
+
+namespace kerf::core::halfedge {
 
 /// A run of memory that can grow where it stands. A large block has addresses for many times its size: they are
 /// reserved and cost no memory until commit() asks for some of it. A small one is ordinary memory.
@@ -43,4 +45,4 @@ private:
     bool is_mapped_ = false;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

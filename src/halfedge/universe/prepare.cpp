@@ -9,7 +9,7 @@
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
     return plant_trees(runs, adjacency.shell_count, u);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -5,7 +5,7 @@
 
 #include "halfedge/universe/huge_pages.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::size_t SurfaceMesh::bytes_reserved() const
     return room_.points * kPointBytes + room_.edges * kEdgeBytes + room_.faces * kFaceBytes;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

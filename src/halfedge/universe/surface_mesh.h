@@ -10,7 +10,7 @@
 // The half-edge mesh behind the back end: OpenMesh for connectivity and positions, nothing else. What else is known of
 // faces lies in arrays of the universe that run parallel to OpenMesh's.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 struct SurfaceTraits : OpenMesh::DefaultTraits
 {
@@ -120,4 +120,4 @@ void for_each_outgoing(const SurfaceMesh& mesh, HalfedgeId start, Visit visit)
     }
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -8,7 +8,7 @@
 #include "common/mesh/four_floats.h"
 #include "common/mesh/mass_moments.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -286,4 +286,4 @@ std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tre
     return points;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -16,7 +16,7 @@
 // A persistent binary tree over runs of triangles. Nodes never change once they are made, so fragments share them: a
 // cut makes new nodes only where the plane passes and refers to all others.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Triangles per leaf: more make a smaller tree, fewer leave less to rewrite around the section. The optimum is flat.
 inline constexpr std::uint32_t kLeafTriangles = 32;
@@ -116,4 +116,4 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Node
 std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
                                                          std::span<const NodeId> roots);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -1,6 +1,6 @@
 #include "halfedge/universe/universe.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 Universe::Universe(const Universe& other)
     : mesh(other.mesh),
@@ -37,4 +37,4 @@ std::size_t Universe::bytes_reserved() const
     return bytes;
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

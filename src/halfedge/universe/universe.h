@@ -15,7 +15,7 @@
 // The universe: one set of buffers (half-edges, vertices, slots, tree) that all fragments of one prepared mesh share,
 // with the lock that puts readers and cuts in order.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// The material, solid and kind of triangles that are drawn together.
 struct DrawGroup
@@ -105,4 +105,4 @@ struct ShellRoot
 /// (reserved_crossings()). Returns the shells of the mesh. O(n log n) with a radix sort's constant.
 std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -6,7 +6,7 @@
 #include "common/shapes/shapes.h"
 #include "support/fixtures.h"
 
-namespace kerf::baseline {
+namespace kerf::core::baseline {
 namespace {
 
 TEST(EveryVertex, KeepsAllOfThemInOrder)
@@ -37,4 +37,4 @@ TEST(EveryVertex, OfAnObjectIsThatOfItsVertices)
 }
 
 }  // namespace
-}  // namespace kerf::baseline
+}  // namespace kerf::core::baseline

@@ -8,7 +8,7 @@
 
 #include "common/io/bytes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 /// Two triangles with texture coordinates and a material: the smallest GLB that has everything.
 inline nlohmann::json sample_document()
@@ -89,4 +89,4 @@ std::size_t add_accessor(nlohmann::json& document, std::string& buffer, int comp
     return document["accessors"].size() - 1;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

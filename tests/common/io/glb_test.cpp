@@ -8,7 +8,7 @@
 #include "common/io/test_files.h"
 #include "support/brief.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using nlohmann::json;
@@ -292,4 +292,4 @@ TEST_F(GlbTest, WritesAContainerThatKeepsTheRulesOfTheFormat)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

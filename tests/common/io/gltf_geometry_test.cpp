@@ -12,7 +12,7 @@
 // Ways in which a glTF file may hold its surface: integers, sparse lists, copies in many places. What comes out is
 // written down here by hand, from the extensions' texts.
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using nlohmann::json;
@@ -286,4 +286,4 @@ TEST_F(GltfGeometryTest, ListsWithoutABufferViewAreZeros)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

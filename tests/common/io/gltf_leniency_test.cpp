@@ -13,7 +13,7 @@
 // What a glTF file holds besides the surface that its scene shows never refuses it, and neither does what is not quite
 // glTF but plain: the surface is the sample's own, and a note counts what was passed over.
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using nlohmann::json;
@@ -715,4 +715,4 @@ TEST_F(GltfLeniencyTest, CompressedViewsAreReadFromTheirUncompressedCopies)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

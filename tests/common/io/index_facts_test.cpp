@@ -11,7 +11,7 @@
 
 // measure() and repair() on real meshes, against facts that other programs found (../shared/meshes/INDEX.md).
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 struct Facts
@@ -114,4 +114,4 @@ INSTANTIATE_TEST_SUITE_P(All, IndexFacts,
                          });
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

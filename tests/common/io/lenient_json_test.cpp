@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using nlohmann::json;
@@ -76,4 +76,4 @@ TEST(LenientJson, EverythingElseIsAFaultAtItsPlace)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

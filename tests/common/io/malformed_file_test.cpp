@@ -9,7 +9,7 @@
 
 // Bad input never crashes and never hangs: every sample is cut off at each of its bytes, and damaged at random.
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 struct Sample
@@ -176,4 +176,4 @@ TEST_F(MalformedFileTest, IsRefusedWhenItMayNotBeRead)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

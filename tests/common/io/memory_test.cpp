@@ -1,8 +1,8 @@
+#include "common/io/test_files.h"
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
-#include "common/io/test_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using MemoryTest = MeshFileTest;
@@ -65,4 +65,4 @@ TEST_F(MemoryTest, SaysWhatIsWrongInOneSentence)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -7,7 +7,7 @@
 
 #include "common/io/test_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using ObjTest = MeshFileTest;
@@ -382,4 +382,4 @@ TEST_F(ObjTest, WritesAnyNumberOfMaterialsThatShareAName)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -7,7 +7,7 @@
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using OffTest = MeshFileTest;
@@ -206,4 +206,4 @@ TEST_F(OffTest, WritesPointsAndTrianglesThatReadBackBitForBit)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

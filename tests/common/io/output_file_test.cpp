@@ -10,7 +10,7 @@
 #include "common/io/test_files.h"
 #include "common/io/unfinished_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using OutputFileTest = MeshFileTest;
@@ -459,10 +459,9 @@ TEST_F(OutputFileTest, RefusesNamesThatALineOfObjCannotHold)
 
 TEST_F(OutputFileTest, RefusesExtensionsThatItCannotWrite)
 {
-    for (const char* name : {"a.gltf", "a", "a.xyz"})
-        EXPECT_THROW(write_mesh(file(name), sample_mesh()), FileError);
+    for (const char* name : {"a.gltf", "a", "a.xyz"}) EXPECT_THROW(write_mesh(file(name), sample_mesh()), FileError);
     EXPECT_TRUE(names_in_folder().empty());
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -5,7 +5,7 @@
 #include "common/io/bytes.h"
 #include "common/io/test_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 std::string utf16(const std::u16string& text, Endian order)
@@ -180,4 +180,4 @@ TEST_F(TextOfFiles, AVertexOfNoFaceMayBeAnythingButFacesNeedNumbers)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -10,7 +10,7 @@
 #include "common/io/bytes.h"
 #include "common/io/test_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using PlyTest = MeshFileTest;
@@ -540,4 +540,4 @@ TEST_F(PlyTest, RefusesCountsThatTheFileHasNoRoomForBeforeTakingMemory)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 Buffer<Vertex> vertices_at(const std::vector<glm::vec3>& positions)
@@ -131,4 +131,4 @@ RC_GTEST_PROP(TriangulatePolygon, CoversStarShapedOutlinesExactlyOnce, ())
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

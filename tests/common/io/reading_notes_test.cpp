@@ -2,7 +2,7 @@
 
 #include "common/io/test_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 TEST(ReadingNotes, CountOneKindTogetherInTheOrderOfTheirFirst)
@@ -45,4 +45,4 @@ TEST_F(ReadingNotesOfFiles, AreHandedOnByReadMeshAndAreNoneForAFileAsItShouldBe)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -8,7 +8,7 @@
 #include "common/io/test_files.h"
 #include "support/allocations.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 struct Claim
@@ -160,4 +160,4 @@ TEST_F(ResourceLimits, MemoryShortWhileReadingIsAnErrorThatNamesTheFile)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -6,7 +6,7 @@
 
 // Real meshes that nobody on this project made (../shared/meshes/INDEX.md has their facts).
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 struct Expected
@@ -81,4 +81,4 @@ TEST(SharedMeshes, CountVerticesOfObjFilesAsTriples)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

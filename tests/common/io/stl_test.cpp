@@ -5,7 +5,7 @@
 #include "common/io/bytes.h"
 #include "common/io/test_files.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 using StlTest = MeshFileTest;
@@ -217,4 +217,4 @@ TEST_F(StlTest, WritesBinaryThatKeepsPositionsAndOrder)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -18,7 +18,7 @@
 
 // Vocabulary of the tests of mesh files.
 
-namespace kerf::io {
+namespace kerf::core::io {
 
 class MeshFileTest : public test::FolderTest
 {
@@ -125,4 +125,4 @@ inline IndexedMesh sample_mesh()
     return mesh;
 }
 
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -15,7 +15,7 @@
 
 #include "common/io/mesh_file.h"
 
-namespace kerf::io {
+namespace kerf::core::io {
 namespace {
 
 float number_of(const std::string& text)
@@ -199,4 +199,4 @@ TEST(TextScanner, NamesFileAndLineInErrors)
 }
 
 }  // namespace
-}  // namespace kerf::io
+}  // namespace kerf::core::io

@@ -9,7 +9,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 std::size_t components(const std::vector<std::unique_ptr<Cuttable>>& side)
@@ -76,4 +76,4 @@ TEST(Components, CostWhatTheSmallerPartsCost)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

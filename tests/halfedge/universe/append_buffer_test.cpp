@@ -9,7 +9,7 @@
 
 #include "support/allocations.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 using Numbers = AppendBuffer<std::uint32_t>;
@@ -159,4 +159,4 @@ TEST(AppendBuffer, DoesWithoutRoomInAdvanceIfThatIsNotThere)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

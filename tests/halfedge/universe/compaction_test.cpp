@@ -9,7 +9,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 /// The larger side after a few cuts through the middle.
@@ -92,4 +92,4 @@ TEST(Compaction, ACloneOfASmallFragmentIsSmall)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 template <class A, class B>
@@ -57,4 +57,4 @@ TEST(Ids, HalfEdgesOfAnEdgeAreOppositeToEachOther)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -8,7 +8,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 TEST(Prepare, KeepsEveryTriangleWithItsAttributes)
@@ -45,4 +45,4 @@ TEST(Prepare, TheOrderOfTheInputMattersLittleToTheCut)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

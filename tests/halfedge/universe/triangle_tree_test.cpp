@@ -9,7 +9,7 @@
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 TEST(Support, HasABoxWithoutMinusZero)
@@ -49,4 +49,4 @@ TEST(TriangleTree, BoundsMassAndProxyAreThoseOfTheMesh)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -6,7 +6,7 @@
 #include "common/geometry/disjoint_sets.h"
 #include "halfedge/cut/section.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 /// Classes of coinciding points: union-find over cut points and, as they turn up, points of the half-edge mesh.
 class CoincidingPoints
@@ -52,4 +52,4 @@ private:
     std::unordered_map<PointId, Index> of_point_;
 };
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

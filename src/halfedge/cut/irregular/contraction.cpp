@@ -1,6 +1,6 @@
 #include "halfedge/cut/irregular/irregular.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -104,4 +104,4 @@ void contract(const std::vector<std::array<OutlineEdgeId, 2>>& cancelled, Stitch
     Contraction(plan, mesh).run(cancelled);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -12,7 +12,7 @@
 // the plane, or outline edges cancel. The only header of this folder that other folders include; the steps call these
 // functions in the order in which they stand here.
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 // ----- WALK -----
 
@@ -59,4 +59,4 @@ void contract(const std::vector<std::array<OutlineEdgeId, 2>>& cancelled, Stitch
 /// plus the valence of the points in the plane.
 void split_points(const Found& found, const Section& section, const Caps& caps, StitchPlan& plan, SurfaceMesh& mesh);
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -6,7 +6,7 @@
 
 #include "halfedge/cut/irregular/coinciding_points.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -123,4 +123,4 @@ void find_edges_that_bound_nothing(const Universe& u, const Section& section, Fo
     }
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

@@ -4,7 +4,7 @@
 
 #include "halfedge/cut/irregular/coinciding_points.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -116,4 +116,4 @@ void relink_outline(const Universe& universe, const Plane& plane, const Found& f
     divide(universe, plane, piece_shells, found, section);
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

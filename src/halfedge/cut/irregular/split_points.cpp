@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 
 namespace {
 
@@ -138,4 +138,4 @@ void split_points(const Found& found, const Section& section, const Caps& caps, 
     PointSplitter(plan, mesh, found, section, caps).run();
 }
 
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge

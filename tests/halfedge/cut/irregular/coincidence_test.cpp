@@ -10,7 +10,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf::halfedge {
+namespace kerf::core::halfedge {
 namespace {
 
 using Fragments = std::vector<std::unique_ptr<Cuttable>>;
@@ -104,4 +104,4 @@ TEST(Coincidence, PiecesThatVanishAtABoundaryKeepItLinked)
 }
 
 }  // namespace
-}  // namespace kerf::halfedge
+}  // namespace kerf::core::halfedge
