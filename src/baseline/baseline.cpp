@@ -33,8 +33,8 @@ struct Method
 class BaselineCuttable final : public linear::FragmentObject
 {
 public:
-    BaselineCuttable(Fragment&& fragment, Method method, const ReportCosts& costs = {})
-        : FragmentObject(std::move(fragment)), method_(method), costs_(costs)
+    BaselineCuttable(Fragment&& fragment, const BufferListener& listener, Method method, const ReportCosts& costs = {})
+        : FragmentObject(std::move(fragment), listener), method_(method), costs_(costs)
     {
     }
 
@@ -43,7 +43,7 @@ public:
 
     std::unique_ptr<Cuttable> clone() const override
     {
-        return std::make_unique<BaselineCuttable>(Fragment(fragment()), method_);
+        return std::make_unique<BaselineCuttable>(Fragment(fragment()), listener(), method_);
     }
 
 private:
@@ -53,7 +53,7 @@ private:
         ReportCosts costs{slices.vertex_comparisons, 0.0};
         if (method_.rewrite_pivots) costs.pivot_ms = rewrite_all(slices.positive) + rewrite_all(slices.negative);
         return linear::to_result(std::move(slices), [&](Fragment&& part) {
-            return std::make_unique<BaselineCuttable>(std::move(part), method_, costs);
+            return std::make_unique<BaselineCuttable>(std::move(part), listener(), method_, costs);
         });
     }
 
@@ -80,9 +80,9 @@ public:
     std::string name() const override { return "baseline/" + std::string(name_of(method_.lookup)); }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
-        return std::make_unique<BaselineCuttable>(linear::fragment_of(std::move(mesh)), method_);
+        return std::make_unique<BaselineCuttable>(linear::fragment_of(std::move(mesh)), options.listener, method_);
     }
 
     Method method_;

@@ -71,11 +71,11 @@ glm::vec3 clear_of_rim(const Section& section, const SectionPath& path, const gl
 
 std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
                                           std::span<const SectionPath> paths, const glm::vec3& centre, double step,
-                                          const Plane& plane, std::uint32_t material)
+                                          const Plane& plane, double uv_scale, std::uint32_t material)
 {
     std::vector<std::uint32_t> path_of_triangle;
     IndexedMesh& mesh = builder.mesh;
-    const PlaneFrame frame = PlaneFrame::of(plane.normal);
+    const PlaneFrame frame = PlaneFrame::of(plane.normal, uv_scale);
     const glm::vec3 normal(builder.side() == Side::negative ? plane.normal : -plane.normal);
     const auto cap_vertex = [&](const glm::vec3& p) { return Vertex{p, normal, frame.uv(p)}; };
 
@@ -139,7 +139,7 @@ linear::ClosedSides FanClosing::close(BySide<SideBuilder>& builders, Crossings& 
     closed.caps_exceed_section = caps_exceed_section(facts.excess, linked.area, facts.rim, linked.unit);
     for (SideBuilder& b : builders)
         closed.path_of_cap[b.side()] = close_with_fan(b, crossings, linked.section, linked.paths, centre, linked.unit,
-                                                      linked.plane, linked.material);
+                                                      linked.plane, linked.uv_scale, linked.material);
     return closed;
 }
 

@@ -36,7 +36,7 @@ FanFacts measure_fan(const Section& section, std::span<const SectionPath> paths,
 /// comparison shows. Caps are grouped by solid. Returns the path of each triangle that is added. O(k).
 std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& crossings, const Section& section,
                                           std::span<const SectionPath> paths, const glm::vec3& centre, double step,
-                                          const Plane& plane, std::uint32_t material);
+                                          const Plane& plane, double uv_scale, std::uint32_t material);
 
 /// Closes sections with the fan.
 class FanClosing final : public linear::Closing

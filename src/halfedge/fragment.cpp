@@ -65,7 +65,7 @@ std::unique_ptr<Cuttable> Fragment::clone() const
 /// Without loops; the caller holds the lock.
 std::unique_ptr<Fragment> Fragment::compacted() const
 {
-    auto shared = std::make_shared<SharedUniverse>();
+    auto shared = std::make_shared<SharedUniverse>(shared_->identity.listener());
     const std::vector<ShellRoot> shells = compact_copy(universe(), shells_, shared->universe);
     shared->make_room(shared->universe.slots.size());
     return std::make_unique<Fragment>(std::move(shared), shells, material_count_);
@@ -126,6 +126,8 @@ DrawView Fragment::draw_view() const
     view.indices = {u.slots.empty() ? nullptr : u.slots[SlotId(0)].data(), 3 * u.slots.size()};
     view.materials = {u.materials.data(), material_count_};
     view.ranges = draw_ranges();
+    for (const Stream& stream : u.streams)
+        view.streams.push_back({stream.name, stream.width, {stream.values.data(), stream.values.size()}});
     const auto append = [](std::vector<ByteRange>& ranges, std::uint64_t from, std::uint64_t to, std::uint64_t size) {
         if (from < to) ranges.push_back({from * size, (to - from) * size});
     };
@@ -187,6 +189,16 @@ std::span<const Vertex> Fragment::used_vertices(std::vector<Vertex>& room) const
             }
         });
     return room;
+}
+
+std::uint32_t Fragment::add_material(const Material& material)
+{
+    Universe& u = shared_->universe;
+    const std::unique_lock lock(u.mutex);
+    u.make_room_for_material();
+    u.materials.push_back(material);
+    material_count_ = u.materials.size();
+    return static_cast<std::uint32_t>(material_count_ - 1);
 }
 
 IndexedMesh Fragment::to_indexed_mesh() const

@@ -30,6 +30,7 @@ public:
     std::array<glm::vec3, kSupportDirections> support_points() const override;
     std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const override;
     std::span<const SectionLoop> section_loops() const override { return loops_; }
+    std::uint32_t add_material(const Material& material) override;
     IndexedMesh to_indexed_mesh() const override;
     bool wants_compaction() const override;
     void compact() override;
@@ -39,7 +40,7 @@ public:
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
-    std::uint64_t buffers() const noexcept override { return shared_->serial; }
+    std::uint64_t buffers() const noexcept override { return shared_->identity.serial(); }
     bool has_relatives() const noexcept override { return shared_.use_count() > 1; }
 
     using FragmentsBySide = BySide<std::vector<std::unique_ptr<Fragment>>>;

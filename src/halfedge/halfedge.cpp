@@ -12,10 +12,10 @@ public:
     std::string name() const override { return "halfedge"; }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
-        auto shared = std::make_shared<SharedUniverse>();
-        const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe);
+        auto shared = std::make_shared<SharedUniverse>(options.listener);
+        const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe, options.progress);
         shared->make_room(mesh->triangles.size());
         return std::make_unique<Fragment>(std::move(shared), shells, mesh->materials.size());
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/cutting/back_end_helpers.h"
+#include "common/cutting/buffer_identity.h"
 #include "halfedge/cut/workspace.h"
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/universe.h"
@@ -11,13 +11,13 @@ namespace kerf::core::halfedge {
 /// of any of them are planned in. Both are guarded by the universe's lock.
 struct SharedUniverse
 {
-    const std::uint64_t serial = new_buffers_serial();  ///< DrawView::buffers
+    const BufferIdentity identity;  ///< of the vertex and index buffer
     Universe universe;
     CutWorkspace workspace;
 
-    SharedUniverse() = default;
+    explicit SharedUniverse(const BufferListener& listener = {}) : identity(listener) {}
     /// A copy with a lock of its own. Call it with `other` locked.
-    SharedUniverse(const SharedUniverse& other) : universe(other.universe)
+    SharedUniverse(const SharedUniverse& other) : identity(other.identity), universe(other.universe)
     {
         universe.stamp_base += other.workspace.stamps_used();  // the copied faces keep their stamps
         make_room(other.universe.slots.size());

@@ -21,6 +21,7 @@ struct LinkedSection
     double area;             ///< signed, of the closed paths; mesh units squared
     double unit;             ///< in the last place of the mesh's largest coordinate, mesh units
     std::uint32_t material;  ///< of the caps
+    double uv_scale;         ///< CutOptions::cap_uv_scale
     bool with_caps;          ///< otherwise nothing is added
 };
 

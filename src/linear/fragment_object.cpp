@@ -9,13 +9,16 @@
 
 namespace kerf::core::linear {
 
-FragmentObject::FragmentObject(Fragment&& fragment) : fragment_(std::move(fragment)), serial_(new_buffers_serial()) {}
+FragmentObject::FragmentObject(Fragment&& fragment, const BufferListener& listener)
+    : fragment_(std::move(fragment)), identity_(listener)
+{
+}
 
 DrawView FragmentObject::draw_view() const
 {
     const IndexedMesh& mesh = fragment_.mesh;
     DrawView view;
-    view.buffers = serial_;
+    view.buffers = identity_.serial();
     view.vertices = mesh.vertices;
     static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
     view.indices = {reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()), mesh.triangles.size() * 3};
@@ -23,6 +26,8 @@ DrawView FragmentObject::draw_view() const
     for (const TriangleGroup& group : mesh.groups)
         view.ranges.push_back({3 * group.first, 3 * group.count, group.material, group.kind});
     merge_ranges(view.ranges);
+    for (const VertexStream& stream : mesh.streams)
+        view.streams.push_back({stream.name, stream.width, {stream.values.data(), stream.values.size()}});
     if (!is_uploaded_) {
         view.new_vertex_bytes.push_back({0, view.vertices.size_bytes()});
         view.new_index_bytes.push_back({0, view.indices.size_bytes()});
@@ -39,6 +44,12 @@ MassProperties FragmentObject::mass_properties() const
 std::array<glm::vec3, kSupportDirections> FragmentObject::support_points() const
 {
     return core::support_points(fragment_.mesh.vertices);
+}
+
+std::uint32_t FragmentObject::add_material(const Material& material)
+{
+    fragment_.mesh.materials.push_back(material);
+    return static_cast<std::uint32_t>(fragment_.mesh.materials.size() - 1);
 }
 
 Fragment fragment_of(ProvenMesh&& mesh)

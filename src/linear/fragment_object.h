@@ -12,26 +12,28 @@ namespace kerf::core::linear {
 class FragmentObject : public Cuttable
 {
 public:
-    explicit FragmentObject(Fragment&& fragment);
+    FragmentObject(Fragment&& fragment, const BufferListener& listener);
 
     std::uint64_t triangle_count() const override { return fragment_.mesh.triangles.size(); }
     Box bounds() const override { return fragment_.bounds; }
     DrawView draw_view() const override;
-    void mark_uploaded(const DrawView& view) override { is_uploaded_ |= view.buffers == serial_; }
+    void mark_uploaded(const DrawView& view) override { is_uploaded_ |= view.buffers == identity_.serial(); }
     MassProperties mass_properties() const override;
     std::array<glm::vec3, kSupportDirections> support_points() const override;
     std::span<const Vertex> used_vertices(std::vector<Vertex>&) const override { return fragment_.mesh.vertices; }
     std::span<const SectionLoop> section_loops() const override { return fragment_.section; }
+    std::uint32_t add_material(const Material& material) override;
     IndexedMesh to_indexed_mesh() const override { return fragment_.mesh; }
 
 protected:
     const Fragment& fragment() const { return fragment_; }
+    const BufferListener& listener() const { return identity_.listener(); }
 
 private:
-    std::uint64_t buffers() const noexcept override { return serial_; }
+    std::uint64_t buffers() const noexcept override { return identity_.serial(); }
 
     Fragment fragment_;
-    const std::uint64_t serial_;
+    const BufferIdentity identity_;
     bool is_uploaded_ = false;
 };
 

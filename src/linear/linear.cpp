@@ -15,7 +15,7 @@ class LinearObject final : public FragmentObject
 public:
     using FragmentObject::FragmentObject;
 
-    std::unique_ptr<Cuttable> clone() const override { return std::make_unique<LinearObject>(Fragment(fragment())); }
+    std::unique_ptr<Cuttable> clone() const override { return std::make_unique<LinearObject>(Fragment(fragment()), listener()); }
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override
@@ -23,7 +23,7 @@ private:
         RightCaps caps;
         std::optional<Slices> missed = missed_by_bounds(fragment(), plane);
         return to_result(missed ? *std::move(missed) : RemapSlicer(fragment(), plane, options, caps).run(),
-                         [](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part)); });
+                         [&](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part), listener()); });
     }
 };
 
@@ -33,9 +33,9 @@ public:
     std::string name() const override { return "linear"; }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
-        return std::make_unique<LinearObject>(fragment_of(std::move(mesh)));
+        return std::make_unique<LinearObject>(fragment_of(std::move(mesh)), options.listener);
     }
 };
 

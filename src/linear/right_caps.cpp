@@ -79,7 +79,7 @@ void RightCaps::append_caps(SideBuilder& builder, Crossings& crossings, const Li
                             std::vector<std::uint32_t>& path_of_cap)
 {
     IndexedMesh& mesh = builder.mesh;
-    const PlaneFrame frame = PlaneFrame::of(linked.plane.normal);
+    const PlaneFrame frame = PlaneFrame::of(linked.plane.normal, linked.uv_scale);
     const glm::vec3 normal(builder.side() == Side::negative ? linked.plane.normal : -linked.plane.normal);
     const auto first_vertex = static_cast<std::uint32_t>(mesh.vertices.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {

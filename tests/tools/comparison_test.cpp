@@ -59,6 +59,8 @@ public:
         return mesh;
     }
 
+    std::uint32_t add_material(const Material& material) override { return honest_->add_material(material); }
+
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override
     {
@@ -84,7 +86,7 @@ public:
     std::string name() const override { return "liar"; }
 
 private:
-    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const override
+    std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions&) const override
     {
         return std::make_unique<LyingObject>(baseline::make_back_end()->prepare(std::move(mesh)).object, spoil_, false);
     }

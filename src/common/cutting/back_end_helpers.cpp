@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -82,11 +81,4 @@ bool caps_exceed_section(double excess, double section_area, double section_leng
 {
     return excess > std::max(kCapAgreement * std::abs(section_area), unit * section_length);
 }
-
-std::uint64_t new_buffers_serial() noexcept
-{
-    static std::atomic<std::uint64_t> last = 0;
-    return ++last;
-}
-
 }  // namespace kerf::core

@@ -5,8 +5,8 @@
 
 #include "common/cutting/cut.h"
 
-// What a back end needs to keep the contract, and its users do not: draw ranges, the material of caps, serial numbers
-// of buffers, and whether caps exceed their section.
+// What a back end needs to keep the contract, and its users do not: draw ranges, the material of caps, and
+// whether caps exceed their section.
 //
 // A cut misses for one of three reasons, and each back end finds it as soon as it can: the object lies beyond
 // the plane (halfedge/cut/cutter.cpp: missed_side(); baseline/slice.cpp: bounds), a side keeps no triangle, or nothing
@@ -21,9 +21,6 @@ void merge_ranges(std::vector<DrawRange>& ranges);
 /// on if a material has that name: caps never share one with the surface by accident. The number is the smallest that
 /// is free, or another if names occur twice. O(materials); allocates nothing if there is room for one.
 std::uint32_t add_cap_material(std::vector<Material>& materials);
-
-/// A serial number for buffers, which no others get. From any thread.
-std::uint64_t new_buffers_serial() noexcept;
 
 /// Whether caps cover so much more than their section that it is not rounding: more than kCapAgreement of it, and more
 /// than a unit in the last place along its outline.

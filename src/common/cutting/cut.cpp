@@ -1,5 +1,6 @@
 #include "common/cutting/cut.h"
 
+#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -23,6 +24,8 @@ std::string_view name_of(Status status)
             return "invalid_mesh";
         case Status::out_of_memory:
             return "out_of_memory";
+        case Status::cancelled:
+            return "cancelled";
     }
     return "unknown";
 }
@@ -50,7 +53,7 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     CutResult result;
     if (!object) {
         result.status = Status::invalid_mesh;
-    } else if (!plane.valid()) {
+    } else if (!plane.valid() || !std::isfinite(options.cap_uv_scale)) {
         result.status = Status::invalid_argument;
     } else {
         try {
@@ -86,13 +89,15 @@ PrepareResult without_memory()
 
 }  // namespace
 
-PrepareResult Backend::prepare(ProvenMesh mesh) const
+PrepareResult Backend::prepare(ProvenMesh mesh, const PrepareOptions& options) const
 {
     try {
         if (mesh->triangles.empty())
             return {Status::invalid_mesh, nullptr, "the mesh has no triangles; give it one at least"};
         const bool is_coarse = has_coarse_coordinates(mesh.shortest_edge(), mesh->bounds());
-        return {Status::done, make(std::move(mesh)), {}, is_coarse};
+        return {Status::done, make(std::move(mesh), options), {}, is_coarse};
+    } catch (const Cancelled&) {
+        return {Status::cancelled, nullptr, "stopped"};
     } catch (const std::bad_alloc&) {
         return without_memory();
     } catch (const std::length_error&) {

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/cutting/buffer_identity.h"
+#include "common/cutting/progress.h"
 #include "common/cutting/statistics.h"
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/mass_properties.h"
@@ -31,9 +33,11 @@ enum class Status : std::uint8_t
     missed,            ///< all of the object is on one side, or within plane_noise of it: it comes back unharmed
     open_section,      ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are
                        ///< not capped
-    invalid_argument,  ///< a plane that is not finite, or whose normal is not a unit vector: the object comes back
+    invalid_argument,  ///< a plane that is not finite, or whose normal is not a unit vector, or a scale of uv that is
+                       ///< not finite: the object comes back
     invalid_mesh,      ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
     out_of_memory,     ///< the object comes back unharmed
+    cancelled,         ///< prepare: the caller asked to stop
 };
 std::string_view name_of(Status status);
 /// What programs print of a cut: "cut" for `done`, otherwise the status's name.
@@ -56,6 +60,14 @@ struct DrawRange
     TriangleKind kind = TriangleKind::surface;
 };
 
+/// A stream in the vertex buffer's order.
+struct StreamView
+{
+    std::string_view name;
+    std::uint32_t width = 1;        ///< floats for each vertex
+    std::span<const float> values;  ///< width for each vertex of the view
+};
+
 /// A run of bytes inside a buffer.
 struct ByteRange
 {
@@ -72,6 +84,7 @@ struct DrawView
     std::span<const std::uint32_t> indices;  ///< the whole index buffer
     std::vector<DrawRange> ranges;           ///< sorted by kind and material, adjacent runs merged
     std::span<const Material> materials;
+    std::vector<StreamView> streams;
     std::vector<ByteRange> new_vertex_bytes;  ///< of the vertex buffer, not yet given to mark_uploaded()
     std::vector<ByteRange> new_index_bytes;   ///< of the index buffer, not yet given to mark_uploaded()
 };
@@ -87,6 +100,7 @@ struct CutOptions
     /// Index into the object's materials. One that does not exist means the default: a material named "cap", which is
     /// added once.
     std::uint32_t cap_material = kDefaultCapMaterial;
+    double cap_uv_scale = 1.0;  ///< uv of caps for each mesh unit (PlaneFrame)
 };
 
 struct CutResult;
@@ -141,6 +155,10 @@ public:
     /// The outline of the last cut on this fragment, with the chains of an open section; empty before any cut.
     virtual std::span<const SectionLoop> section_loops() const = 0;
 
+    /// Appends a material, for caps of later cuts, and returns its index. Relatives that have the same buffers don't
+    /// have it, but its index is not given again. Throws std::bad_alloc.
+    virtual std::uint32_t add_material(const Material& material) = 0;
+
     /// A compact copy: only what the fragment uses, dense point ids. O(n).
     virtual IndexedMesh to_indexed_mesh() const = 0;
 
@@ -172,7 +190,7 @@ private:
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
 
-    /// DrawView::buffers, from new_buffers_serial() (cutting/back_end_helpers.h).
+    /// DrawView::buffers, from a BufferIdentity (cutting/buffer_identity.h).
     virtual std::uint64_t buffers() const noexcept = 0;
     /// Whether some other object has the same buffers.
     virtual bool has_relatives() const noexcept { return false; }
@@ -208,10 +226,16 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
 /// What became of a mesh.
 struct PrepareResult
 {
-    Status status = Status::invalid_mesh;  ///< done, invalid_mesh or out_of_memory
+    Status status = Status::invalid_mesh;  ///< done, invalid_mesh, out_of_memory or cancelled
     std::unique_ptr<Cuttable> object;      ///< set when the status is `done`
     std::string reason;                    ///< one sentence when it is not
     bool coarse_coordinates = false;       ///< a warning, see has_coarse_coordinates(): results are closed but rounded
+};
+
+struct PrepareOptions
+{
+    BufferListener listener;  ///< of the object's buffers, and of all that descend from it
+    Progress progress;
 };
 
 /// A way to cut. Stateless: one backend may prepare any number of objects from any number of threads.
@@ -225,14 +249,14 @@ public:
 
     /// Makes a mesh ready for cutting; all sorting and building of trees happens here. Never throws. A mesh that was
     /// moved away is an `invalid_mesh`, as it has no triangles.
-    PrepareResult prepare(ProvenMesh mesh) const;
+    PrepareResult prepare(ProvenMesh mesh, const PrepareOptions& options = {}) const;
     /// The same for a mesh that nothing is known of: proves it first, which costs O(n) more, and refuses it with a
     /// reason when it breaks a promise. To prepare one mesh several times prove() it once.
     PrepareResult prepare(IndexedMesh mesh) const;
 
 private:
-    /// `mesh` has triangles. May throw std::bad_alloc.
-    virtual std::unique_ptr<Cuttable> make(ProvenMesh&& mesh) const = 0;
+    /// `mesh` has triangles. May throw std::bad_alloc, and Cancelled.
+    virtual std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const = 0;
 };
 
 }  // namespace kerf::core

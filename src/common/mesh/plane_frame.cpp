@@ -4,7 +4,7 @@
 
 namespace kerf::core {
 
-PlaneFrame PlaneFrame::of(const glm::dvec3& normal)
+PlaneFrame PlaneFrame::of(const glm::dvec3& normal, double uv_scale)
 {
     // Start from the axis that is farthest from the normal, so the cross product is never short.
     const glm::dvec3 size = glm::abs(normal);
@@ -14,7 +14,7 @@ PlaneFrame PlaneFrame::of(const glm::dvec3& normal)
     else if (size.y <= size.z)
         axis = {0, 1, 0};
     const glm::dvec3 u = glm::normalize(glm::cross(axis, normal));
-    return {u, glm::cross(normal, u)};
+    return {u, glm::cross(normal, u), uv_scale};
 }
 
 }  // namespace kerf::core

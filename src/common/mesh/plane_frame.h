@@ -14,14 +14,16 @@ namespace kerf::core {
 struct PlaneFrame
 {
     glm::dvec3 u, v;
+    double uv_scale = 1.0;  ///< uv for each mesh unit
 
-    static PlaneFrame of(const glm::dvec3& normal);
+    static PlaneFrame of(const glm::dvec3& normal, double uv_scale = 1.0);
 
-    /// The planar uv of a cap's vertex: its coordinates along both vectors, in mesh units. In a box of the largest
+    /// The planar uv of a cap's vertex: its coordinates along both vectors, times `uv_scale`. In a box of the largest
     /// floats a coordinate along a diagonal can exceed the largest float; it then becomes the largest.
     glm::vec2 uv(const glm::vec3& p) const
     {
-        return {nearest_finite_float(glm::dot(u, glm::dvec3(p))), nearest_finite_float(glm::dot(v, glm::dvec3(p)))};
+        return {nearest_finite_float(uv_scale * glm::dot(u, glm::dvec3(p))),
+                nearest_finite_float(uv_scale * glm::dot(v, glm::dvec3(p)))};
     }
 };
 

@@ -8,7 +8,7 @@ namespace kerf::core {
 }
 
 #ifndef KERF_NO_CORE_NAMES
-namespace kerf {
+namespace kerf::core {
 using namespace core;
 }
 #endif

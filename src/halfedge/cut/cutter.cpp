@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "common/cutting/back_end_helpers.h"
+#include "common/mesh/plane_frame.h"
 #include "common/mesh/plane_noise.h"
 #include "halfedge/cut/piece_plan.h"
 #include "halfedge/cut/split.h"
@@ -19,6 +20,7 @@ void Cutter::done(Phase phase, CutResult& result)
 bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& result)
 {
     plane_ = plane;
+    cap_uv_scale_ = options.cap_uv_scale;
     for (const ShellRoot& shell : shells_) result.statistics.triangles += u_.tree.nodes[shell.root].count;
 
     if (const std::optional<Side> side = missed_side(plane, result.statistics.nodes_visited)) {
@@ -107,7 +109,8 @@ void Cutter::carry_out(CutResult& result) noexcept
     add_cap_groups();
     stitch(u_, w_.found, w_.section, w_.caps, w_.stitch_plan);
     done(Phase::split, result);  // what `split` counts is written in statistics.h
-    w_.rebuilder.run(u_, plane_, w_.stitch_plan, w_.found, w_.section, w_.caps, w_.pieces);
+    w_.rebuilder.run(u_, plane_, PlaneFrame::of(plane_.normal, cap_uv_scale_), w_.stitch_plan, w_.found, w_.section,
+                     w_.caps, w_.pieces);
     done(Phase::rebuild, result);
 
     const Found& found = w_.found;
@@ -158,8 +161,7 @@ void Cutter::plan_cap_groups(const CutOptions& options)
         if (is_new) new_groups_.push_back({material, shell.solid, TriangleKind::cap});
         shell.cap_group = GroupId(entry->second);
     }
-    // Views of relatives show the materials, which do not move: there has been room for this one from the beginning.
-    if (adds_cap_material_) u.materials.reserve(u.materials.size() + 1);
+    if (adds_cap_material_) u.make_room_for_material();
     u.groups.reserve(u.groups.size() + new_groups_.size());
 }
 

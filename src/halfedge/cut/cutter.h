@@ -82,6 +82,7 @@ private:
     bool leaves_open_ = false;  ///< some fragment may be open afterwards
     Plane plane_;
     Stopwatch watch_;
+    double cap_uv_scale_ = 1.0;
 };
 
 }  // namespace kerf::core::halfedge

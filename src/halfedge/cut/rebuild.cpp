@@ -80,12 +80,12 @@ void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, co
     }
 }
 
-void Rebuilder::run(Universe& u, const Plane& plane, const StitchPlan& numbers, const Found& found,
-                    const Section& section, const Caps& caps, Pieces& pieces)
+void Rebuilder::run(Universe& u, const Plane& plane, const PlaneFrame& frame, const StitchPlan& numbers,
+                    const Found& found, const Section& section, const Caps& caps, Pieces& pieces)
 {
     // Positions of the new vertices are behind the end already.
     cap_vertices_ = VertexId(static_cast<Index>(u.vertices.size() + section.new_vertices));
-    if (!caps.triangles.empty()) write_cap_vertices(u, plane, found, section);
+    if (!caps.triangles.empty()) write_cap_vertices(u, plane, frame, found, section);
     u.vertices.extend(new_vertices_);
     for (Stream& stream : u.streams) stream.values.extend(new_vertices_ * stream.width);
 
@@ -134,9 +134,9 @@ void Rebuilder::run(Universe& u, const Plane& plane, const StitchPlan& numbers, 
     write_caps(u, numbers, section.loop_points.size(), caps, pieces);
 }
 
-void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const Found& found, const Section& section)
+void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const PlaneFrame& frame, const Found& found,
+                                   const Section& section)
 {
-    const PlaneFrame frame = PlaneFrame::of(plane.normal);
     const glm::vec3 normal(plane.normal);
     const Index points = static_cast<Index>(section.loop_points.size());
     for (Index i = 0; i < points; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/mesh/plane_frame.h"
 #include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/stitch_plan.h"
 
@@ -17,8 +18,10 @@ public:
     std::size_t plan(Universe& universe, const Found& found, const Section& section, const Caps& caps, Pieces& pieces);
 
     /// Writes triangles, vertices of caps and nodes; afterwards the piece shells have their roots.
-    void run(Universe& universe, const Plane& plane, const StitchPlan& numbers, const Found& found,
-             const Section& section, const Caps& caps, Pieces& pieces);
+    ///
+    /// @param frame  gives the vertices of caps their uv
+    void run(Universe& universe, const Plane& plane, const PlaneFrame& frame, const StitchPlan& numbers,
+             const Found& found, const Section& section, const Caps& caps, Pieces& pieces);
 
     /// Counts of what run() added.
     std::size_t new_vertices() const { return new_vertices_; }
@@ -26,7 +29,8 @@ public:
 
 private:
     void count_leaf(const Universe& universe, const TreeOp& op, Index number, const Found& found, Pieces& pieces);
-    void write_cap_vertices(Universe& universe, const Plane& plane, const Found& found, const Section& section);
+    void write_cap_vertices(Universe& universe, const Plane& plane, const PlaneFrame& frame, const Found& found,
+                            const Section& section);
     void rewrite_leaf(Universe& universe, const TreeOp& op, const StitchPlan& numbers, const Found& found,
                       Pieces& pieces);
     void join_results(Universe& universe);

@@ -230,7 +230,7 @@ std::vector<ShellRoot> plant_trees(std::span<const Run> runs, Index shell_count,
 
 }  // namespace
 
-std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
+std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, const Progress& progress)
 {
     const IndexedMesh& mesh = proven;
     const Adjacency& adjacency = proven.adjacency();
@@ -241,10 +241,14 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
     u.set_materials(mesh.materials);
     for (const VertexStream& stream : mesh.streams) u.streams.push_back({stream.name, stream.width, {}});
 
+    // The shares are those that the steps have of the time, about.
+    progress.at(0.0);
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
     const std::vector<Index> order = spatial_order(mesh, group_of, u.groups.size(), adjacency);
+    progress.at(0.25);
     const std::vector<Run> runs = find_runs(order, group_of, adjacency.shell);
     const Numbering numbering = number_by_first_use(mesh, order, u.slots);
+    progress.at(0.4);
     const auto boundary =
         static_cast<std::size_t>(std::count(adjacency.opposite.begin(), adjacency.opposite.end(), kNone));
     u.has_boundary = boundary > 0;
@@ -255,8 +259,10 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u)
     reserve(u, size, reserved_crossings(n));
     u.mesh.resize(size.points, size.edges, size.triangles);
     build_connectivity(u, numbering.corner_points, opposite_in_order(adjacency.opposite, order));
+    progress.at(0.55);
     copy_vertices(mesh, numbering.old_vertex, u);
     copy_faces(mesh, order, numbering.corner_points, u);
+    progress.at(0.7);
     return plant_trees(runs, adjacency.shell_count, u);
 }
 

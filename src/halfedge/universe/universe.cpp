@@ -1,5 +1,7 @@
 #include "halfedge/universe/universe.h"
 
+#include <utility>
+
 namespace kerf::core::halfedge {
 
 Universe::Universe(const Universe& other)
@@ -26,6 +28,16 @@ void Universe::set_materials(const std::vector<Material>& from)
 {
     materials.reserve(from.size() + 1);
     materials = from;
+}
+
+void Universe::make_room_for_material()
+{
+    if (materials.size() < materials.capacity()) return;
+    std::vector<Material> larger;
+    larger.reserve(2 * (materials.size() + 1));
+    larger.insert(larger.end(), materials.begin(), materials.end());
+    outgrown_materials_.push_back(std::move(materials));
+    materials = std::move(larger);
 }
 
 std::size_t Universe::bytes_reserved() const

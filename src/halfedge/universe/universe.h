@@ -61,7 +61,7 @@ struct Universe
     std::uint64_t stamp_base = 1;
     TriangleTree tree;
     std::vector<DrawGroup> groups;
-    std::vector<Material> materials;                   ///< never moved by a cut: views of relatives show them
+    std::vector<Material> materials;                   ///< grows by make_room_for_material()
     std::uint32_t cap_material = kDefaultCapMaterial;  ///< the one that was added for caps, if one was
     glm::dvec3 reference{0.0};  ///< mass moments are summed about it: the centre of the prepared mesh
     double noise = 0.0;         ///< plane_noise() of the prepared mesh
@@ -79,6 +79,10 @@ struct Universe
     /// Takes over the materials of a mesh, with room for the one that caps may add.
     void set_materials(const std::vector<Material>& from);
 
+    /// Makes room for one more. Views of relatives show the materials, so those never move: where there is no room, a
+    /// larger copy goes on, and the old ones stay as long as the universe.
+    void make_room_for_material();
+
     const Vertex& vertex(VertexId v) const { return vertices[v.number()]; }
     const DrawGroup& group(GroupId id) const { return groups[id.number()]; }
 
@@ -89,6 +93,9 @@ struct Universe
 
     /// Bytes held, reserve included.
     std::size_t bytes_reserved() const;
+
+private:
+    std::vector<std::vector<Material>> outgrown_materials_;
 };
 
 /// A connected part of an object: what a shell of the prepared mesh has become.
@@ -102,7 +109,7 @@ struct ShellRoot
 };
 
 /// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for cuts
-/// (reserved_crossings()). Returns the shells of the mesh. O(n log n) with a radix sort's constant.
-std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe);
+/// (reserved_crossings()). Returns the shells of the mesh. O(n log n) with a radix sort's constant. Throws Cancelled.
+std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe, const Progress& progress = {});
 
 }  // namespace kerf::core::halfedge
