@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "back_ends/back_ends.h"
+#include "baseline/report_back_ends.h"
 
 namespace kerf::tools {
 
@@ -38,12 +39,13 @@ const std::vector<BackendFamily>& backend_families()
 {
     static const std::vector<BackendFamily> all = [] {
         std::vector<BackendFamily> families;
-        for (const RegisteredBackend& entry : back_ends()) {
-            const std::size_t slash = entry.name.find('/');
-            const std::string name = entry.name.substr(0, slash);
+        add_report_back_ends();
+        for (const RegisteredBackend* entry : back_ends()) {
+            const std::size_t slash = entry->name.find('/');
+            const std::string name = entry->name.substr(0, slash);
             if (families.empty() || families.back().name != name)
-                families.push_back({name, description_of(name), {}, entry.closes_with_fan});
-            if (slash != std::string::npos) families.back().lookups.push_back(entry.name.substr(slash + 1));
+                families.push_back({name, description_of(name), {}, entry->closes_with_fan});
+            if (slash != std::string::npos) families.back().lookups.push_back(entry->name.substr(slash + 1));
         }
         return families;
     }();

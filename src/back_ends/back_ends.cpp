@@ -1,8 +1,10 @@
 #include "back_ends/back_ends.h"
 
 #include <algorithm>
+#include <deque>
+#include <mutex>
+#include <utility>
 
-#include "baseline/baseline.h"
 #include "linear/linear.h"
 #ifdef KERF_HAS_HALFEDGE
 #include "halfedge/halfedge.h"
@@ -12,42 +14,81 @@ namespace kerf::core {
 
 namespace {
 
-RegisteredBackend baseline_entry(baseline::VertexLookup lookup)
+/// Entries stay where they are.
+class Registry
 {
-    using baseline::VertexLookup;
-    RegisteredBackend entry;
-    entry.name = "baseline/" + std::string(name_of(lookup));
-    entry.closes_with_fan = true;
-    entry.is_quadratic = lookup == VertexLookup::scan || lookup == VertexLookup::two_bucket_hash;
-    entry.make = [lookup] { return baseline::make_back_end(lookup); };
-    return entry;
-}
+public:
+    static Registry& the()
+    {
+        static Registry registry;
+        return registry;
+    }
+
+    void add(RegisteredBackend&& entry)
+    {
+        const std::lock_guard lock(mutex_);
+        if (with_name(entry.name) == nullptr) entries_.push_back(std::move(entry));
+    }
+
+    std::vector<const RegisteredBackend*> all()
+    {
+        const std::lock_guard lock(mutex_);
+        std::vector<const RegisteredBackend*> pointers;
+        for (const RegisteredBackend& entry : entries_) pointers.push_back(&entry);
+        return pointers;
+    }
+
+    const RegisteredBackend* find(std::string_view name)
+    {
+        const std::lock_guard lock(mutex_);
+        if (const RegisteredBackend* const entry = with_name(name)) return entry;
+        return first_that([&](std::string_view own) {
+            return !name.empty() && own.size() > name.size() && own.substr(0, name.size()) == name &&
+                   own[name.size()] == '/';
+        });
+    }
+
+private:
+    Registry()
+    {
+#ifdef KERF_HAS_HALFEDGE
+        entries_.push_back({"halfedge", false, false, [] { return halfedge::make_back_end(); }});
+#endif
+        entries_.push_back({"linear", false, false, [] { return linear::make_back_end(); }});
+    }
+
+    template <class Is>
+    const RegisteredBackend* first_that(Is is) const
+    {
+        const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                        [&](const RegisteredBackend& entry) { return is(entry.name); });
+        return found == entries_.end() ? nullptr : &*found;
+    }
+
+    const RegisteredBackend* with_name(std::string_view name) const
+    {
+        return first_that([&](std::string_view own) { return own == name; });
+    }
+
+    std::mutex mutex_;
+    std::deque<RegisteredBackend> entries_;
+};
 
 }  // namespace
 
-const std::vector<RegisteredBackend>& back_ends()
+std::vector<const RegisteredBackend*> back_ends()
 {
-    using baseline::VertexLookup;
-    static const std::vector<RegisteredBackend> all{
-#ifdef KERF_HAS_HALFEDGE
-        {"halfedge", false, false, [] { return halfedge::make_back_end(); }},
-#endif
-        {"linear", false, false, [] { return linear::make_back_end(); }},
-        baseline_entry(VertexLookup::hash),
-        baseline_entry(VertexLookup::remap),
-        baseline_entry(VertexLookup::two_bucket_hash),
-        baseline_entry(VertexLookup::scan),
-    };
-    return all;
+    return Registry::the().all();
+}
+
+void add_back_end(RegisteredBackend entry)
+{
+    Registry::the().add(std::move(entry));
 }
 
 const RegisteredBackend* find_back_end(std::string_view name)
 {
-    if (name == "baseline") name = "baseline/hash";
-    const std::vector<RegisteredBackend>& all = back_ends();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const RegisteredBackend& entry) { return entry.name == name; });
-    return found == all.end() ? nullptr : &*found;
+    return Registry::the().find(name);
 }
 
 std::unique_ptr<Backend> make_back_end(std::string_view name)

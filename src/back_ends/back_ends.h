@@ -12,7 +12,7 @@
 
 namespace kerf::core {
 
-/// A back end that this build has.
+/// A back end that programs can choose.
 struct RegisteredBackend
 {
     std::string name;              ///< Backend::name(): "halfedge", "baseline/hash"
@@ -21,14 +21,18 @@ struct RegisteredBackend
     std::function<std::unique_ptr<Backend>()> make;
 };
 
-/// All back ends of this build, the default first: "halfedge" (if built), "linear", then the report's four look-ups as
-/// "baseline/hash", "baseline/remap", "baseline/two_bucket_hash" and "baseline/scan".
-const std::vector<RegisteredBackend>& back_ends();
+/// All back ends: "halfedge" (if built), the default, then "linear", then those that were added. They live as long as
+/// the program. From any thread.
+std::vector<const RegisteredBackend*> back_ends();
 
-/// The entry of that name; "baseline" means "baseline/hash". Null for a name that this build does not have.
+/// Adds a back end behind the others, unless one of its name is there. From any thread.
+void add_back_end(RegisteredBackend entry);
+
+/// The entry of that name, or the first whose name has that first part: "baseline" is "baseline/hash" if that was added
+/// first. Null for a name that there is not. From any thread.
 const RegisteredBackend* find_back_end(std::string_view name);
 
-/// Makes the back end of that name. Null for a name that this build does not have.
+/// Makes the back end of that name. Null for a name that there is not.
 std::unique_ptr<Backend> make_back_end(std::string_view name);
 
 }  // namespace kerf::core

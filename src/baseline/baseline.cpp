@@ -93,9 +93,13 @@ private:
 ReportCosts report_costs(const CutResult& result)
 {
     const auto& some = result.positive.empty() ? result.negative : result.positive;
-    if (some.empty()) return {};
-    const auto* const fragment = dynamic_cast<const BaselineCuttable*>(some.front().get());
-    return fragment ? fragment->costs() : ReportCosts{};
+    return some.empty() ? ReportCosts{} : report_costs(*some.front());
+}
+
+ReportCosts report_costs(const Cuttable& fragment)
+{
+    const auto* const own = dynamic_cast<const BaselineCuttable*>(&fragment);
+    return own != nullptr ? own->costs() : ReportCosts{};
 }
 
 std::unique_ptr<Backend> make_back_end(VertexLookup lookup, bool rewrite_pivots)

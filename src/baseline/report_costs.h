@@ -16,5 +16,7 @@ struct ReportCosts
 /// The costs of a cut by one of the baseline's back ends; zeros of a miss, and of a cut by another back end. Its
 /// fragments carry them: ask before they are moved away. O(1).
 ReportCosts report_costs(const CutResult& result);
+/// The same, of one of its fragments.
+ReportCosts report_costs(const Cuttable& fragment);
 
 }  // namespace kerf::core::baseline

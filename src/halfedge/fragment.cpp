@@ -191,6 +191,12 @@ std::span<const Vertex> Fragment::used_vertices(std::vector<Vertex>& room) const
     return room;
 }
 
+std::span<const Material> Fragment::materials() const
+{
+    const std::shared_lock lock(universe().mutex);
+    return {universe().materials.data(), material_count_};
+}
+
 std::uint32_t Fragment::add_material(const Material& material)
 {
     Universe& u = shared_->universe;

@@ -14,6 +14,11 @@ public:
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
+        return make_beside(mesh, options);
+    }
+
+    std::unique_ptr<Cuttable> make_beside(const ProvenMesh& mesh, const PrepareOptions& options) const override
+    {
         auto shared = std::make_shared<SharedUniverse>(options.listener);
         const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe, options.progress);
         shared->make_room(mesh->triangles.size());

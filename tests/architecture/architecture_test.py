@@ -23,7 +23,9 @@ def files():
 
 def includes(text):
     """What a file includes of the project, as paths from the project's folder."""
-    return ["src/" + name if (SOURCE / name).exists() else name for name in re.findall(r'^\s*#\s*include "([^"]+)"', text, re.M)]
+    names = re.findall(r'^\s*#\s*include "([^"]+)"', text, re.M)
+    # core_names.h says where names are: it belongs to no room.
+    return ["src/" + name if (SOURCE / name).exists() else name for name in names if not name.endswith("/core_names.h")]
 
 
 def room_of(path, rooms):

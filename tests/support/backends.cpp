@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "back_ends/back_ends.h"
+#include "baseline/report_back_ends.h"
 
 namespace kerf::test {
 
@@ -10,13 +11,14 @@ const std::vector<NamedBackend>& backends()
 {
     static const std::vector<NamedBackend> all = [] {
         std::vector<NamedBackend> named;
-        for (const RegisteredBackend& entry : back_ends()) {
+        add_report_back_ends();
+        for (const RegisteredBackend* entry : back_ends()) {
 #ifdef KERF_BRIEF_TESTS
-            if (entry.is_quadratic) continue;
+            if (entry->is_quadratic) continue;
 #endif
-            std::string name = entry.name;
+            std::string name = entry->name;
             std::replace(name.begin(), name.end(), '/', '_');
-            named.push_back({std::move(name), entry.make});
+            named.push_back({std::move(name), entry->make});
         }
         std::reverse(named.begin(), named.end());
         return named;

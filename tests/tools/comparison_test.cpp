@@ -59,6 +59,7 @@ public:
         return mesh;
     }
 
+    std::span<const Material> materials() const override { return honest_->materials(); }
     std::uint32_t add_material(const Material& material) override { return honest_->add_material(material); }
 
 private:

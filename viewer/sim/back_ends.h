@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "common/cutting/cut.h"
 
 namespace kerf::sim {
 
@@ -11,5 +14,8 @@ const std::vector<std::string>& backend_names();
 
 /// Accepts "baseline" for the default lookup. Empty for a name that this build does not have.
 std::string known_back_end(std::string_view name);
+
+/// Null for an unknown name.
+std::unique_ptr<Backend> make_back_end(std::string_view name);
 
 }  // namespace kerf::sim

@@ -67,6 +67,12 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
             result.status = Status::out_of_memory;
         }
     }
+    if (object != nullptr) {
+        Cuttable::Memory memory = object->memory;
+        memory.is_of_solid = memory.is_of_solid && options.build_caps;
+        for (auto* side : {&result.positive, &result.negative})
+            for (const std::unique_ptr<Cuttable>& piece : *side) piece->memory = memory;
+    }
     const bool spent = result.status == Status::done || result.status == Status::open_section;
     if (!spent) result.object = std::move(object);
     return result;
@@ -87,15 +93,14 @@ PrepareResult without_memory()
     return result;
 }
 
-}  // namespace
-
-PrepareResult Backend::prepare(ProvenMesh mesh, const PrepareOptions& options) const
+template <class Make>
+PrepareResult prepared(const ProvenMesh& mesh, Make make)
 {
     try {
         if (mesh->triangles.empty())
             return {Status::invalid_mesh, nullptr, "the mesh has no triangles; give it one at least"};
         const bool is_coarse = has_coarse_coordinates(mesh.shortest_edge(), mesh->bounds());
-        return {Status::done, make(std::move(mesh), options), {}, is_coarse};
+        return {Status::done, make(), {}, is_coarse};
     } catch (const Cancelled&) {
         return {Status::cancelled, nullptr, "stopped"};
     } catch (const std::bad_alloc&) {
@@ -103,6 +108,18 @@ PrepareResult Backend::prepare(ProvenMesh mesh, const PrepareOptions& options) c
     } catch (const std::length_error&) {
         return without_memory();
     }
+}
+
+}  // namespace
+
+PrepareResult Backend::prepare(ProvenMesh&& mesh, const PrepareOptions& options) const
+{
+    return prepared(mesh, [&] { return make(std::move(mesh), options); });
+}
+
+PrepareResult Backend::prepare(const ProvenMesh& mesh, const PrepareOptions& options) const
+{
+    return prepared(mesh, [&] { return make_beside(mesh, options); });
 }
 
 PrepareResult Backend::prepare(IndexedMesh mesh) const

@@ -155,6 +155,16 @@ public:
     /// The outline of the last cut on this fragment, with the chains of an open section; empty before any cut.
     virtual std::span<const SectionLoop> section_loops() const = 0;
 
+    /// What programs remember of an object: pieces and copies have what it had.
+    struct Memory
+    {
+        const char* back_end = "";  ///< a name that lives as long as the program
+        bool is_of_solid = false;   ///< the mesh was closed, and so is each cut since
+    };
+    Memory memory;
+
+    /// Valid until one is added or the object ends.
+    virtual std::span<const Material> materials() const = 0;
     /// Appends a material, for caps of later cuts, and returns its index. Relatives that have the same buffers don't
     /// have it, but its index is not given again. Throws std::bad_alloc.
     virtual std::uint32_t add_material(const Material& material) = 0;
@@ -249,7 +259,9 @@ public:
 
     /// Makes a mesh ready for cutting; all sorting and building of trees happens here. Never throws. A mesh that was
     /// moved away is an `invalid_mesh`, as it has no triangles.
-    PrepareResult prepare(ProvenMesh mesh, const PrepareOptions& options = {}) const;
+    PrepareResult prepare(ProvenMesh&& mesh, const PrepareOptions& options = {}) const;
+    /// The same, and the mesh stays: only what the object keeps is copied.
+    PrepareResult prepare(const ProvenMesh& mesh, const PrepareOptions& options = {}) const;
     /// The same for a mesh that nothing is known of: proves it first, which costs O(n) more, and refuses it with a
     /// reason when it breaks a promise. To prepare one mesh several times prove() it once.
     PrepareResult prepare(IndexedMesh mesh) const;
@@ -257,6 +269,11 @@ public:
 private:
     /// `mesh` has triangles. May throw std::bad_alloc, and Cancelled.
     virtual std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const = 0;
+    /// The same for a mesh that stays. A back end that keeps no array of the mesh needs no copy of it.
+    virtual std::unique_ptr<Cuttable> make_beside(const ProvenMesh& mesh, const PrepareOptions& options) const
+    {
+        return make(ProvenMesh(mesh), options);
+    }
 };
 
 }  // namespace kerf::core

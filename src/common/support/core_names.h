@@ -8,7 +8,7 @@ namespace kerf::core {
 }
 
 #ifndef KERF_NO_CORE_NAMES
-namespace kerf::core {
+namespace kerf {
 using namespace core;
 }
 #endif

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kerf/object.h>
+#include <kerf/statistics.h>
+
+namespace kerf {
+
+/// Options of cut().
+struct CutOptions
+{
+    bool cap = true;                     ///< close the section; false leaves it open
+    bool components = false;             ///< each side as its connected pieces, not as one object
+    std::uint32_t cap_material = kNone;  ///< of the caps; a number that the object lacks: one named "cap" is added
+    double cap_uv_scale = 1.0;           ///< uv of a cap for each unit of length, along two axes of the plane
+    /// Width of the blade, in the mesh's unit: what lies within half of it on either side is taken away. 0 takes nothing.
+    double gap = 0.0;
+};
+
+/// What became of an object.
+struct [[nodiscard]] KERF_API Cut
+{
+    Status status = Status::missed;
+    /// Of a miss: the side that the object lies on.
+    Side side_of_object = Side::negative;
+    /// The object itself, if it was not cut; otherwise empty.
+    Object object;
+    /// Area of the section: what its closed loops enclose, in the mesh's unit, squared. With a gap that of the positive
+    /// side's section, or of the negative one's if that is the only one.
+    double section_area = 0.0;
+    /// A warning: caps overlap, because the section crosses itself or winds backwards, or because the build has no way
+    /// to close it exactly. Caps are closed all the same, and have the section's signed area.
+    bool caps_exceed_section = false;
+
+    std::size_t count(Side side) const noexcept;
+    /// Piece i of a side; null beyond the last.
+    ///
+    ///     for (std::size_t i = 0; kerf::Object* piece = cut.piece(kerf::Side::positive, i); ++i) keep(std::move(*piece));
+    Object* piece(Side side, std::size_t i) noexcept;
+    /// The piece of a side with the most triangles; null if nothing is there. Without CutOptions::components there is
+    /// one piece at most.
+    ///
+    ///     if (kerf::Object* top = cut.one(kerf::Side::positive)) keep(std::move(*top));
+    Object* one(Side side) noexcept;
+    /// What the cut has cost; with a gap, that of both cuts. All 0 if nothing was cut.
+    const CutStatistics& statistics() const noexcept;
+
+    Cut() noexcept;
+    Cut(Cut&& other) noexcept;
+    Cut& operator=(Cut&& other) noexcept;
+    ~Cut();
+
+    struct Data;
+    /// For the library itself.
+    Data* data() const noexcept { return data_; }
+
+private:
+    friend struct CutMaker;
+    Data* data_ = nullptr;
+};
+
+/// Cuts an object by a plane, in the object's own coordinates, and consumes it; it comes back in `Cut::object` if it was
+/// not cut. The same object and plane give the same bytes in every run (kerf/version.h: bits_version()).
+///
+/// Half-edge back end: O(s log n + k) for a section of k triangles in s leaves of the tree; linear: O(n).
+/// Status: `done`, `open_section`, `missed`, `invalid_argument` (an empty object, a gap or a scale that is not finite, a
+/// gap below 0), `out_of_memory`. All but the first two leave the object as it was.
+///
+/// A gap cuts twice: what is above it goes to the positive side, what is below to the negative one, and what is left is
+/// thrown away; that may be all of the object. If memory runs out in the second cut, the status is `out_of_memory` and
+/// the pieces of the first one are there.
+KERF_API Cut cut(Object&& object, const Plane& plane, const CutOptions& options = {}) noexcept;
+
+/// The same, and the object stays: it is copied before, O(n).
+KERF_API Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options = {}) noexcept;
+
+}  // namespace kerf

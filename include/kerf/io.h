@@ -1,0 +1,117 @@
+#pragma once
+
+#include <kerf/export.h>
+#include <kerf/mesh.h>
+#include <kerf/status.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+// Mesh files. Component `io`. docs/files.md says what is read and written, format by format.
+
+namespace kerf {
+
+/// What reading a file says besides the mesh. Empty at first, and after a move.
+class KERF_API FileReport
+{
+public:
+    FileReport() noexcept = default;
+    FileReport(FileReport&& other) noexcept;
+    FileReport& operator=(FileReport&& other) noexcept;
+    ~FileReport();
+
+    /// Facts of the mesh as the file has it, and what was repaired.
+    const MeshReport& mesh() const noexcept;
+
+    /// Something in the file that says nothing about the surface and that was put right or passed over.
+    struct Note
+    {
+        const char* what = "";    ///< a clause without the number: "normals that are not finite numbers made anew"
+        std::uint64_t count = 0;  ///< how often
+    };
+    std::size_t note_count() const noexcept;
+    Note note(std::size_t i) const noexcept;  ///< an empty one if there is none of that number
+
+    /// All files that were read: the mesh, its material libraries and buffers.
+    std::size_t file_count() const noexcept;
+    const char* file(std::size_t i) const noexcept;  ///< "" if there is none of that number
+
+    struct Data;
+    const Data* data() const noexcept { return data_; }
+
+private:
+    friend struct FileReportMaker;
+    Data* data_ = nullptr;
+};
+
+/// Reads a mesh file and repairs it, as Mesh::make() does: OBJ, PLY, STL, OFF, glTF and GLB, by the extension in either
+/// case. O(n log n) in the file's size, whatever counts it claims. Status: `unusable_file` with a sentence that names
+/// the file and the fault, `invalid_mesh`, `out_of_memory`.
+///
+/// @param path    UTF-8
+/// @param report  receives facts, repairs, notes and files; may be null
+KERF_API Result<Mesh> read_mesh(const char* path, FileReport* report = nullptr) noexcept;
+
+/// The same of a file in memory. It has no other files beside it: of an OBJ file's materials only the names are kept,
+/// and the buffers of glTF must be inside.
+///
+/// @param format  an extension without the dot: "obj", "ply", "stl", "off", "gltf", "glb"
+KERF_API Result<Mesh> read_mesh(std::span<const std::byte> file, const char* format,
+                                FileReport* report = nullptr) noexcept;
+
+/// Writes OBJ, PLY, STL, OFF or GLB, by the extension. The file appears complete or not at all. OBJ and PLY read back
+/// bit for bit. O(n). Status: `unusable_file` (a format that is not written, a folder that is not there, a full disk),
+/// `invalid_mesh` for an empty mesh, `out_of_memory`.
+KERF_API Outcome write_mesh(const Mesh& mesh, const char* path) noexcept;
+
+/// A file in memory.
+class KERF_API FileBytes
+{
+public:
+    FileBytes() noexcept = default;
+    FileBytes(FileBytes&& other) noexcept;
+    FileBytes& operator=(FileBytes&& other) noexcept;
+    ~FileBytes();
+
+    std::span<const std::byte> bytes() const noexcept;
+
+    struct Data;
+    explicit FileBytes(Data* data) noexcept : data_(data) {}
+
+private:
+    Data* data_ = nullptr;
+};
+
+/// The bytes that write_mesh() writes. OBJ without its material file: of materials only the names are kept.
+KERF_API Result<FileBytes> mesh_file_bytes(const Mesh& mesh, const char* format) noexcept;
+
+/// The extension of a format that read_mesh() knows, in lower case and without the dot; null beyond the last.
+KERF_API const char* readable_format(std::size_t i) noexcept;
+/// The extension of a format that write_mesh() knows, in lower case and without the dot; null beyond the last.
+KERF_API const char* writable_format(std::size_t i) noexcept;
+
+/// Several mesh files that appear together or not at all. What was not committed is removed at the end.
+class KERF_API MeshFileSet
+{
+public:
+    MeshFileSet() noexcept = default;
+    /// @param inputs  whose files must not be replaced
+    explicit MeshFileSet(const FileReport& inputs) noexcept;
+    MeshFileSet(MeshFileSet&& other) noexcept;
+    MeshFileSet& operator=(MeshFileSet&& other) noexcept;
+    ~MeshFileSet();
+
+    /// Writes a mesh as write_mesh() does, under a temporary name beside its place. Refuses to replace an input, and to
+    /// write two files to one place. Status as write_mesh().
+    Outcome add(const char* path, const Mesh& mesh) noexcept;
+    /// Gives all files their names. If one cannot have its name, none has. Status: `unusable_file`, `out_of_memory`.
+    Outcome commit() noexcept;
+
+private:
+    struct Data;
+    Data* data_ = nullptr;
+    bool is_unprotected_ = false;  ///< there was no memory to remember what must not be replaced
+};
+
+}  // namespace kerf

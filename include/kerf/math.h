@@ -1,0 +1,85 @@
+#pragma once
+
+// Points, vectors and matrices: plain numbers. Anything with members x, y and z (glm, Eigen's accessors apart, most
+// engines) converts to a Vec3f or a Vec3d by itself.
+
+namespace kerf {
+
+/// A type with coordinates x, y and z.
+template <class T>
+concept HasXyz = requires(const T& t)
+{
+    static_cast<double>(t.x);
+    static_cast<double>(t.y);
+    static_cast<double>(t.z);
+};
+
+struct Vec2f
+{
+    float x = 0.0f, y = 0.0f;
+
+    friend bool operator==(const Vec2f&, const Vec2f&) = default;
+};
+
+/// A position, or a direction, in single precision: as meshes hold them.
+struct Vec3f
+{
+    float x = 0.0f, y = 0.0f, z = 0.0f;
+
+    constexpr Vec3f() = default;
+    constexpr Vec3f(float x_, float y_, float z_) : x(x_), y(y_), z(z_) {}
+    template <HasXyz T>
+    constexpr Vec3f(const T& t) : x(static_cast<float>(t.x)), y(static_cast<float>(t.y)), z(static_cast<float>(t.z))
+    {
+    }
+
+    friend bool operator==(const Vec3f&, const Vec3f&) = default;
+};
+
+/// The same in double precision: as planes hold them.
+struct Vec3d
+{
+    double x = 0.0, y = 0.0, z = 0.0;
+
+    constexpr Vec3d() = default;
+    constexpr Vec3d(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+    template <HasXyz T>
+    constexpr Vec3d(const T& t) : x(static_cast<double>(t.x)), y(static_cast<double>(t.y)), z(static_cast<double>(t.z))
+    {
+    }
+
+    friend bool operator==(const Vec3d&, const Vec3d&) = default;
+};
+
+/// A 3x3 matrix by columns: m[column][row].
+struct Mat3d
+{
+    double m[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+};
+
+/// A 4x4 matrix by columns, m[column][row], which is applied to a column (x, y, z, 1): as OpenGL, glm and glTF have it.
+/// The last row is 0, 0, 0, 1.
+struct Mat4d
+{
+    double m[4][4] = {{1.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.0, 1.0}};
+
+    /// From sixteen numbers, column by column: what `glm::value_ptr()` points to.
+    template <class T>
+    static constexpr Mat4d from_columns(const T* numbers)
+    {
+        Mat4d result;
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row) result.m[column][row] = static_cast<double>(numbers[4 * column + row]);
+        return result;
+    }
+};
+
+/// A box along the axes. An empty one has lo > hi.
+struct Box
+{
+    Vec3f lo, hi;
+
+    constexpr bool is_empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
+};
+
+}  // namespace kerf

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <kerf/back_ends.h>
+#include <kerf/draw.h>
+#include <kerf/export.h>
+#include <kerf/mass.h>
+#include <kerf/mesh.h>
+#include <kerf/plane.h>
+#include <kerf/status.h>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace kerf {
+
+namespace core {
+class Cuttable;
+}
+
+/// Options of prepare().
+struct PrepareOptions
+{
+    BackEnd back_end = BackEnd::automatic;
+    /// A back end by its name instead (find_back_end()): what a user chooses on a command line. May be null.
+    const char* back_end_name = nullptr;
+    /// How many times the object and its pieces will be cut, about. `automatic` goes by it.
+    std::uint32_t cuts_expected = 1000;
+    /// Called now and then from the thread that prepares, with the share that is done, 0 to 1. Returns false to stop;
+    /// prepare() then says `cancelled`. May be null.
+    bool (*progress)(void* user, double share) = nullptr;
+    void* user = nullptr;     ///< for `progress`
+    BufferListener listener;  ///< of the object's buffers and of all that descend from it
+};
+
+/// A closed polyline, or a chain that ends at holes of the mesh: an outline of the section that made an object.
+struct SectionLoop
+{
+    std::span<const Vec3f> points;  ///< of a chain also its end
+    bool is_closed = true;
+};
+
+/// Something that can be cut: made by prepare(), or a piece of a cut. Move-only; its members are hidden, so programs stay
+/// source-compatible within a version. An empty object (made by default, moved from, or spent by a cut) has nothing, and
+/// every call says so.
+///
+/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: pieces of one prepare() or clone(). To read
+/// is to call a const member; to change is all else, and the end of an object.
+///
+/// | one thread                | another thread | same object | relative     | stranger |
+/// |---------------------------|----------------|-------------|--------------|----------|
+/// | reads                     | reads          | yes         | yes          | yes      |
+/// | reads                     | changes        | no          | yes, in turn | yes      |
+/// | changes                   | changes        | no          | yes, in turn | yes      |
+/// | uses what a DrawView says | reads          | yes         | yes          | yes      |
+/// | uses what a DrawView says | changes        | no          | yes          | yes      |
+///
+/// "In turn": inside, one waits until the other is done; readers wait for nobody but a change.
+class KERF_API Object
+{
+public:
+    Object() noexcept = default;
+    Object(Object&& other) noexcept;
+    Object& operator=(Object&& other) noexcept;
+    ~Object();
+
+    bool is_empty() const noexcept { return inside_ == nullptr; }
+    explicit operator bool() const noexcept { return !is_empty(); }
+
+    /// An independent copy that shares nothing: a copy of memory, not a prepare(). O(n) of all that it shares buffers
+    /// with. Status: `out_of_memory`, `invalid_argument` for an empty object.
+    Result<Object> clone() const noexcept;
+
+    std::uint64_t triangle_count() const noexcept;
+    Box bounds() const noexcept;
+    /// O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an empty object.
+    MassProperties mass_properties() const noexcept;
+    /// A compact copy of the triangles: what to write or to hand on. O(n). Status: `out_of_memory`, `invalid_argument` for
+    /// an empty object.
+    Result<Mesh> mesh() const noexcept;
+
+    /// The outlines of the cut that made this piece; none before any cut.
+    std::size_t loop_count() const noexcept;
+    SectionLoop loop(std::size_t i) const noexcept;
+
+    /// Fills a view, new or used: what to draw. Status: `invalid_argument` for an empty object, `out_of_memory`; then the
+    /// view is empty.
+    Status draw(DrawView& view) const noexcept;
+    /// What `view` calls new is on the GPU now.
+    void mark_uploaded(const DrawView& view) noexcept;
+
+    bool shares_buffers_with(const Object& other) const noexcept;
+    /// Gives the object buffers of its own; then it is a stranger to all others. O(n) if it has relatives. Status: `done`
+    /// or `out_of_memory`, and the object is as it was.
+    Status detach() noexcept;
+    /// Whether many cuts have scattered the object over shared buffers, so that it is worth to compact() it.
+    bool is_scattered() const noexcept;
+    /// Moves the object into buffers of its own that hold nothing else. Nothing of the object changes but where it lies:
+    /// all of it is to be uploaded again. O(n). Status: `done`, `invalid_argument` for an empty object, or
+    /// `out_of_memory`, and the object is as it was.
+    Status compact() noexcept;
+
+    /// Adds a material, for caps of later cuts. Returns its number, or kNone if there is no memory or the object is empty.
+    std::uint32_t add_material(const Material& material) noexcept;
+    std::size_t material_count() const noexcept;
+    /// Its texts live as long as the object; one without a name if there is none of that number.
+    Material material(std::size_t i) const noexcept;
+    /// Name of the back end that cuts the object; "" of an empty one.
+    const char* back_end_name() const noexcept;
+
+    /// For the library itself.
+    explicit Object(core::Cuttable* inside) noexcept : inside_(inside) {}
+    core::Cuttable* inside() const noexcept { return inside_; }
+    core::Cuttable* release() noexcept { return std::exchange(inside_, nullptr); }
+
+private:
+    core::Cuttable* inside_ = nullptr;
+};
+
+/// Makes an object of a mesh. O(n). The half-edge back end copies what it keeps of the mesh; the linear one keeps its
+/// arrays, and copies them only if there are other copies of the mesh: give it yours by std::move(). Status: `invalid_mesh` for an empty mesh, `invalid_argument` for a back end that this
+/// build lacks, `cancelled`, `out_of_memory`.
+KERF_API Result<Object> prepare(Mesh mesh, const PrepareOptions& options = {}) noexcept;
+
+}  // namespace kerf

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kerf/export.h>
+#include <kerf/math.h>
+#include <kerf/status.h>
+
+#include <cstdint>
+#include <span>
+
+// Stand-ins for physics: simple shapes around an object. Component `proxy`.
+
+namespace kerf {
+
+class Object;
+
+/// A sphere around all vertices. Not the smallest one: its centre is that of the bounds.
+struct Sphere
+{
+    Vec3f centre;
+    float radius = 0.0f;
+};
+
+/// A convex body around an object.
+class KERF_API Hull
+{
+public:
+    Hull() noexcept = default;
+    Hull(Hull&& other) noexcept;
+    Hull& operator=(Hull&& other) noexcept;
+    ~Hull();
+
+    /// Its corners, all of them vertices of the object.
+    std::span<const Vec3f> points() const noexcept;
+    /// Corners of its triangles, three each, counter-clockwise from outside.
+    std::span<const std::uint32_t> indices() const noexcept;
+
+    struct Data;
+    explicit Hull(Data* data) noexcept : data_(data) {}
+
+private:
+    Data* data_ = nullptr;
+};
+
+/// Around all vertices; at most sqrt(3) times the smallest one. O(n). Status: `invalid_argument` for an empty object,
+/// `out_of_memory`.
+KERF_API Result<Sphere> bounding_sphere(const Object& object) noexcept;
+
+/// The hull of the vertices that lie farthest along 32 directions: what games use. O(log n) for ordinary shapes with the
+/// half-edge back end, O(n) with the linear one. A flat object has points and no triangles. Status as above.
+KERF_API Result<Hull> bounded_hull(const Object& object) noexcept;
+
+/// The hull of all vertices. O(n log n). Status as above.
+KERF_API Result<Hull> full_hull(const Object& object) noexcept;
+
+}  // namespace kerf

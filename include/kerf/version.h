@@ -1,0 +1,25 @@
+#pragma once
+
+#include <kerf/export.h>
+
+#include <cstdint>
+
+// The version of the library. CMakeLists.txt reads it here.
+
+#define KERF_VERSION_MAJOR 0
+#define KERF_VERSION_MINOR 2
+#define KERF_VERSION_PATCH 0
+#define KERF_VERSION "0.2.0"
+
+namespace kerf {
+
+/// The version of the library that the program runs with; KERF_VERSION is that of the headers. Never null.
+KERF_API const char* version() noexcept;
+
+/// The version of the results' bits. The same object, plane and options give the same bytes as long as this number
+/// stays: with every back end, compiler, optimisation and machine with IEEE floats. A release in which a surface, a cap
+/// or a written file gets other bytes has a higher number. Whoever keeps results beside their inputs (a cache, a replay,
+/// a lockstep game) keeps this number, too.
+KERF_API std::uint32_t bits_version() noexcept;
+
+}  // namespace kerf

@@ -1,0 +1,248 @@
+#include <kerf/io.h>
+
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/mesh_data.h"
+#include "api/no_memory.h"
+#include "common/io/mesh_file.h"
+
+namespace kerf {
+
+namespace io = core::io;
+
+namespace {
+
+constexpr const char* kNoMemory = "there is not enough memory for the file; divide it or free some";
+constexpr const char* kEmpty = "the mesh is empty: there is nothing to write";
+
+/// Where the library's own code throws FileError, too.
+template <class Answer, class Call>
+Answer answer_of_file(Call&& call) noexcept
+{
+    try {
+        return call();
+    } catch (const io::FileError& error) {
+        return {Status::unusable_file, Sentence(error.what())};
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    } catch (const std::filesystem::filesystem_error& error) {
+        return {Status::unusable_file, Sentence(error.what())};
+    }
+    return {Status::out_of_memory, Sentence(kNoMemory)};
+}
+
+}  // namespace
+
+struct FileReport::Data
+{
+    MeshReport mesh;
+    std::vector<io::ReadingNote> notes;
+    std::vector<std::string> files;
+};
+
+struct FileReportMaker
+{
+    static void fill(FileReport& report, const io::LoadedMesh& loaded)
+    {
+        auto data = std::make_unique<FileReport::Data>();
+        data->mesh = report_of(loaded.facts, loaded.repairs);
+        data->notes = loaded.notes.list();
+        for (const std::filesystem::path& file : loaded.files) data->files.push_back(file.string());
+        delete report.data_;
+        report.data_ = data.release();
+    }
+};
+
+FileReport::FileReport(FileReport&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
+
+FileReport& FileReport::operator=(FileReport&& other) noexcept
+{
+    FileReport taken(std::move(other));
+    std::swap(data_, taken.data_);
+    return *this;
+}
+
+FileReport::~FileReport()
+{
+    delete data_;
+}
+
+const MeshReport& FileReport::mesh() const noexcept
+{
+    static const MeshReport none;
+    return data_ != nullptr ? data_->mesh : none;
+}
+
+std::size_t FileReport::note_count() const noexcept
+{
+    return data_ != nullptr ? data_->notes.size() : 0;
+}
+
+FileReport::Note FileReport::note(std::size_t i) const noexcept
+{
+    if (i >= note_count()) return {};
+    return {data_->notes[i].what.c_str(), data_->notes[i].count};
+}
+
+std::size_t FileReport::file_count() const noexcept
+{
+    return data_ != nullptr ? data_->files.size() : 0;
+}
+
+const char* FileReport::file(std::size_t i) const noexcept
+{
+    return i < file_count() ? data_->files[i].c_str() : "";
+}
+
+namespace {
+
+Result<Mesh> mesh_of(io::LoadedMesh&& loaded, FileReport* report)
+{
+    if (report != nullptr) FileReportMaker::fill(*report, loaded);
+    return Mesh(new Mesh::Data(std::move(loaded.mesh)));
+}
+
+std::string_view text_of(std::span<const std::byte> file)
+{
+    return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
+}  // namespace
+
+Result<Mesh> read_mesh(const char* path, FileReport* report) noexcept
+{
+    if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
+    return answer_of_file<Result<Mesh>>([&] { return mesh_of(io::read_mesh(path), report); });
+}
+
+Result<Mesh> read_mesh(std::span<const std::byte> file, const char* format, FileReport* report) noexcept
+{
+    if (format == nullptr) return {Status::invalid_argument, Sentence("there is no name of a format")};
+    return answer_of_file<Result<Mesh>>([&] { return mesh_of(io::read_mesh(text_of(file), format), report); });
+}
+
+Outcome write_mesh(const Mesh& mesh, const char* path) noexcept
+{
+    if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
+    if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
+    return answer_of_file<Outcome>([&] {
+        io::write_mesh(path, mesh.data()->mesh());
+        return Outcome();
+    });
+}
+
+struct FileBytes::Data
+{
+    std::string text;
+};
+
+FileBytes::FileBytes(FileBytes&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
+
+FileBytes& FileBytes::operator=(FileBytes&& other) noexcept
+{
+    FileBytes taken(std::move(other));
+    std::swap(data_, taken.data_);
+    return *this;
+}
+
+FileBytes::~FileBytes()
+{
+    delete data_;
+}
+
+std::span<const std::byte> FileBytes::bytes() const noexcept
+{
+    if (data_ == nullptr) return {};
+    return std::as_bytes(std::span(data_->text.data(), data_->text.size()));
+}
+
+Result<FileBytes> mesh_file_bytes(const Mesh& mesh, const char* format) noexcept
+{
+    if (format == nullptr) return {Status::invalid_argument, Sentence("there is no name of a format")};
+    if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
+    return answer_of_file<Result<FileBytes>>([&]() -> Result<FileBytes> {
+        return FileBytes(new FileBytes::Data{io::mesh_bytes(mesh.data()->mesh(), format)});
+    });
+}
+
+const char* readable_format(std::size_t i) noexcept
+{
+    static constexpr const char* kFormats[]{"obj", "ply", "stl", "off", "gltf", "glb"};
+    return i < std::size(kFormats) ? kFormats[i] : nullptr;
+}
+
+const char* writable_format(std::size_t i) noexcept
+{
+    return answer_or(static_cast<const char*>(nullptr), [&] {
+        const std::vector<std::string>& formats = io::writable_formats();
+        return i < formats.size() ? formats[i].c_str() : nullptr;
+    });
+}
+
+struct MeshFileSet::Data
+{
+    std::optional<io::MeshFileSet> files;
+};
+
+MeshFileSet::MeshFileSet(const FileReport& inputs) noexcept
+    : data_(answer_or(static_cast<Data*>(nullptr),
+                      [&] {
+                          std::vector<std::filesystem::path> kept;
+                          for (std::size_t i = 0; i < inputs.file_count(); ++i) kept.push_back(inputs.file(i));
+                          auto data = std::make_unique<Data>();
+                          data->files.emplace(std::move(kept));
+                          return data.release();
+                      })),
+      is_unprotected_(data_ == nullptr)
+{
+}
+
+MeshFileSet::MeshFileSet(MeshFileSet&& other) noexcept
+    : data_(std::exchange(other.data_, nullptr)), is_unprotected_(other.is_unprotected_)
+{
+}
+
+MeshFileSet& MeshFileSet::operator=(MeshFileSet&& other) noexcept
+{
+    MeshFileSet taken(std::move(other));
+    std::swap(data_, taken.data_);
+    std::swap(is_unprotected_, taken.is_unprotected_);
+    return *this;
+}
+
+MeshFileSet::~MeshFileSet()
+{
+    delete data_;
+}
+
+Outcome MeshFileSet::add(const char* path, const Mesh& mesh) noexcept
+{
+    if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
+    if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
+    if (is_unprotected_) return {Status::out_of_memory, Sentence(kNoMemory)};
+    return answer_of_file<Outcome>([&] {
+        if (data_ == nullptr) {
+            auto data = std::make_unique<Data>();
+            data->files.emplace();
+            data_ = data.release();
+        }
+        data_->files->add(path, mesh.data()->mesh());
+        return Outcome();
+    });
+}
+
+Outcome MeshFileSet::commit() noexcept
+{
+    if (data_ == nullptr) return {};
+    return answer_of_file<Outcome>([&] {
+        data_->files->commit();
+        return Outcome();
+    });
+}
+
+}  // namespace kerf

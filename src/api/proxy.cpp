@@ -1,0 +1,80 @@
+#include <kerf/object.h>
+#include <kerf/proxy.h>
+
+#include <vector>
+
+#include "api/convert.h"
+#include "api/no_memory.h"
+#include "common/proxy/collision_proxy.h"
+
+namespace kerf {
+
+struct Hull::Data
+{
+    std::vector<Vec3f> points;
+    std::vector<std::uint32_t> indices;
+};
+
+Hull::Hull(Hull&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
+
+Hull& Hull::operator=(Hull&& other) noexcept
+{
+    Hull taken(std::move(other));
+    std::swap(data_, taken.data_);
+    return *this;
+}
+
+Hull::~Hull()
+{
+    delete data_;
+}
+
+std::span<const Vec3f> Hull::points() const noexcept
+{
+    if (data_ == nullptr) return {};
+    return data_->points;
+}
+
+std::span<const std::uint32_t> Hull::indices() const noexcept
+{
+    if (data_ == nullptr) return {};
+    return data_->indices;
+}
+
+namespace {
+
+Result<Hull> hull_of(const Object& object, core::ProxyKind kind) noexcept
+{
+    if (object.is_empty()) return {Status::invalid_argument, Sentence("the object is empty: it has no hull")};
+    return result_of<Hull>("there is not enough memory for the hull; free some", [&]() -> Result<Hull> {
+        const core::CollisionProxy proxy = core::collision_proxy(*object.inside(), kind);
+        auto data = std::make_unique<Hull::Data>();
+        for (const glm::vec3& point : proxy.points) data->points.push_back(to_public(point));
+        for (const core::Triangle& face : proxy.faces)
+            data->indices.insert(data->indices.end(), face.begin(), face.end());
+        return Hull(data.release());
+    });
+}
+
+}  // namespace
+
+Result<Hull> bounded_hull(const Object& object) noexcept
+{
+    return hull_of(object, core::ProxyKind::bounded_hull);
+}
+
+Result<Hull> full_hull(const Object& object) noexcept
+{
+    return hull_of(object, core::ProxyKind::full_hull);
+}
+
+Result<Sphere> bounding_sphere(const Object& object) noexcept
+{
+    if (object.is_empty()) return {Status::invalid_argument, Sentence("the object is empty: it has no sphere")};
+    return result_of<Sphere>("there is not enough memory for the sphere; free some", [&]() -> Result<Sphere> {
+        const core::CollisionProxy proxy = core::collision_proxy(*object.inside(), core::ProxyKind::sphere);
+        return Sphere{to_public(proxy.centre), proxy.radius};
+    });
+}
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+// The report's slicer for programs that compare with it: the one header of the library that they include and that is
+// not installed.
+
+namespace kerf {
+
+struct Cut;
+
+/// Adds the report's four look-ups with the fan to the back ends: "baseline/hash", "baseline/remap",
+/// "baseline/two_bucket_hash", "baseline/scan". Once or again, from any thread. Throws std::bad_alloc.
+void add_report_back_ends();
+
+/// What only the report's method does in a cut, counted for both sides together.
+struct ReportCosts
+{
+    std::uint64_t vertex_comparisons = 0;  ///< vertices compared while looking for duplicates; exact
+    double pivot_ms = 0.0;                 ///< wall-clock time of the report's loop over new pivots, if it was run
+};
+
+/// The costs of a cut by one of them; zeros of a miss, and of a cut by another back end. Its pieces carry them: ask
+/// before they are moved away. O(1).
+ReportCosts report_costs(Cut& cut) noexcept;
+
+}  // namespace kerf
