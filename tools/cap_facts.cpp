@@ -38,7 +38,7 @@ double twice_signed_area(const FlatCap& cap, const Triangle& t)
 
 }  // namespace
 
-FlatCap flat_cap(const IndexedMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
+FlatCap flat_cap(const FlatMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
 {
     const Frame frame(normal);
     FlatCap cap;
@@ -59,11 +59,11 @@ FlatCap flat_cap(const IndexedMesh& mesh, std::uint32_t material, const glm::dve
     return cap;
 }
 
-std::vector<std::vector<glm::dvec2>> flat_loops(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+std::vector<std::vector<glm::dvec2>> flat_loops(std::span<const Outline> loops, const glm::dvec3& normal)
 {
     const Frame frame(normal);
     std::vector<std::vector<glm::dvec2>> flat;
-    for (const SectionLoop& loop : loops) {
+    for (const Outline& loop : loops) {
         if (!loop.closed) continue;
         auto& points = flat.emplace_back();
         for (const glm::vec3& p : loop.points) points.push_back(frame(glm::dvec3(p)));
@@ -95,9 +95,9 @@ double overlap_area(const FlatCap& cap)
 {
     if (cap.triangles.size() > kMostForOverlap) return std::numeric_limits<double>::quiet_NaN();
     // Each triangle as a loop of its own, all in one direction: they wind around a place as often as it is covered.
-    std::vector<SectionLoop> loops;
+    std::vector<Outline> loops;
     for (const Triangle& t : cap.triangles) {
-        SectionLoop loop;
+        Outline loop;
         for (const std::uint32_t corner : t) loop.points.emplace_back(glm::vec2(cap.points[corner]), 0.0f);
         if (twice_signed_area(cap, t) < 0.0) std::swap(loop.points[1], loop.points[2]);
         loops.push_back(std::move(loop));

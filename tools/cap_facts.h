@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "common/cutting/cut.h"
+#include "tools/flat_mesh.h"
 
 namespace kerf::tools {
 
@@ -20,10 +20,10 @@ struct FlatCap
 };
 
 /// The triangles of `mesh` that are cap and have this material, laid into the plane with this unit normal. O(n).
-FlatCap flat_cap(const IndexedMesh& mesh, std::uint32_t material, const glm::dvec3& normal);
+FlatCap flat_cap(const FlatMesh& mesh, std::uint32_t material, const glm::dvec3& normal);
 
 /// The closed loops in the same coordinates.
-std::vector<std::vector<glm::dvec2>> flat_loops(std::span<const SectionLoop> loops, const glm::dvec3& normal);
+std::vector<std::vector<glm::dvec2>> flat_loops(std::span<const Outline> loops, const glm::dvec3& normal);
 
 /// Sum of the triangles' areas, each counted positive; mesh units squared.
 double unsigned_area(const FlatCap& cap);

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "command_line/whole_number.h"
-#include "common/io/mesh_file.h"
 #include "common/support/median.h"
 #include "tools/commands.h"
 #include "tools/comparison.h"
+#include "tools/mesh_files.h"
 #include "tools/registry.h"
 #include "tools/text.h"
 
@@ -168,16 +168,16 @@ std::string row_text(const ComparisonRow& row)
         if (row.section_intersects_itself) text += "  the section intersects itself";
         if (!row.section_is_judged) text += "  the section crosses itself too often to be judged";
     } else {
-        text += std::string(outcome_name(row.halfedge.status));
+        text += outcome_text(row.halfedge.status);
     }
     if (row.baseline.status != row.halfedge.status)
-        text += "  baseline: " + std::string(outcome_name(row.baseline.status));
+        text += "  baseline: " + outcome_text(row.baseline.status);
     if (!row.earlier_caps_fit) text += "  (after a wrong cap)";
     text += "\n";
     if (!row.failures.empty()) {
-        const Plane& plane = row.plane.plane;
-        text += formatted("  FAILS (normal %.17g,%.17g,%.17g offset %.17g):", plane.normal.x, plane.normal.y,
-                          plane.normal.z, plane.offset);
+        const Normal normal = row.plane.plane.normal();
+        text += formatted("  FAILS (normal %.17g,%.17g,%.17g offset %.17g):", normal.x, normal.y, normal.z,
+                          row.plane.plane.offset());
         for (std::size_t i = 0; i < row.failures.size(); ++i) text += (i > 0 ? "; " : " ") + row.failures[i];
         text += "\n";
     }
@@ -209,7 +209,7 @@ std::string tally_text(const std::string& name, const Tally& tally)
 
 Json back_end_json(const BackEndRow& facts)
 {
-    return {{"status", std::string(outcome_name(facts.status))},
+    return {{"status", outcome_text(facts.status)},
             {"crossing", facts.crossing},
             {"triangles", {{"positive", facts.triangles[0]}, {"negative", facts.triangles[1]}}},
             {"cap_area", {{"positive", facts.cap_area[0]}, {"negative", facts.cap_area[1]}}},
@@ -253,8 +253,8 @@ Json row_json(const ComparisonRow& row)
     return {{"number", row.number},
             {"piece", row.piece},
             {"kind", row.plane.kind},
-            {"plane", {{"normal", vector_json(row.plane.plane.normal)}, {"offset", row.plane.plane.offset}}},
-            {"status", std::string(outcome_name(row.halfedge.status))},
+            {"plane", {{"normal", vector_json(to_glm(row.plane.plane.normal()))}, {"offset", row.plane.plane.offset()}}},
+            {"status", outcome_text(row.halfedge.status)},
             {"crossing", row.halfedge.crossing},
             {"loops", row.loops},
             {"open_chains", row.open_chains},
@@ -295,9 +295,8 @@ Json tally_json(const Tally& tally)
 
 void run(const CompareCommandOptions& options)
 {
-    const std::unique_ptr<Backend> baseline = make_back_end(options.first, options.lookup),
-                                   halfedge = make_back_end("halfedge");
-    if (!halfedge) throw std::runtime_error("this kerf was built without the half-edge back end");
+    const std::string baseline = full_name(options.first, options.lookup), halfedge = full_name("halfedge");
+    if (halfedge.empty()) throw std::runtime_error("this kerf was built without the half-edge back end");
     ComparisonOptions comparison = options.comparison;
     comparison.caps_alike = options.first != "baseline";
     comparison.mix = options.random_only ? PlaneMix::random : PlaneMix::nasty;
@@ -315,21 +314,20 @@ void run(const CompareCommandOptions& options)
         ComparedMesh mesh;
         std::string error;
         try {
-            io::LoadedMesh loaded = io::read_mesh(file);
-            comparison.was_closed = loaded.facts.unbalanced_edges == 0;
+            const LoadedFile loaded = load(file);
+            comparison.was_closed = loaded.facts().unbalanced_edges == 0;
             if (!options.json && !options.quiet) print(file + "\n" + table_head());
-            mesh =
-                compare_mesh(std::move(loaded.mesh), *baseline, *halfedge, comparison, [&](const ComparisonRow& row) {
-                    tally.add(row);
-                    if (options.json) {
-                        rows.push_back(row_json(row));
-                        if (options.caps) rows.back()["caps"] = caps_json(row);
-                    } else if (!options.quiet || !row.failures.empty())
-                        print(row_text(row));
-                });
+            mesh = compare_mesh(loaded.mesh, baseline, halfedge, comparison, [&](const ComparisonRow& row) {
+                tally.add(row);
+                if (options.json) {
+                    rows.push_back(row_json(row));
+                    if (options.caps) rows.back()["caps"] = caps_json(row);
+                } else if (!options.quiet || !row.failures.empty())
+                    print(row_text(row));
+            });
         } catch (const OutputError&) {
             throw;
-        } catch (const io::FileError& reason) {
+        } catch (const FileError& reason) {
             error = reason.what();
         } catch (const std::runtime_error& reason) {
             error = file + ": " + reason.what();
@@ -366,8 +364,8 @@ void run(const CompareCommandOptions& options)
               (options.quiet ? "" : "\n"));
     }
     if (options.json)
-        print(Json{{"baseline", baseline->name()},
-                   {"halfedge", halfedge->name()},
+        print(Json{{"baseline", baseline},
+                   {"halfedge", halfedge},
                    {"seed", comparison.seed},
                    {"unusable_files", unusable_files},
                    {"files", std::move(files)},
@@ -436,7 +434,7 @@ void add_compare_command(CLI::App& program)
         "  kerf compare sponge.glb --depth 5 --only 17");
     command->callback([options] {
         try {
-            make_back_end(options->first, options->lookup);
+            static_cast<void>(full_name(options->first, options->lookup));
         } catch (const std::invalid_argument& error) {
             throw CLI::ValidationError("--lookup", error.what());
         }

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/mesh/plane_noise.h"
-#include "common/mesh/tolerances.h"
+#include <kerf/cut.h>
 #include "common/support/stopwatch.h"
 #include "tools/mesh_measures.h"
 #include "tools/open_edges.h"
@@ -22,21 +21,43 @@ namespace {
 /// Planes that are tried when they miss a piece.
 constexpr std::uint64_t kTries = 4;
 
-/// The positive and the negative fragment of one back end.
+/// How far from the plane, in units in the last place of the mesh's largest coordinate, a piece may reach
+/// (docs/floating-point.md: plane noise).
+constexpr double kNoiseInUnits = 4.0;
+
+/// One unit in the last place of the largest coordinate, mesh units.
+double unit_of(const Bounds& bounds)
+{
+    float largest = 0.0f;
+    for (int axis = 0; axis < 3; ++axis)
+        largest = std::max({largest, std::abs(bounds.lo[axis]), std::abs(bounds.hi[axis])});
+    const float above = std::nextafter(largest, std::numeric_limits<float>::infinity());
+    return std::isinf(above) ? double(largest) - double(std::nextafter(largest, 0.0f))
+                             : double(above) - double(largest);
+}
+
+constexpr std::array kBothSides{Side::positive, Side::negative};
+
+/// The positive and the negative piece of one back end.
 struct Halves
 {
-    CutResult result;
-    std::array<IndexedMesh, 2> mesh;
+    Cut result;
+    std::array<FlatMesh, 2> mesh;
 
-    std::unique_ptr<Cuttable>& fragment(std::size_t side)
-    {
-        return side == 0 ? result.positive.front() : result.negative.front();
-    }
+    Object& fragment(std::size_t side) { return *result.one(kBothSides[side]); }
 };
 
-bool is_cut(const CutResult& result)
+bool is_cut(const Cut& result)
 {
-    return result.status == Status::done || result.status == Status::open_section;
+    return ok(result.status);
+}
+
+/// An independent copy. @throws std::runtime_error
+Object copy_of(const Object& object)
+{
+    Result<Object> copy = object.clone();
+    if (!copy) throw std::runtime_error("there is not enough memory to compare the back ends");
+    return *std::move(copy);
 }
 
 class Comparison
@@ -49,23 +70,22 @@ public:
     }
 
     /// One cut of the whole by plane `number`, and of its pieces.
-    void run(const Cuttable& baseline, const Cuttable& halfedge, const SurfaceKeys& surface, double volume,
+    void run(const Object& baseline, const Object& halfedge, const SurfaceKeys& surface, double volume,
              std::uint64_t number)
     {
         ComparisonRow row;
         row.number = number;
         row.plane = choose_plane(surface, options_.mix, number, options_.seed);
-        descend(row, baseline.clone(), halfedge.clone(), volume);
+        descend(row, copy_of(baseline), copy_of(halfedge), volume);
     }
 
 private:
     /// The cut that `row` names, and those of its pieces. Gives objects that the plane misses back.
-    std::array<std::unique_ptr<Cuttable>, 2> descend(ComparisonRow row, std::unique_ptr<Cuttable> baseline,
-                                                     std::unique_ptr<Cuttable> halfedge, double volume)
+    std::array<Object, 2> descend(ComparisonRow row, Object baseline, Object halfedge, double volume)
     {
         // Pieces of a piece hang together by the caps of earlier cuts as well, which are each back end's own.
-        std::array<std::unique_ptr<Cuttable>, 2> whole;
-        if (row.piece.empty()) whole = {baseline->clone(), halfedge->clone()};
+        std::array<Object, 2> whole;
+        if (row.piece.empty()) whole = {copy_of(baseline), copy_of(halfedge)};
         Halves a = cut_once(std::move(baseline), row, row.baseline);
         Halves b = cut_once(std::move(halfedge), row, row.halfedge);
         judge(row, a, b, volume);
@@ -86,12 +106,12 @@ private:
         const SurfaceKeys surface(a.mesh[side]);
         if (surface.sorted().empty()) return;
         const double volume = volume_of(a.mesh[side]);
-        std::unique_ptr<Cuttable> baseline = std::move(a.fragment(side)), halfedge = std::move(b.fragment(side));
+        Object baseline = std::move(a.fragment(side)), halfedge = std::move(b.fragment(side));
         ComparisonRow row;
         row.number = whole.number;
         row.earlier_caps_fit = whole.earlier_caps_fit && whole.fan_fits && whole.cap_fits;
         row.earlier_normals = whole.earlier_normals;
-        row.earlier_normals.push_back(whole.plane.plane.normal);
+        row.earlier_normals.push_back(to_glm(whole.plane.plane.normal()));
         row.piece = whole.piece + (side == 0 ? '+' : '-');
         // A path of +- as a binary number tells pieces apart; so do tries.
         std::uint64_t place = 1;
@@ -105,7 +125,7 @@ private:
         }
     }
 
-    Halves cut_once(std::unique_ptr<Cuttable> object, const ComparisonRow& row, BackEndRow& facts)
+    Halves cut_once(Object object, const ComparisonRow& row, BackEndRow& facts)
     {
         CutOptions options;
         options.cap_material = first_cap_ + static_cast<std::uint32_t>(row.piece.size());
@@ -115,17 +135,17 @@ private:
         facts.ms = watch.lap();
         facts.status = halves.result.status;
         facts.says_caps_exceed = halves.result.caps_exceed_section;
-        facts.crossing = halves.result.statistics.crossing_triangles;
+        facts.crossing = halves.result.statistics().crossing_triangles;
         if (facts.status == Status::out_of_memory)
             throw std::runtime_error("there is not enough memory to compare the back ends");
         if (!is_cut(halves.result)) return halves;
         for (std::size_t side = 0; side < 2; ++side) {
-            const IndexedMesh& mesh = halves.mesh[side] = halves.fragment(side)->to_indexed_mesh();
+            const FlatMesh& mesh = halves.mesh[side] = flat(halves.fragment(side));
             facts.triangles[side] = mesh.triangles.size();
             facts.open_edges += open_edges(mesh);
             facts.degenerate_triangles += degenerate_triangles(mesh);
             facts.lost_numbers += vertices_without_number(mesh);
-            facts.cap_area[side] = cap_area_of(mesh, options.cap_material, row.plane.plane.normal);
+            facts.cap_area[side] = cap_area_of(mesh, options.cap_material, to_glm(row.plane.plane.normal()));
             facts.overhang = std::max(facts.overhang, overhang_of(mesh, row.plane.plane, side == 0 ? 1.0 : -1.0));
         }
         return halves;
@@ -137,8 +157,7 @@ private:
         const auto fail = [&](std::string clause) { row.failures.push_back(std::move(clause)); };
         // With a cap that covers what it should not, a piece has another shape: further planes may meet it elsewhere.
         if (row.baseline.status != row.halfedge.status && row.earlier_caps_fit && !only_a_sliver_is_cut(row, a, b))
-            fail("status " + std::string(outcome_name(row.baseline.status)) + " and " +
-                 std::string(outcome_name(row.halfedge.status)));
+            fail("status " + outcome_text(row.baseline.status) + " and " + outcome_text(row.halfedge.status));
         if (!is_cut(a.result) || !is_cut(b.result)) return;
         // Caps of earlier cuts cross, too, and are other triangles in each back end.
         if (row.piece.empty() && row.baseline.crossing != row.halfedge.crossing)
@@ -155,7 +174,7 @@ private:
                      " triangles of baseline, " + grouped(difference.only_second) + " of halfedge");
         }
         judge_section(row, a, b);
-        row.outline = flat_loops(b.fragment(0)->section_loops(), row.plane.plane.normal);
+        row.outline = flat_loops(outlines_of(b.fragment(0)), to_glm(row.plane.plane.normal()));
         look_at_cap(row, row.baseline, a.mesh[1], row.fan_fits);
         look_at_cap(row, row.halfedge, b.mesh[1], row.cap_fits);
         judge_back_end(row, "baseline", row.baseline, a, volume);
@@ -163,7 +182,7 @@ private:
     }
 
     /// Takes the sides apart and compares their pieces.
-    void judge_pieces(ComparisonRow& row, std::array<std::unique_ptr<Cuttable>, 2> objects)
+    void judge_pieces(ComparisonRow& row, std::array<Object, 2> objects)
     {
         const auto a = pieces_of(std::move(objects[0]), row.plane.plane),
                    b = pieces_of(std::move(objects[1]), row.plane.plane);
@@ -175,25 +194,26 @@ private:
     }
 
     /// The pieces of the positive and of the negative side.
-    std::array<std::vector<IndexedMesh>, 2> pieces_of(std::unique_ptr<Cuttable> object, const Plane& plane) const
+    std::array<std::vector<FlatMesh>, 2> pieces_of(Object object, const Plane& plane) const
     {
         CutOptions options;
-        options.split_components = true;
+        options.components = true;
         options.cap_material = first_cap_;
-        const CutResult result = cut(std::move(object), plane, options);
+        Cut result = cut(std::move(object), plane, options);
         if (result.status == Status::out_of_memory)
             throw std::runtime_error("there is not enough memory to compare the back ends");
-        std::array<std::vector<IndexedMesh>, 2> pieces;
-        for (const auto& piece : result.positive) pieces[0].push_back(piece->to_indexed_mesh());
-        for (const auto& piece : result.negative) pieces[1].push_back(piece->to_indexed_mesh());
+        std::array<std::vector<FlatMesh>, 2> pieces;
+        for (std::size_t side = 0; side < 2; ++side)
+            for (std::size_t i = 0; const Object* piece = result.piece(kBothSides[side], i); ++i)
+                pieces[side].push_back(flat(*piece));
         return pieces;
     }
 
     /// Whether the pieces have the same surface triangles, in whatever order they come.
-    static bool are_alike(const std::vector<IndexedMesh>& first, const std::vector<IndexedMesh>& second)
+    static bool are_alike(const std::vector<FlatMesh>& first, const std::vector<FlatMesh>& second)
     {
         if (first.size() != second.size()) return false;
-        const auto sorted_keys = [](const std::vector<IndexedMesh>& pieces) {
+        const auto sorted_keys = [](const std::vector<FlatMesh>& pieces) {
             std::vector<SurfaceKeys> keys(pieces.begin(), pieces.end());
             std::sort(keys.begin(), keys.end(), [](const SurfaceKeys& a, const SurfaceKeys& b) {
                 return std::lexicographical_compare(
@@ -209,10 +229,10 @@ private:
     }
 
     /// What is said of caps, not judged. Those of both fragments are alike.
-    void look_at_cap(const ComparisonRow& row, BackEndRow& facts, const IndexedMesh& negative, bool fits)
+    void look_at_cap(const ComparisonRow& row, BackEndRow& facts, const FlatMesh& negative, bool fits)
     {
         const auto material = first_cap_ + static_cast<std::uint32_t>(row.piece.size());
-        facts.cap = flat_cap(negative, material, row.plane.plane.normal);
+        facts.cap = flat_cap(negative, material, to_glm(row.plane.plane.normal()));
         facts.least_angle = least_angle(facts.cap);
         if (!fits) facts.overlap = overlap_area(facts.cap);
     }
@@ -225,17 +245,17 @@ private:
                                 (row.baseline.status == Status::missed || row.halfedge.status == Status::missed);
         if (row.piece.empty() || !one_missed) return false;
         const Halves& halves = is_cut(a.result) ? a : b;
-        return std::any_of(halves.mesh.begin(), halves.mesh.end(), [&](const IndexedMesh& side) {
+        return std::any_of(halves.mesh.begin(), halves.mesh.end(), [&](const FlatMesh& side) {
             return std::abs(volume_of(side)) <= kNoiseInUnits * unit_ * area_of(side);
         });
     }
 
     void judge_section(ComparisonRow& row, Halves& a, Halves& b)
     {
-        const glm::dvec3& normal = row.plane.plane.normal;
-        const std::span<const SectionLoop> loops = b.fragment(0)->section_loops();
+        const glm::dvec3 normal = to_glm(row.plane.plane.normal());
+        const std::vector<Outline> loops = outlines_of(b.fragment(0));
         const SectionFacts section = measure_section(loops, normal),
-                           other = measure_section(a.fragment(0)->section_loops(), normal);
+                           other = measure_section(outlines_of(a.fragment(0)), normal);
         row.section_area = section.area;
         row.loops = section.loops;
         row.open_chains = section.open_chains;
@@ -306,8 +326,8 @@ private:
 
     /// Solids are capped one by one, and so they wind around: what one of them does backwards can lie in another.
     /// Nothing where that takes too many looks.
-    std::optional<WindingFacts> winding_of_solids(const ComparisonRow& row, const IndexedMesh& negative,
-                                                  std::span<const SectionLoop> loops) const
+    std::optional<WindingFacts> winding_of_solids(const ComparisonRow& row, const FlatMesh& negative,
+                                                  std::span<const Outline> loops) const
     {
         std::vector<std::vector<SectionStep>> sections =
             sections_of_solids(negative, first_cap_ + static_cast<std::uint32_t>(row.piece.size()));
@@ -318,7 +338,7 @@ private:
         }
         WindingFacts sum;
         for (const std::vector<SectionStep>& section : sections) {
-            const std::optional<WindingFacts> winding = measure_winding(section, row.plane.plane.normal);
+            const std::optional<WindingFacts> winding = measure_winding(section, to_glm(row.plane.plane.normal()));
             if (!winding) return std::nullopt;
             sum.backward += winding->backward;
             sum.multiple += winding->multiple;
@@ -356,7 +376,7 @@ private:
         for (std::size_t side = 0; side < 2; ++side) {
             const double part = volume_of(halves.mesh[side]);
             sum += part;
-            const double said = halves.fragment(side)->mass_properties().volume;
+            const double said = halves.fragment(side).mass_properties().volume;
             facts.volume_error = std::max(facts.volume_error, std::abs(said - part) / scale);
         }
         facts.volume_error = std::max(facts.volume_error, std::abs(sum - volume) / scale);
@@ -370,26 +390,28 @@ private:
     std::uint32_t first_cap_;  ///< material of the first cut's cap; every further cut in a row has the next one
 };
 
-std::unique_ptr<Cuttable> prepared(const Backend& backend, const ProvenMesh& mesh, double& ms)
+Object prepared(const std::string& back_end, const Mesh& mesh, std::uint64_t cap_materials, double& ms)
 {
-    ProvenMesh copy = mesh;
+    PrepareOptions options;
+    options.back_end_name = back_end.c_str();
     Stopwatch watch;
-    PrepareResult result = backend.prepare(std::move(copy));
+    Result<Object> object = prepare(mesh, options);
     ms = watch.lap();
-    if (result.status != Status::done) throw std::runtime_error(backend.name() + ": " + result.reason);
-    return std::move(result.object);
+    if (!object) throw std::runtime_error(back_end + ": " + object.reason());
+    // A material of its own for the caps of each cut in a row, so that a cut's own caps can be told from older ones.
+    for (std::uint64_t i = 0; i < cap_materials; ++i)
+        if (object->add_material({("cap of cut " + std::to_string(i + 1)).c_str()}) == kNone)
+            throw std::runtime_error("there is not enough memory to compare the back ends");
+    return *std::move(object);
 }
 
 }  // namespace
 
-ComparedMesh compare_mesh(ProvenMesh proven, const Backend& baseline, const Backend& halfedge,
+ComparedMesh compare_mesh(const Mesh& given, const std::string& baseline, const std::string& halfedge,
                           const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row)
 {
-    // A material of its own for the caps of each cut in a row, so that a cut's own caps can be told from older ones.
-    const auto first_cap = static_cast<std::uint32_t>(proven->materials.size());
-    for (std::uint64_t i = 0; i < std::max<std::uint64_t>(options.depth, 1); ++i)
-        proven.add_material({"cap of cut " + std::to_string(i + 1), glm::vec4(1.0f), {}});
-    const IndexedMesh& mesh = proven;
+    const std::uint64_t depth = std::max<std::uint64_t>(options.depth, 1);
+    FlatMesh mesh = flat(given);
 
     ComparedMesh summary;
     summary.triangles = mesh.triangles.size();
@@ -398,20 +420,22 @@ ComparedMesh compare_mesh(ProvenMesh proven, const Backend& baseline, const Back
     if (options.was_closed && open > 0)
         summary.failures.push_back("was closed before it was repaired and has " + counted(open, "open edge") + " now");
     summary.volume = volume_of(mesh);
-    const auto a = prepared(baseline, proven, summary.baseline_prepare_ms);
-    const auto b = prepared(halfedge, proven, summary.halfedge_prepare_ms);
+    const Object a = prepared(baseline, given, depth, summary.baseline_prepare_ms),
+                 b = prepared(halfedge, given, depth, summary.halfedge_prepare_ms);
 
+    for (std::size_t i = mesh.materials.size(); i < a.material_count(); ++i)
+        mesh.materials.push_back({a.material(i).name, {1.0f, 1.0f, 1.0f, 1.0f}, {}});
     const SurfaceKeys surface(mesh);
-    for (const auto& [name, object] : {std::pair{"baseline", a.get()}, {"halfedge", b.get()}}) {
-        const IndexedMesh copy = object->to_indexed_mesh();
+    for (const auto& [name, object] : {std::pair{"baseline", &a}, {"halfedge", &b}}) {
+        const FlatMesh copy = flat(*object);
         if (!compare_surfaces(surface, SurfaceKeys(copy)).none())
             summary.failures.push_back(std::string(name) + " changes the surface when it prepares");
     }
-    const double unit = plane_noise(mesh.bounds().largest_coordinate()) / kNoiseInUnits;
+    const double unit = unit_of(mesh.bounds());
     summary.judged_volume = std::abs(summary.volume) + unit * area_of(mesh) / kAgreement;
-    Comparison comparison(options, take_row, summary, unit, first_cap);
+    Comparison comparison(options, take_row, summary, unit, static_cast<std::uint32_t>(given.material_count()));
     for (std::uint64_t i = 0; i < options.planes; ++i)  // the last number may be the largest that there is
-        comparison.run(*a, *b, surface, summary.volume, options.first_plane + i);
+        comparison.run(a, b, surface, summary.volume, options.first_plane + i);
     return summary;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kerf/cut.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -7,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "common/cutting/cut.h"
 #include "tools/cap_facts.h"
 #include "tools/comparison_planes.h"
 #include "tools/surface_keys.h"
@@ -44,7 +45,7 @@ struct BackEndRow
     std::uint64_t lost_numbers = 0;            ///< vertices with a number that is not finite; both fragments
     double volume_error = 0.0;                 ///< relative to ComparedMesh::judged_volume: sum of the fragments, and
                                                ///< what mass_properties() says of each
-    bool says_caps_exceed = false;             ///< CutResult::caps_exceed_section
+    bool says_caps_exceed = false;             ///< Cut::caps_exceed_section
     double overhang = 0.0;                     ///< how far a fragment reaches to the wrong side, mesh units
     std::array<std::uint64_t, 2> triangles{};  ///< of the fragments: + and - side
     std::array<double, 2> cap_area{};          ///< of this cut's cap, each triangle counted positive: + and - side
@@ -109,11 +110,11 @@ struct ComparedMesh
     std::uint64_t rows = 0, failed_rows = 0;
 };
 
-/// Prepares a mesh with both back ends, cuts it by every plane and hands each row to `take_row` as soon as it is known.
+/// Prepares a mesh with both back ends, named as find_back_end() knows them, cuts it by every plane and hands each row to `take_row` as soon as it is known.
 /// A piece that its plane misses is tried with a few other planes; pieces of different surfaces are not cut again.
 /// O(n) for each row.
 /// @throws std::runtime_error  the mesh cannot be prepared, or memory runs out; one sentence
-ComparedMesh compare_mesh(ProvenMesh proven, const Backend& baseline, const Backend& halfedge,
+ComparedMesh compare_mesh(const Mesh& mesh, const std::string& baseline, const std::string& halfedge,
                           const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row);
 
 }  // namespace kerf::tools

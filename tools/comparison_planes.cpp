@@ -45,9 +45,9 @@ glm::dvec3 axis(std::size_t i)
     return direction;
 }
 
-Box bounds_of(const SurfaceKeys& surface)
+Bounds bounds_of(const SurfaceKeys& surface)
 {
-    Box box;
+    Bounds box;
     for (const SurfaceKeys::Key& key : surface.sorted())
         for (std::uint32_t i = 0; i < 3; ++i) box.add(surface.position(key, i));
     return box;
@@ -55,12 +55,13 @@ Box bounds_of(const SurfaceKeys& surface)
 
 ChosenPlane random_plane(const SurfaceKeys& surface, Dice& dice)
 {
-    const Box box = bounds_of(surface);
+    const Bounds box = bounds_of(surface);
     const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
     const double x = dice.signed_unit(), y = dice.signed_unit(), z = dice.signed_unit();
     const glm::dvec3 normal = dice.direction();
     // Within a quarter of the size from the middle.
-    return {"random", Plane::through(box.centre() + 0.25 * glm::dvec3(x, y, z) * size, normal).value_or(Plane{})};
+    return {"random", Plane::at(Point(box.centre() + 0.25 * glm::dvec3(x, y, z) * size), Normal(normal))
+                          .value_or(Plane::z(0.0).value())};
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ ChosenPlane choose_plane(const SurfaceKeys& surface, PlaneMix mix, std::uint64_t
     const std::size_t any_axis = dice.below(3);
 
     const auto chosen = [&](const char* kind, const glm::dvec3& point, const glm::dvec3& normal) {
-        const std::optional<Plane> plane = Plane::through(point, normal);
+        const std::optional<Plane> plane = Plane::at(Point(point), Normal(normal));
         return plane ? ChosenPlane{kind, *plane} : random_plane(surface, dice);
     };
     if (number < 3) return chosen("axis, middle", bounds_of(surface).centre(), sign * axis(number));

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "common/mesh/plane.h"
+#include "tools/flat_mesh.h"
 #include "tools/surface_keys.h"
 
 namespace kerf::tools {
@@ -18,7 +18,7 @@ enum class PlaneMix : std::uint8_t
 struct ChosenPlane
 {
     std::string kind;  ///< "random", "in a face", ...
-    Plane plane;
+    Plane plane = Plane::z(0.0).value();
 };
 
 /// Plane `number` of a sequence for this surface. It depends on the surface triangles, the number and the seed only, so

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "common/io/mesh_file.h"
 #include "tools/commands.h"
+#include "tools/mesh_files.h"
 #include "tools/text.h"
 
 namespace kerf::tools {
@@ -34,12 +34,13 @@ void run(const ConvertOptions& options)
     if (!options.folder.empty() && options.format.empty()) throw CLI::ValidationError("--folder goes with --to");
     for (const std::string& file : options.files) {
         const std::filesystem::path out = converted_name(file, options);
-        const io::LoadedMesh loaded = io::read_mesh(file);
-        io::MeshFileSet written(loaded.files);
-        written.add(out, *loaded.mesh);
-        written.commit();
-        print(out.string() + ": " + counted(loaded.mesh->triangles.size(), "triangle") +
-              (loaded.repairs.none() ? "" : "; repaired: " + loaded.repairs.describe()) + "\n");
+        const LoadedFile loaded = load(file);
+        MeshFileSet written(loaded.report);
+        check(written.add(out.c_str(), loaded.mesh));
+        check(written.commit());
+        const std::string repairs = describe(loaded.repairs()).c_str();
+        print(out.string() + ": " + counted(loaded.mesh.triangle_count(), "triangle") +
+              (repairs.empty() ? "" : "; repaired: " + repairs) + "\n");
     }
 }
 
@@ -53,7 +54,7 @@ void add_convert_command(CLI::App& program)
     command->add_option("-o,--out", options->out, "File to write, for one mesh: obj, ply, stl, off or glb")
         ->type_name("FILE");
     command->add_option("-t,--to", options->format, "Format of the files to write, for any number of meshes")
-        ->check(CLI::IsMember(io::writable_formats()));
+        ->check(CLI::IsMember(writable_formats()));
     command->add_option("--folder", options->folder, "Where they are written; otherwise beside what is read")
         ->type_name("FOLDER");
     command->footer(

@@ -1,3 +1,5 @@
+#include <kerf/cut.h>
+
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -7,10 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/cutting/cut.h"
-#include "common/io/mesh_file.h"
-#include "common/mesh/coordinate_grain.h"
-#include "common/repair/repair.h"
 #include "common/support/stopwatch.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
@@ -33,7 +31,7 @@ struct CutCommandOptions
     bool no_cap = false;
     bool components = false;
     std::string prefix;
-    std::string format = io::writable_formats().front();
+    std::string format = writable_formats().front();
     bool json = false;
 };
 
@@ -59,12 +57,11 @@ struct SideReport
 struct CutReport
 {
     std::string file, backend;
-    Plane plane;
+    Plane plane = Plane::z(0.0).value();
     bool capped = true;
     bool closes_with_fan = false;
     Status status = Status::missed;
-    Repairs repairs;
-    io::ReadingNotes notes;
+    FileReport read;
     bool has_coarse_coordinates = false;
     CutStatistics statistics;
     double section_area = 0.0;
@@ -81,65 +78,69 @@ std::string file_name(const CutCommandOptions& options, const char* side, std::s
     return name + "." + options.format;
 }
 
-SideReport add_side(io::MeshFileSet& files, const CutCommandOptions& options, const char* side,
-                    const std::vector<std::unique_ptr<Cuttable>>& fragments)
+SideReport add_side(MeshFileSet& files, const CutCommandOptions& options, Cut& cut, Side side)
 {
     SideReport report;
-    for (std::size_t i = 0; i < fragments.size(); ++i) {
-        const IndexedMesh mesh = fragments[i]->to_indexed_mesh();
-        const std::string name = file_name(options, side, i);
-        files.add(name, mesh);
-        report.pieces.push_back({name, measure_fragment(mesh, fragments[i]->mass_properties())});
+    for (std::size_t i = 0; const Object* piece = cut.piece(side, i); ++i) {
+        const Mesh mesh = mesh_of(*piece);
+        const std::string name = file_name(options, side == Side::positive ? "positive" : "negative", i);
+        check(files.add(name.c_str(), mesh));
+        report.pieces.push_back({name, measure_fragment(flat(mesh), piece->mass_properties())});
     }
     return report;
 }
 
+glm::dvec3 centre_of(const Box& box)
+{
+    return 0.5 * (glm::dvec3(to_glm(box.lo)) + glm::dvec3(to_glm(box.hi)));
+}
+
 CutReport perform(const CutCommandOptions& options)
 {
-    io::LoadedMesh loaded = io::read_mesh(options.file);
+    LoadedFile loaded = load(options.file);
     const std::optional<Plane> plane =
-        options.plane ? options.plane
-                      : Plane::through(options.point.value_or(loaded.mesh->bounds().centre()), *options.normal);
+        options.plane
+            ? options.plane
+            : Plane::at(Point(options.point.value_or(centre_of(loaded.mesh.bounds()))), Normal(*options.normal));
     if (!plane) throw std::runtime_error("the plane's numbers are too large to calculate with");
-    const std::unique_ptr<Backend> backend = make_back_end(options.backend, options.lookup);
 
     CutReport report;
     report.file = options.file;
-    report.backend = backend->name();
+    report.backend = full_name(options.backend, options.lookup);
     report.plane = *plane;
     report.capped = !options.no_cap;
     for (const BackendFamily& entry : backend_families())
         if (entry.name == options.backend) report.closes_with_fan = entry.closes_with_fan;
-    report.repairs = loaded.repairs;
-    report.notes = std::move(loaded.notes);
+    report.has_coarse_coordinates = loaded.mesh.has_coarse_coordinates();
 
     Stopwatch watch;
-    PrepareResult prepared = backend->prepare(std::move(loaded.mesh));
+    PrepareOptions prepare_options;
+    prepare_options.back_end_name = report.backend.c_str();
+    Result<Object> prepared = prepare(std::move(loaded.mesh), prepare_options);
     report.prepare_ms = watch.lap();
-    report.has_coarse_coordinates = prepared.coarse_coordinates;
-    if (prepared.status != Status::done) throw std::runtime_error(options.file + ": " + prepared.reason);
+    if (!prepared) throw std::runtime_error(options.file + ": " + prepared.reason());
 
     CutOptions cut_options;
-    cut_options.build_caps = !options.no_cap;
-    cut_options.split_components = options.components;
+    cut_options.cap = !options.no_cap;
+    cut_options.components = options.components;
     watch.lap();
-    const CutResult result = cut(std::move(prepared.object), *plane, cut_options);
+    Cut result = cut(*std::move(prepared), *plane, cut_options);
     report.cut_ms = watch.lap();
     report.status = result.status;
-    report.statistics = result.statistics;
+    report.statistics = result.statistics();
     report.section_area = result.section_area;
     report.caps_exceed_section = result.caps_exceed_section;
+    report.read = std::move(loaded.report);
     if (result.status == Status::missed) return report;
     if (result.status == Status::out_of_memory)
         throw std::runtime_error(options.file + ": there is not enough memory to cut it; divide it or free some");
     if (result.status != Status::done && result.status != Status::open_section)
-        throw std::runtime_error(options.file + ": it could not be cut (" + std::string(outcome_name(result.status)) +
-                                 ")");
+        throw std::runtime_error(options.file + ": it could not be cut (" + outcome_text(result.status) + ")");
 
-    io::MeshFileSet files(std::move(loaded.files));
-    report.positive = add_side(files, options, "positive", result.positive);
-    report.negative = add_side(files, options, "negative", result.negative);
-    files.commit();
+    MeshFileSet files(report.read);
+    report.positive = add_side(files, options, result, Side::positive);
+    report.negative = add_side(files, options, result, Side::negative);
+    check(files.commit());
     return report;
 }
 
@@ -159,19 +160,18 @@ Json report_json(const CutReport& report)
 {
     const CutStatistics& statistics = report.statistics;
     Json phases = Json::object();
-    for (std::size_t i = 0; i < kPhaseCount; ++i)
-        phases[std::string(name_of(static_cast<Phase>(i)))] = statistics.phases.ms[i];
+    for (std::size_t i = 0; i < kPhaseCount; ++i) phases[text(static_cast<Phase>(i))] = statistics.phase_ms[i];
     phases["pivot"] = 0.0;  // the report's loop over new pivots: only benchmarks run it, but the field is published
     Json warnings = Json::array();
     if (report.has_coarse_coordinates) warnings.push_back("coarse_coordinates");
     if (report.caps_exceed_section) warnings.push_back("caps_exceed_section");
     Json json{{"file", report.file},
               {"backend", report.backend},
-              {"status", std::string(outcome_name(report.status))},
-              {"plane", {{"normal", vector_json(report.plane.normal)}, {"offset", report.plane.offset}}},
-              {"repairs", report.repairs.describe()},
+              {"status", outcome_text(report.status)},
+              {"plane", {{"normal", vector_json(to_glm(report.plane.normal()))}, {"offset", report.plane.offset()}}},
+              {"repairs", describe(report.read.mesh().repairs).c_str()},
               {"warnings", std::move(warnings)},
-              {"notes", notes_json(report.notes)},
+              {"notes", notes_json(report.read)},
               {"counts",
                {{"triangles", statistics.triangles},
                 {"crossing", statistics.crossing_triangles},
@@ -205,13 +205,14 @@ std::string report_text(const CutReport& report)
 {
     const CutStatistics& statistics = report.statistics;
     std::string text;
-    for (const io::ReadingNote& note : report.notes.list()) text += "note: " + io::describe(note) + "\n";
-    if (!report.repairs.none()) text += "repaired: " + report.repairs.describe() + "\n";
+    for (const std::string& note : notes_text(report.read)) text += "note: " + note + "\n";
+    if (const Sentence repairs = describe(report.read.mesh().repairs); !repairs.is_empty())
+        text += std::string("repaired: ") + repairs.c_str() + "\n";
     if (report.has_coarse_coordinates) text += std::string("warning: ") + kCoarseCoordinatesText + "\n";
     if (report.status == Status::missed)
         return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
 
-    text += std::string(outcome_name(report.status)) + ": " + grouped(statistics.crossing_triangles) + " of " +
+    text += outcome_text(report.status) + ": " + grouped(statistics.crossing_triangles) + " of " +
             counted(statistics.triangles, "triangle") + " crossing, " +
             counted(statistics.section_loops, "section loop") + ", section area " + rounded(report.section_area) + "\n";
     if (report.status == Status::open_section)
@@ -227,9 +228,9 @@ std::string report_text(const CutReport& report)
     text += report.backend + ": prepare " + rounded(report.prepare_ms) + " ms, cut " + rounded(report.cut_ms) + " ms";
     std::string phases;
     for (std::size_t i = 0; i < kPhaseCount; ++i)
-        if (statistics.phases.ms[i] > 0.0)
-            phases += (phases.empty() ? " (" : ", ") + std::string(name_of(static_cast<Phase>(i))) + " " +
-                      rounded(statistics.phases.ms[i]);
+        if (statistics.phase_ms[i] > 0.0)
+            phases += (phases.empty() ? " (" : ", ") + std::string(kerf::text(static_cast<Phase>(i))) + " " +
+                      rounded(statistics.phase_ms[i]);
     return text + phases + (phases.empty() ? "\n" : ")\n");
 }
 
@@ -288,7 +289,7 @@ void add_cut_command(CLI::App& program)
                                   "--normal",
                                   [options](const std::string& text) {
                                       options->normal = parse_vector("--normal", text);
-                                      if (!Plane::through({0, 0, 0}, *options->normal))
+                                      if (!Plane::at(Point(0, 0, 0), Normal(*options->normal)))
                                           throw CLI::ValidationError("--normal", "'" + text + "' has no direction");
                                   },
                                   "The plane's normal, of any length; it points to the positive side")
@@ -319,7 +320,7 @@ void add_cut_command(CLI::App& program)
             ""))
         ->required();
     command->add_option("--format", options->format, "Format of the files: obj, ply, stl, off or glb")
-        ->check(CLI::IsMember(io::writable_formats()).description(""))
+        ->check(CLI::IsMember(writable_formats()).description(""))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer(
@@ -335,7 +336,7 @@ void add_cut_command(CLI::App& program)
         if (!options->normal && !options->plane) throw CLI::RequiredError("--normal or --plane");
         if (backend->empty() && !lookup->empty()) options->backend = backend_with_lookups();
         try {
-            make_back_end(options->backend, options->lookup);
+            static_cast<void>(full_name(options->backend, options->lookup));
         } catch (const std::invalid_argument& error) {
             throw CLI::ValidationError("--lookup", error.what());
         }

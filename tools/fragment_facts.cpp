@@ -8,7 +8,7 @@ namespace kerf::tools {
 
 namespace {
 
-double area_of(const IndexedMesh& mesh, const Triangle& t)
+double area_of(const FlatMesh& mesh, const Triangle& t)
 {
     const auto position = [&](std::size_t i) { return glm::dvec3(mesh.vertices[t[i]].position); };
     return 0.5 * glm::length(glm::cross(position(1) - position(0), position(2) - position(0)));
@@ -30,7 +30,7 @@ void FragmentFacts::add(const FragmentFacts& other)
     closed = closed && other.closed;
 }
 
-FragmentFacts measure_fragment(const IndexedMesh& mesh, const MassProperties& mass)
+FragmentFacts measure_fragment(const FlatMesh& mesh, const MassProperties& mass)
 {
     FragmentFacts facts;
     facts.triangles = mesh.triangles.size();
@@ -40,7 +40,7 @@ FragmentFacts measure_fragment(const IndexedMesh& mesh, const MassProperties& ma
             area += area_of(mesh, mesh.triangles[t]);
     }
     facts.volume = mass.volume;
-    facts.centre_of_mass = mass.centre;
+    facts.centre_of_mass = to_glm(mass.centre);
     facts.closed = open_edges(mesh) == 0;
     return facts;
 }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <kerf/mass.h>
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "common/mesh/indexed_mesh.h"
-#include "common/mesh/mass_properties.h"
+#include "tools/flat_mesh.h"
 #include "tools/text.h"
 
 namespace kerf::tools {
@@ -27,7 +28,7 @@ struct FragmentFacts
 };
 
 /// Measures a fragment's mesh; `mass` is what its back end says. O(n).
-FragmentFacts measure_fragment(const IndexedMesh& mesh, const MassProperties& mass);
+FragmentFacts measure_fragment(const FlatMesh& mesh, const MassProperties& mass);
 
 Json facts_json(const FragmentFacts& facts);
 

@@ -2,9 +2,8 @@
 #include <memory>
 #include <string>
 
-#include "common/io/mesh_file.h"
-#include "common/repair/repair.h"
 #include "tools/commands.h"
+#include "tools/flat_mesh.h"
 #include "tools/mesh_info.h"
 #include "tools/text.h"
 
@@ -18,22 +17,24 @@ struct InfoOptions
     bool json = false;
 };
 
-Json info_json(const io::LoadedMesh& loaded, const std::string& file)
+Json info_json(const LoadedFile& loaded, const std::string& file)
 {
-    const MeshFacts& facts = loaded.facts;
+    const MeshFacts& facts = loaded.facts();
     Json warnings = Json::array();
-    if (facts.has_coarse_coordinates()) warnings.push_back("coarse_coordinates");
+    if (facts.has_coarse_coordinates) warnings.push_back("coarse_coordinates");
     Json materials = Json::array(), streams = Json::array();
-    for (const Material& material : loaded.mesh->materials) materials.push_back(material.name);
-    for (const VertexStream& stream : loaded.mesh->streams)
+    for (std::size_t i = 0; i < loaded.mesh.material_count(); ++i) materials.push_back(loaded.mesh.material(i).name);
+    for (std::size_t i = 0; i < loaded.mesh.stream_count(); ++i) {
+        const Stream stream = loaded.mesh.stream(i);
         streams.push_back(Json{{"name", stream.name}, {"width", stream.width}});
+    }
     return {{"file", file},
             {"triangles", facts.triangles},
             {"vertices", facts.vertices},
-            {"welded_vertices", facts.welded_vertices},
-            {"closed", facts.closed()},
-            {"manifold", facts.manifold()},
-            {"oriented", facts.oriented()},
+            {"welded_vertices", facts.points},
+            {"closed", facts.is_closed()},
+            {"manifold", facts.is_manifold()},
+            {"oriented", facts.is_oriented()},
             {"shells", facts.shells},
             {"boundary_edges", facts.boundary_edges},
             {"boundary_loops", facts.boundary_loops},
@@ -46,19 +47,20 @@ Json info_json(const io::LoadedMesh& loaded, const std::string& file)
             {"open_edges", facts.open_edges},
             {"shortest_edge", facts.shortest_edge},
             {"warnings", std::move(warnings)},
-            {"notes", notes_json(loaded.notes)},
+            {"notes", notes_json(loaded.report)},
             {"area", facts.area},
             {"volume", facts.volume},
             {"bounds",
-             {{"min", vector_json(glm::dvec3(facts.bounds.lo))}, {"max", vector_json(glm::dvec3(facts.bounds.hi))}}},
+             {{"min", vector_json(glm::dvec3(to_glm(facts.bounds.lo)))},
+              {"max", vector_json(glm::dvec3(to_glm(facts.bounds.hi)))}}},
             {"materials", std::move(materials)},
             {"streams", std::move(streams)},
-            {"repairs", repairs_json(loaded.repairs)}};
+            {"repairs", repairs_json(loaded.repairs())}};
 }
 
-std::string info_text(const io::LoadedMesh& loaded, const std::string& file)
+std::string info_text(const LoadedFile& loaded, const std::string& file)
 {
-    const MeshFacts& facts = loaded.facts;
+    const MeshFacts& facts = loaded.facts();
     const auto line = [](const std::string& name, const std::string& value) {
         return "  " + name + std::string(17 - name.size(), ' ') + value + "\n";
     };
@@ -67,32 +69,35 @@ std::string info_text(const io::LoadedMesh& loaded, const std::string& file)
     std::string text = file + "\n";
     text += line("triangles", grouped(facts.triangles));
     text += line("vertices", grouped(facts.vertices));
-    text += line("welded vertices", grouped(facts.welded_vertices));
+    text += line("welded vertices", grouped(facts.points));
     text += line("closed",
-                 yes_or(facts.closed(), facts.boundary_edges > 0 ? counted(facts.boundary_edges, "boundary edge") +
-                                                                       " in " + counted(facts.boundary_loops, "loop")
-                                                                 : counted(facts.open_edges, "triangle side") +
-                                                                       " without a neighbour after repair"));
-    text += line("manifold", yes_or(facts.manifold(), counted(facts.nonmanifold_edges, "edge") + " and " +
-                                                          counted(facts.nonmanifold_points, "point") + " are not"));
-    text += line("oriented", yes_or(facts.oriented(), counted(facts.misoriented_edges, "edge") +
-                                                          " with both triangles in one direction"));
+                 yes_or(facts.is_closed(), facts.boundary_edges > 0 ? counted(facts.boundary_edges, "boundary edge") +
+                                                                          " in " + counted(facts.boundary_loops, "loop")
+                                                                    : counted(facts.open_edges, "triangle side") +
+                                                                          " without a neighbour after repair"));
+    text += line("manifold", yes_or(facts.is_manifold(), counted(facts.nonmanifold_edges, "edge") + " and " +
+                                                             counted(facts.nonmanifold_points, "point") + " are not"));
+    text += line("oriented", yes_or(facts.is_oriented(), counted(facts.misoriented_edges, "edge") +
+                                                             " with both triangles in one direction"));
     text += line("shells", grouped(facts.shells));
     text += line("boundary loops", grouped(facts.boundary_loops));
     text += line("area", rounded(facts.area));
     text += line("volume", rounded(facts.volume));
-    text +=
-        line("bounds", vector_text(glm::dvec3(facts.bounds.lo)) + " to " + vector_text(glm::dvec3(facts.bounds.hi)));
+    text += line("bounds", vector_text(glm::dvec3(to_glm(facts.bounds.lo))) + " to " +
+                               vector_text(glm::dvec3(to_glm(facts.bounds.hi))));
     text += line("shortest edge", rounded(facts.shortest_edge));
-    text += line("repairs", loaded.repairs.none() ? "none" : loaded.repairs.describe());
-    if (!loaded.notes.none()) text += line("notes", loaded.notes.describe());
-    if (facts.has_coarse_coordinates()) text += line("warning", kCoarseCoordinatesText);
+    const Sentence repairs = describe(loaded.repairs());
+    text += line("repairs", repairs.is_empty() ? "none" : repairs.c_str());
+    std::string notes;
+    for (const std::string& note : notes_text(loaded.report)) notes += (notes.empty() ? "" : ", ") + note;
+    if (!notes.empty()) text += line("notes", notes);
+    if (facts.has_coarse_coordinates) text += line("warning", kCoarseCoordinatesText);
     return text;
 }
 
 void run(const InfoOptions& options)
 {
-    const io::LoadedMesh loaded = io::read_mesh(options.file);
+    const LoadedFile loaded = load(options.file);
     if (options.json)
         print(info_json(loaded, options.file));
     else

@@ -1,10 +1,12 @@
+#include <kerf/io.h>
+#include <kerf/version.h>
+
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
 #include <vector>
 
-#include "common/io/unfinished_files.h"
 #include "tools/commands.h"
 
 namespace {
@@ -81,7 +83,7 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    kerf::io::remove_unfinished_files_on_signals();
+    kerf::remove_unfinished_files_on_signals();
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc&) {

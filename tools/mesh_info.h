@@ -1,7 +1,9 @@
 #pragma once
 
-#include "common/io/reading_notes.h"
-#include "common/repair/repair.h"
+#include <string>
+#include <vector>
+
+#include "tools/mesh_files.h"
 #include "tools/text.h"
 
 // What several commands say of a mesh file, in the same fields.
@@ -9,11 +11,21 @@
 namespace kerf::tools {
 
 /// What a reader noted: a list of {"what", "count"}.
-inline Json notes_json(const io::ReadingNotes& notes)
+inline Json notes_json(const FileReport& report)
 {
     Json list = Json::array();
-    for (const io::ReadingNote& note : notes.list()) list.push_back(Json{{"what", note.what}, {"count", note.count}});
+    for (std::size_t i = 0; i < report.note_count(); ++i)
+        list.push_back(Json{{"what", report.note(i).what}, {"count", report.note(i).count}});
     return list;
+}
+
+/// "3 normals that are not finite numbers made anew", one for each kind.
+inline std::vector<std::string> notes_text(const FileReport& report)
+{
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < report.note_count(); ++i)
+        texts.push_back(std::to_string(report.note(i).count) + " " + report.note(i).what);
+    return texts;
 }
 
 /// How often each kind of repair was made, and all of it as text.
@@ -27,7 +39,7 @@ inline Json repairs_json(const Repairs& repairs)
             {"flipped_triangles", repairs.flipped_triangles},
             {"unorientable_edges", repairs.unorientable_edges},
             {"replaced_attributes", repairs.replaced_attributes},
-            {"text", repairs.describe()}};
+            {"text", describe(repairs).c_str()}};
 }
 
 }  // namespace kerf::tools

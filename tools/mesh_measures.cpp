@@ -6,7 +6,7 @@
 
 namespace kerf::tools {
 
-double volume_of(const IndexedMesh& mesh)
+double volume_of(const FlatMesh& mesh)
 {
     const glm::dvec3 origin = mesh.bounds().centre();
     double six = 0.0;
@@ -17,7 +17,7 @@ double volume_of(const IndexedMesh& mesh)
     return six / 6.0;
 }
 
-double area_of(const IndexedMesh& mesh)
+double area_of(const FlatMesh& mesh)
 {
     double twice = 0.0;
     for (const Triangle& t : mesh.triangles) {
@@ -27,7 +27,7 @@ double area_of(const IndexedMesh& mesh)
     return twice / 2.0;
 }
 
-std::uint64_t degenerate_triangles(const IndexedMesh& mesh)
+std::uint64_t degenerate_triangles(const FlatMesh& mesh)
 {
     return static_cast<std::uint64_t>(
         std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
@@ -37,7 +37,7 @@ std::uint64_t degenerate_triangles(const IndexedMesh& mesh)
         }));
 }
 
-std::uint64_t vertices_without_number(const IndexedMesh& mesh)
+std::uint64_t vertices_without_number(const FlatMesh& mesh)
 {
     return static_cast<std::uint64_t>(std::count_if(mesh.vertices.begin(), mesh.vertices.end(), [](const Vertex& v) {
         for (const float number :
@@ -47,7 +47,7 @@ std::uint64_t vertices_without_number(const IndexedMesh& mesh)
     }));
 }
 
-double cap_area_of(const IndexedMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
+double cap_area_of(const FlatMesh& mesh, std::uint32_t material, const glm::dvec3& normal)
 {
     double twice = 0.0;
     for (const TriangleGroup& group : mesh.groups) {
@@ -60,10 +60,10 @@ double cap_area_of(const IndexedMesh& mesh, std::uint32_t material, const glm::d
     return 0.5 * twice;
 }
 
-double overhang_of(const IndexedMesh& mesh, const Plane& plane, double sign)
+double overhang_of(const FlatMesh& mesh, const Plane& plane, double sign)
 {
     double worst = 0.0;
-    for (const Vertex& v : mesh.vertices) worst = std::max(worst, -sign * plane.signed_distance(v.position));
+    for (const Vertex& v : mesh.vertices) worst = std::max(worst, -sign * plane.distance(v.position));
     return worst;
 }
 

@@ -6,7 +6,7 @@
 
 namespace kerf::tools {
 
-std::uint64_t open_edges(const IndexedMesh& mesh)
+std::uint64_t open_edges(const FlatMesh& mesh)
 {
     // Edges sorted into the lists of their smaller points, by counting; those lists are short.
     std::vector<std::size_t> first(std::size_t(mesh.point_count) + 1, 0);

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-#include "common/mesh/indexed_mesh.h"
+#include "tools/flat_mesh.h"
 
 namespace kerf::tools {
 
 /// How many directed edges, by point id, lack a reverse: 0 for a closed mesh. O(n).
-std::uint64_t open_edges(const IndexedMesh& mesh);
+std::uint64_t open_edges(const FlatMesh& mesh);
 
 }  // namespace kerf::tools

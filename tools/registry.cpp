@@ -1,9 +1,10 @@
 #include "tools/registry.h"
 
+#include <kerf/back_ends.h>
+
 #include <algorithm>
 #include <stdexcept>
 
-#include "back_ends/back_ends.h"
 #include "baseline/report_back_ends.h"
 
 namespace kerf::tools {
@@ -40,30 +41,31 @@ const std::vector<BackendFamily>& backend_families()
     static const std::vector<BackendFamily> all = [] {
         std::vector<BackendFamily> families;
         add_report_back_ends();
-        for (const RegisteredBackend* entry : back_ends()) {
-            const std::size_t slash = entry->name.find('/');
-            const std::string name = entry->name.substr(0, slash);
+        for (std::size_t i = 0; i < back_end_count(); ++i) {
+            const BackEndFacts entry = back_end(i);
+            const std::string whole = entry.name;
+            const std::size_t slash = whole.find('/');
+            const std::string name = whole.substr(0, slash);
             if (families.empty() || families.back().name != name)
-                families.push_back({name, description_of(name), {}, entry->closes_with_fan});
-            if (slash != std::string::npos) families.back().lookups.push_back(entry->name.substr(slash + 1));
+                families.push_back({name, description_of(name), {}, entry.closes_with_fan});
+            if (slash != std::string::npos) families.back().lookups.push_back(whole.substr(slash + 1));
         }
         return families;
     }();
     return all;
 }
 
-std::unique_ptr<Backend> make_back_end(const std::string& name, const std::string& lookup)
+std::string full_name(const std::string& name, const std::string& lookup)
 {
     for (const BackendFamily& family : backend_families()) {
         if (family.name != name) continue;
-        if (lookup.empty())
-            return kerf::make_back_end(family.lookups.empty() ? name : name + "/" + family.lookups.front());
+        if (lookup.empty()) return family.lookups.empty() ? name : name + "/" + family.lookups.front();
         if (std::find(family.lookups.begin(), family.lookups.end(), lookup) == family.lookups.end())
             throw std::invalid_argument("the back end " + name + " has no lookup called '" + lookup +
                                         "': " + lookups_text(family));
-        return kerf::make_back_end(name + "/" + lookup);
+        return name + "/" + lookup;
     }
-    return nullptr;
+    return {};
 }
 
 }  // namespace kerf::tools

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "common/cutting/cut.h"
-
 namespace kerf::tools {
 
-/// Back ends that a user asks for by one name and a lookup: back_ends() with "family/lookup" taken apart.
+/// Back ends that a user asks for by one name and a lookup: those of the library and of the report, with "family/lookup" taken apart.
 struct BackendFamily
 {
     std::string name;
@@ -20,8 +17,8 @@ struct BackendFamily
 /// All families that this program was built with, the default first.
 const std::vector<BackendFamily>& backend_families();
 
-/// The back end of this name; null when there is none. An empty `lookup` means the default.
+/// The name by which the library knows the back end; empty if there is none. An empty `lookup` means the default.
 /// @throws std::invalid_argument  the back end has no such lookup; one sentence
-std::unique_ptr<Backend> make_back_end(const std::string& name, const std::string& lookup = {});
+std::string full_name(const std::string& name, const std::string& lookup = {});
 
 }  // namespace kerf::tools

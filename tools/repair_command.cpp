@@ -1,7 +1,6 @@
 #include <memory>
 #include <string>
 
-#include "common/io/mesh_file.h"
 #include "tools/commands.h"
 #include "tools/mesh_info.h"
 #include "tools/text.h"
@@ -18,24 +17,25 @@ struct RepairOptions
 
 void run(const RepairOptions& options)
 {
-    const io::LoadedMesh loaded = io::read_mesh(options.file);
-    io::MeshFileSet files(loaded.files);
-    files.add(options.out, *loaded.mesh);
-    files.commit();
-    const bool is_closed = loaded.is_closed();
+    const LoadedFile loaded = load(options.file);
+    MeshFileSet files(loaded.report);
+    check(files.add(options.out.c_str(), loaded.mesh));
+    check(files.commit());
+    const bool is_closed = loaded.facts().is_closed();
     if (options.json) {
         print(Json{{"file", options.file},
                    {"out", options.out},
-                   {"triangles", loaded.mesh->triangles.size()},
-                   {"triangles_before", loaded.facts.triangles},
+                   {"triangles", loaded.mesh.triangle_count()},
+                   {"triangles_before", loaded.facts().triangles},
                    {"closed", is_closed},
-                   {"notes", notes_json(loaded.notes)},
-                   {"repairs", repairs_json(loaded.repairs)}});
+                   {"notes", notes_json(loaded.report)},
+                   {"repairs", repairs_json(loaded.repairs())}});
         return;
     }
-    print(options.out + ": " + counted(loaded.mesh->triangles.size(), "triangle") + ", " +
+    const Sentence repairs = describe(loaded.repairs());
+    print(options.out + ": " + counted(loaded.mesh.triangle_count(), "triangle") + ", " +
           (is_closed ? "closed" : "with a boundary") + "; " +
-          (loaded.repairs.none() ? "nothing had to be repaired" : loaded.repairs.describe()) + "\n");
+          (repairs.is_empty() ? "nothing had to be repaired" : repairs.c_str()) + "\n");
 }
 
 }  // namespace

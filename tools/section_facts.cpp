@@ -50,10 +50,10 @@ std::vector<Segment> project(std::span<const SectionStep> section, int u, int v)
 
 }  // namespace
 
-SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec3& normal)
+SectionFacts measure_section(std::span<const Outline> loops, const glm::dvec3& normal)
 {
     SectionFacts facts;
-    for (const SectionLoop& loop : loops) {
+    for (const Outline& loop : loops) {
         if (!loop.closed) {
             ++facts.open_chains;
             continue;
@@ -71,16 +71,16 @@ SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec
     return facts;
 }
 
-std::vector<SectionStep> steps_of(std::span<const SectionLoop> loops)
+std::vector<SectionStep> steps_of(std::span<const Outline> loops)
 {
     std::vector<SectionStep> steps;
-    for (const SectionLoop& loop : loops)
+    for (const Outline& loop : loops)
         for (std::size_t i = 0; loop.closed && i < loop.points.size(); ++i)
             steps.push_back({loop.points[i], loop.points[(i + 1) % loop.points.size()]});
     return steps;
 }
 
-std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& negative, std::uint32_t cap_material)
+std::vector<std::vector<SectionStep>> sections_of_solids(const FlatMesh& negative, std::uint32_t cap_material)
 {
     struct Edge
     {
@@ -121,7 +121,7 @@ std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& nega
 }
 
 std::optional<std::vector<std::vector<SectionStep>>> keep_loops(std::span<const std::vector<SectionStep>> sections,
-                                                                std::span<const SectionLoop> loops)
+                                                                std::span<const Outline> loops)
 {
     // By where a step leads, how often each section has it.
     std::map<std::array<float, 6>, std::map<std::size_t, std::size_t>> left;
@@ -133,7 +133,7 @@ std::optional<std::vector<std::vector<SectionStep>>> keep_loops(std::span<const 
         for (const SectionStep& step : sections[s]) ++sections_with(step)[s];
 
     std::vector<std::vector<SectionStep>> kept(sections.size());
-    for (const SectionLoop& loop : loops) {
+    for (const Outline& loop : loops) {
         if (!loop.closed) continue;
         const std::vector<SectionStep> steps = steps_of({&loop, 1});
         // The first section that has all of its steps.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "common/cutting/cut.h"
+#include "tools/flat_mesh.h"
 
 namespace kerf::tools {
 
@@ -18,7 +18,7 @@ struct SectionFacts
 };
 
 /// O(k).
-SectionFacts measure_section(std::span<const SectionLoop> loops, const glm::dvec3& normal);
+SectionFacts measure_section(std::span<const Outline> loops, const glm::dvec3& normal);
 
 /// Where closed loops do not wind around once. Both are 0, up to rounding, for the section of a surface that does
 /// not intersect itself, whether its loops touch or not.
@@ -35,16 +35,16 @@ struct SectionStep
 };
 
 /// The closed loops step by step.
-std::vector<SectionStep> steps_of(std::span<const SectionLoop> loops);
+std::vector<SectionStep> steps_of(std::span<const Outline> loops);
 
 /// The section of each solid, in no order: what bounds its part of the negative fragment, but for the caps with
 /// this material. O(n log n).
-std::vector<std::vector<SectionStep>> sections_of_solids(const IndexedMesh& negative, std::uint32_t cap_material);
+std::vector<std::vector<SectionStep>> sections_of_solids(const FlatMesh& negative, std::uint32_t cap_material);
 
 /// Of the sections of solids the closed loops: other edges, too, bound a solid's part of an open mesh. A loop is of the
 /// first solid that has it. Nothing if one is of none. O(n log n), times the solids that have edges in common.
 std::optional<std::vector<std::vector<SectionStep>>> keep_loops(std::span<const std::vector<SectionStep>> sections,
-                                                                std::span<const SectionLoop> loops);
+                                                                std::span<const Outline> loops);
 
 /// Looks at edges that measure_winding() takes before it gives up: about a second.
 inline constexpr std::uint64_t kMostWindingLooks = 20'000'000;

@@ -1,14 +1,14 @@
+#include <kerf/shapes.h>
+
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "command_line/whole_number.h"
-#include "common/io/mesh_file.h"
-#include "common/repair/repair.h"
-#include "common/shapes/shapes.h"
 #include "tools/commands.h"
+#include "tools/mesh_files.h"
 #include "tools/text.h"
 
 namespace kerf::tools {
@@ -25,18 +25,23 @@ struct ShapeOptions
 
 void run(const ShapeOptions& options)
 {
-    std::optional<TriangleSoup> soup = shapes::make(options.name, options.triangles, options.seed);
-    if (!soup) throw std::runtime_error("there is no shape called '" + options.name + "'");
-    const Repaired repaired = repair(std::move(*soup));
-    if (!repaired.error.empty()) throw std::runtime_error(options.name + ": " + repaired.error);
-    io::write_mesh(options.out, repaired.mesh);
-    print(options.out + ": " + counted(repaired.mesh->triangles.size(), "triangle") + "\n");
+    const Result<Mesh> shape = make_shape(options.name.c_str(), options.triangles, options.seed);
+    if (!shape) throw std::runtime_error(options.name + ": " + shape.reason());
+    check(write_mesh(*shape, options.out.c_str()));
+    print(options.out + ": " + counted(shape->triangle_count(), "triangle") + "\n");
+}
+
+std::vector<std::string> shape_names()
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; const char* name = shape_name(i); ++i) names.emplace_back(name);
+    return names;
 }
 
 std::string list_of_names()
 {
     std::string list;
-    for (const std::string& name : shapes::names()) list += (list.empty() ? "" : ", ") + name;
+    for (const std::string& name : shape_names()) list += (list.empty() ? "" : ", ") + name;
     return list;
 }
 
@@ -48,9 +53,9 @@ void add_shape_command(CLI::App& program)
     CLI::App* command = program.add_subcommand("shape", "Write a generated shape");
     command->add_option("NAME", options->name, "Which shape; see below")
         ->required()
-        ->check(CLI::IsMember(shapes::names()).description(""));
+        ->check(CLI::IsMember(shape_names()).description(""));
     command->add_option("-n,--triangles", options->triangles, "About how many triangles it should have")
-        ->transform(command_line::whole_number(1, shapes::kMostTriangles))
+        ->transform(command_line::whole_number(1, kMostShapeTriangles))
         ->capture_default_str();
     command->add_option("-s,--seed", options->seed, "Another seed gives another asteroid")
         ->transform(command_line::whole_number())

@@ -28,7 +28,7 @@ std::uint64_t hash_of(const float* values, std::size_t count, std::uint64_t hash
     return hash;
 }
 
-std::vector<std::uint64_t> vertex_hashes(const IndexedMesh& mesh)
+std::vector<std::uint64_t> vertex_hashes(const FlatMesh& mesh)
 {
     static_assert(sizeof(Vertex) == 8 * sizeof(float));
     std::vector<std::uint64_t> hashes(mesh.vertices.size());
@@ -42,7 +42,7 @@ std::vector<std::uint64_t> vertex_hashes(const IndexedMesh& mesh)
     return hashes;
 }
 
-bool same_vertex(const IndexedMesh& a, std::uint32_t i, const IndexedMesh& b, std::uint32_t j)
+bool same_vertex(const FlatMesh& a, std::uint32_t i, const FlatMesh& b, std::uint32_t j)
 {
     // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): vertices are told apart by their bits, as hash_of() does
     if (std::memcmp(&a.vertices[i], &b.vertices[j], sizeof(Vertex)) != 0) return false;
@@ -57,7 +57,7 @@ bool same_vertex(const IndexedMesh& a, std::uint32_t i, const IndexedMesh& b, st
 bool same_triangle(const SurfaceKeys& first, const SurfaceKeys::Key& p, const SurfaceKeys& second,
                    const SurfaceKeys::Key& q)
 {
-    const IndexedMesh &a = first.mesh(), &b = second.mesh();
+    const FlatMesh &a = first.mesh(), &b = second.mesh();
     const TriangleGroup &g = a.groups[p.group], &h = b.groups[q.group];
     if (a.sources[p.triangle] != b.sources[q.triangle] || g.material != h.material || g.solid != h.solid) return false;
     const Triangle &t = a.triangles[p.triangle], &u = b.triangles[q.triangle];
@@ -69,20 +69,18 @@ bool same_triangle(const SurfaceKeys& first, const SurfaceKeys::Key& p, const Su
     return false;
 }
 
-bool same_layout(const IndexedMesh& a, const IndexedMesh& b)
+bool same_layout(const FlatMesh& a, const FlatMesh& b)
 {
     return std::equal(
                a.streams.begin(), a.streams.end(), b.streams.begin(), b.streams.end(),
                [](const VertexStream& s, const VertexStream& t) { return s.name == t.name && s.width == t.width; }) &&
            std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
-                      [](const Material& m, const Material& n) {
-                          return m.name == n.name && m.colour == n.colour && m.texture == n.texture;
-                      });
+                      [](const MaterialLook& m, const MaterialLook& n) { return m == n; });
 }
 
 }  // namespace
 
-SurfaceKeys::SurfaceKeys(const IndexedMesh& mesh) : mesh_(&mesh)
+SurfaceKeys::SurfaceKeys(const FlatMesh& mesh) : mesh_(&mesh)
 {
     const std::vector<std::uint64_t> vertex_hash = vertex_hashes(mesh);
     keys_.reserve(mesh.triangles.size());

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/mesh/indexed_mesh.h"
+#include "tools/flat_mesh.h"
 
 namespace kerf::tools {
 
@@ -21,9 +21,9 @@ public:
     };
 
     /// O(n log n).
-    explicit SurfaceKeys(const IndexedMesh& mesh);
+    explicit SurfaceKeys(const FlatMesh& mesh);
 
-    const IndexedMesh& mesh() const { return *mesh_; }
+    const FlatMesh& mesh() const { return *mesh_; }
     const std::vector<Key>& sorted() const { return keys_; }
 
     /// Position of corner `i`, counted in the canonical way.
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    const IndexedMesh* mesh_;
+    const FlatMesh* mesh_;
     std::vector<Key> keys_;
 };
 

@@ -1,6 +1,7 @@
 #include "tools/text.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +17,14 @@ std::string grouped(std::uint64_t value)
     std::string digits = std::to_string(value);
     for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
     return digits;
+}
+
+std::string outcome_text(Status status)
+{
+    if (status == Status::done) return "cut";
+    std::string name = text(status);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
 }
 
 std::string rounded(double value)
@@ -108,14 +117,11 @@ Plane parse_axis_plane(const std::string& option, const std::string& text)
     const char* const end = text.data() + text.size();
     const bool is_turned = at != end && *at == '-';
     if (is_turned) ++at;
-    Plane plane;
-    if (end - at > 2 && *at >= 'x' && *at <= 'z' && at[1] == '=' &&
-        parse_coordinate(at + 2, end, plane.offset) == end) {
-        refuse_too_large(option, text, plane.offset);
-        plane.normal = glm::dvec3(0.0);
-        plane.normal[*at - 'x'] = is_turned ? -1.0 : 1.0;
-        if (is_turned) plane.offset = -plane.offset;
-        return plane;
+    double offset = 0.0;
+    if (end - at > 2 && *at >= 'x' && *at <= 'z' && at[1] == '=' && parse_coordinate(at + 2, end, offset) == end) {
+        refuse_too_large(option, text, offset);
+        const auto plane = *at == 'x' ? Plane::x(offset) : *at == 'y' ? Plane::y(offset) : Plane::z(offset);
+        return is_turned ? plane.value().flipped() : plane.value();
     }
     throw CLI::ValidationError(option, "'" + text + "' is no axis with a coordinate, like x=0.5 or z=-2");
 }

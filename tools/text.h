@@ -1,12 +1,13 @@
 #pragma once
 
+#include <kerf/plane.h>
+#include <kerf/status.h>
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-
-#include "common/mesh/plane.h"
 
 // How the program writes numbers and reads vectors.
 
@@ -17,6 +18,9 @@ using Json = nlohmann::ordered_json;
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t value);
+
+/// What became of a cut: "cut", "missed", "open_section".
+std::string outcome_text(Status status);
 
 /// With six significant digits.
 std::string rounded(double value);

@@ -114,4 +114,9 @@ private:
     bool is_unprotected_ = false;  ///< there was no memory to remember what must not be replaced
 };
 
+/// For programs: signals that end them, such as SIGINT and SIGTERM, remove files that are being written first, and then
+/// end the program as if they had not been caught. One that is ignored or caught already stays so, but for SIGINT and
+/// SIGTERM.
+KERF_API void remove_unfinished_files_on_signals() noexcept;
+
 }  // namespace kerf

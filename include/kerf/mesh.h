@@ -191,6 +191,11 @@ private:
     Data* data_ = nullptr;
 };
 
+/// What to tell a user of a mesh with has_coarse_coordinates(): one sentence.
+inline constexpr const char* kCoarseCoordinatesText =
+    "coarse coordinates: the shortest edge is under 16 steps of the coordinates' precision; move the mesh towards the "
+    "origin before it is stored in single precision";
+
 /// How a vertex came to be: the sum of three vertices of the input, each times its weight. The weights are 0 to 1 and
 /// add up to 1. A vertex of the input itself has one weight of 1; a point where an edge was cut has two that are not 0,
 /// unless the edge was made by a cut before; then it lies inside a triangle and has three.

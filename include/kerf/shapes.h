@@ -10,7 +10,11 @@
 
 namespace kerf {
 
-/// A closed shape by its name with about so many triangles (at least what it needs). Only the asteroid uses the seed.
+/// The most triangles that a shape is asked for.
+inline constexpr std::uint64_t kMostShapeTriangles = 16'000'000;
+
+/// A closed shape by its name with about so many triangles (at least what it needs, at most
+/// kMostShapeTriangles). Only the asteroid uses the seed.
 /// O(n log n). Status: `invalid_argument` for a name that is none of shape_name(), `out_of_memory`.
 KERF_API Result<Mesh> make_shape(const char* name, std::uint64_t triangles, std::uint64_t seed = 1) noexcept;
 

@@ -10,6 +10,7 @@
 #include "api/mesh_data.h"
 #include "api/no_memory.h"
 #include "common/io/mesh_file.h"
+#include "common/io/unfinished_files.h"
 
 namespace kerf {
 
@@ -134,6 +135,11 @@ Outcome write_mesh(const Mesh& mesh, const char* path) noexcept
         io::write_mesh(path, mesh.data()->mesh());
         return Outcome();
     });
+}
+
+void remove_unfinished_files_on_signals() noexcept
+{
+    io::remove_unfinished_files_on_signals();
 }
 
 struct FileBytes::Data

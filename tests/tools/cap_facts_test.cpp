@@ -9,9 +9,9 @@ namespace kerf::tools {
 namespace {
 
 /// Two right triangles in a unit square of the plane z = 2, the second perhaps folded back over the first.
-IndexedMesh square_cap(bool folded)
+FlatMesh square_cap(bool folded)
 {
-    IndexedMesh mesh;
+    FlatMesh mesh;
     for (const glm::vec3 p :
          {glm::vec3{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, folded ? glm::vec3{0.5f, 0, 2} : glm::vec3{0, 1, 2}})
         mesh.vertices.push_back({p, {0, 0, 1}, {0, 0}});

@@ -9,8 +9,8 @@
 #include <random>
 #include <utility>
 
-#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
+#include "support/public_mesh.h"
 
 // What decides whether two back ends agree must see every difference and nothing else.
 
@@ -18,22 +18,20 @@ namespace kerf::tools {
 namespace {
 
 /// A torus with a colour stream, two materials and two groups.
-IndexedMesh sample()
+FlatMesh sample()
 {
-    TriangleSoup soup = shapes::torus(1.0f, 0.4f, 12, 8);
-    VertexStream colour{"colour", 3, {}};
-    for (const Vertex& v : soup.vertices)
+    core::TriangleSoup soup = core::shapes::torus(1.0f, 0.4f, 12, 8);
+    core::VertexStream colour{"colour", 3, {}};
+    for (const core::Vertex& v : soup.vertices)
         for (int i = 0; i < 3; ++i) colour.values.push_back(v.position[i] * 0.25f);
     soup.streams.push_back(std::move(colour));
     soup.materials = {{"lower", glm::vec4(1.0f), {}}, {"upper", glm::vec4(1.0f), {}}};
     for (const Triangle& t : soup.triangles)
         soup.triangle_materials.push_back(soup.vertices[t[0]].position.z > 0.0f ? 1u : 0u);
-    Repaired repaired = repair(std::move(soup));
-    EXPECT_EQ(repaired.error, "");
-    return *std::move(repaired.mesh);
+    return flat(test::mesh_of(soup));
 }
 
-SurfaceDifference difference(const IndexedMesh& a, const IndexedMesh& b)
+SurfaceDifference difference(const FlatMesh& a, const FlatMesh& b)
 {
     return compare_surfaces(SurfaceKeys(a), SurfaceKeys(b));
 }
@@ -44,10 +42,10 @@ void change_last_bit(float& value)
 }
 
 /// The same surface with triangles shuffled within their groups, corners turned, and vertices numbered anew.
-IndexedMesh renumbered(const IndexedMesh& mesh)
+FlatMesh renumbered(const FlatMesh& mesh)
 {
     std::mt19937 random(7);
-    IndexedMesh other = mesh;
+    FlatMesh other = mesh;
     std::vector<std::uint32_t> to(mesh.vertices.size());
     std::iota(to.begin(), to.end(), 0u);
     std::shuffle(to.begin(), to.end(), random);
@@ -72,7 +70,7 @@ IndexedMesh renumbered(const IndexedMesh& mesh)
 
 TEST(SurfaceKeys, AreTheSameHoweverAMeshIsNumbered)
 {
-    const IndexedMesh mesh = sample(), other = renumbered(mesh);
+    const FlatMesh mesh = sample(), other = renumbered(mesh);
     ASSERT_GT(mesh.groups.size(), 1u);
     EXPECT_TRUE(difference(mesh, other).none());
     const SurfaceKeys a(mesh), b(other);
@@ -83,25 +81,25 @@ TEST(SurfaceKeys, AreTheSameHoweverAMeshIsNumbered)
 
 TEST(SurfaceKeys, OneBitOfOneAttributeOfOneCornerMakesSurfacesDiffer)
 {
-    const IndexedMesh mesh = sample();
+    const FlatMesh mesh = sample();
     const std::size_t victim = mesh.triangles[mesh.triangles.size() / 2][1];
     const auto users =
         static_cast<std::uint64_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
             return std::find(t.begin(), t.end(), victim) != t.end();
         }));
-    const std::vector<std::pair<const char*, std::function<float&(IndexedMesh&)>>> attributes{
-        {"position.x", [&](IndexedMesh& m) -> float& { return m.vertices[victim].position.x; }},
-        {"position.y", [&](IndexedMesh& m) -> float& { return m.vertices[victim].position.y; }},
-        {"position.z", [&](IndexedMesh& m) -> float& { return m.vertices[victim].position.z; }},
-        {"normal.x", [&](IndexedMesh& m) -> float& { return m.vertices[victim].normal.x; }},
-        {"normal.y", [&](IndexedMesh& m) -> float& { return m.vertices[victim].normal.y; }},
-        {"normal.z", [&](IndexedMesh& m) -> float& { return m.vertices[victim].normal.z; }},
-        {"uv.x", [&](IndexedMesh& m) -> float& { return m.vertices[victim].uv.x; }},
-        {"uv.y", [&](IndexedMesh& m) -> float& { return m.vertices[victim].uv.y; }},
-        {"stream", [&](IndexedMesh& m) -> float& { return m.streams[0].values[3 * victim + 2]; }},
+    const std::vector<std::pair<const char*, std::function<float&(FlatMesh&)>>> attributes{
+        {"position.x", [&](FlatMesh& m) -> float& { return m.vertices[victim].position.x; }},
+        {"position.y", [&](FlatMesh& m) -> float& { return m.vertices[victim].position.y; }},
+        {"position.z", [&](FlatMesh& m) -> float& { return m.vertices[victim].position.z; }},
+        {"normal.x", [&](FlatMesh& m) -> float& { return m.vertices[victim].normal.x; }},
+        {"normal.y", [&](FlatMesh& m) -> float& { return m.vertices[victim].normal.y; }},
+        {"normal.z", [&](FlatMesh& m) -> float& { return m.vertices[victim].normal.z; }},
+        {"uv.x", [&](FlatMesh& m) -> float& { return m.vertices[victim].uv.x; }},
+        {"uv.y", [&](FlatMesh& m) -> float& { return m.vertices[victim].uv.y; }},
+        {"stream", [&](FlatMesh& m) -> float& { return m.streams[0].values[3 * victim + 2]; }},
     };
     for (const auto& [name, attribute] : attributes) {
-        IndexedMesh other = renumbered(mesh);
+        FlatMesh other = renumbered(mesh);
         EXPECT_TRUE(difference(mesh, other).none());
         other = mesh;
         change_last_bit(attribute(other));
@@ -113,7 +111,7 @@ TEST(SurfaceKeys, OneBitOfOneAttributeOfOneCornerMakesSurfacesDiffer)
 
 TEST(SurfaceKeys, PlusAndMinusZeroDiffer)
 {
-    IndexedMesh mesh = sample(), other = mesh;
+    FlatMesh mesh = sample(), other = mesh;
     mesh.vertices[0].uv.x = 0.0f;
     other.vertices[0].uv.x = -0.0f;
     EXPECT_FALSE(difference(mesh, other).none());
@@ -121,8 +119,8 @@ TEST(SurfaceKeys, PlusAndMinusZeroDiffer)
 
 TEST(SurfaceKeys, SourceMaterialSolidAndOrientationCount)
 {
-    const IndexedMesh mesh = sample();
-    IndexedMesh other = mesh;
+    const FlatMesh mesh = sample();
+    FlatMesh other = mesh;
     other.sources[5] += 1;
     EXPECT_EQ(difference(mesh, other).only_first, 1u);
     other = mesh;
@@ -144,8 +142,8 @@ TEST(SurfaceKeys, SourceMaterialSolidAndOrientationCount)
 
 TEST(SurfaceKeys, TrianglesAreCountedAndNotOnlyFound)
 {
-    const IndexedMesh mesh = sample();
-    IndexedMesh more = mesh;
+    const FlatMesh mesh = sample();
+    FlatMesh more = mesh;
     more.triangles.push_back(mesh.triangles.back());
     more.sources.push_back(mesh.sources.back());
     more.groups.back().count += 1;
@@ -157,12 +155,12 @@ TEST(SurfaceKeys, TrianglesAreCountedAndNotOnlyFound)
 
 TEST(SurfaceKeys, CapsDoNotCount)
 {
-    IndexedMesh mesh = sample();
+    FlatMesh mesh = sample();
     const std::uint32_t all = static_cast<std::uint32_t>(mesh.triangles.size());
-    IndexedMesh other = mesh;
-    other.groups.back().kind = TriangleKind::cap;
+    FlatMesh other = mesh;
+    other.groups.back().kind = kerf::TriangleKind::cap;
     EXPECT_EQ(SurfaceKeys(other).sorted().size(), all - mesh.groups.back().count);
-    mesh.groups.back().kind = TriangleKind::cap;
+    mesh.groups.back().kind = kerf::TriangleKind::cap;
     change_last_bit(other.vertices[other.triangles.back()[0]].uv.x);
     EXPECT_EQ(difference(mesh, other).only_first,
               static_cast<std::uint64_t>(std::count_if(
