@@ -165,6 +165,10 @@ public:
     static Result<Mesh> make(const MeshInput& input, MeshReport* report = nullptr) noexcept;
 
     bool is_empty() const noexcept { return data_ == nullptr; }
+    /// A copy that shares nothing, for prepare() to keep while this one stays: a copy of memory, not a make(). O(n).
+    /// Status: `out_of_memory`, `invalid_mesh` for an empty mesh.
+    Result<Mesh> clone() const noexcept;
+
     std::uint64_t triangle_count() const noexcept;
     std::uint64_t vertex_count() const noexcept;
     /// Whether the surface has no boundary, so that it bounds solids. O(n).

@@ -2,6 +2,7 @@
 
 #include <kerf/export.h>
 #include <kerf/mesh.h>
+#include <kerf/plane.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,5 +21,35 @@ KERF_API Result<Mesh> make_shape(const char* name, std::uint64_t triangles, std:
 
 /// "asteroid", "bowl", "box", ...; null beyond the last.
 KERF_API const char* shape_name(std::size_t i) noexcept;
+
+/// Triangles, and a plane whose section is hard for a cutter: where a step is quadratic, the cut takes minutes. For
+/// programs that measure the worst that a cut can cost.
+class KERF_API HardSection
+{
+public:
+    HardSection() noexcept = default;
+    HardSection(HardSection&& other) noexcept;
+    HardSection& operator=(HardSection&& other) noexcept;
+    ~HardSection();
+
+    /// The triangles as Mesh::make() takes them, closed. Valid as long as the section is.
+    MeshInput input() const noexcept;
+    /// Of an empty section z = 0.
+    Plane plane() const noexcept;
+
+    struct Data;
+    explicit HardSection(Data* data) noexcept : data_(data) {}
+
+private:
+    Data* data_ = nullptr;
+};
+
+/// A hard section by its name. `size` is about how many loops it has, or points of one loop, or triangles in the plane:
+/// what makes it hard. O(size). Status: `invalid_argument` for a name that is none of hard_section_name(),
+/// `out_of_memory`.
+KERF_API Result<HardSection> make_hard_section(const char* name, std::uint32_t size) noexcept;
+
+/// "bricks", "checkerboard", "comb", ...; null beyond the last.
+KERF_API const char* hard_section_name(std::size_t i) noexcept;
 
 }  // namespace kerf

@@ -177,6 +177,12 @@ Mesh::~Mesh()
     if (data_ != nullptr && data_->remove_owner()) delete data_;
 }
 
+Result<Mesh> Mesh::clone() const noexcept
+{
+    if (is_empty()) return {Status::invalid_mesh, Sentence("the mesh is empty; make one with Mesh::make()")};
+    return result_of<Mesh>(kNoMemory, [&]() -> Result<Mesh> { return Mesh(data_->clone()); });
+}
+
 std::uint64_t Mesh::triangle_count() const noexcept
 {
     return data_ != nullptr ? data_->mesh().triangles.size() : 0;

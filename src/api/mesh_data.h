@@ -24,6 +24,11 @@ public:
     {
         return is_proven_ ? static_cast<const core::IndexedMesh&>(proven_) : plain_;
     }
+    /// The same mesh for one owner. May throw std::bad_alloc.
+    Data* clone() const
+    {
+        return is_proven_ ? new Data(core::ProvenMesh(proven_)) : new Data(core::IndexedMesh(plain_));
+    }
     /// Prepares the mesh, which its only owner gives away. May throw std::bad_alloc.
     core::PrepareResult prepare(const core::Backend& back_end, const core::PrepareOptions& options, bool is_last_owner);
     bool is_closed() const;

@@ -1,6 +1,8 @@
 #include <kerf/object.h>
 #include <kerf/proxy.h>
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "api/convert.h"
@@ -11,8 +13,8 @@ namespace kerf {
 
 struct Hull::Data
 {
-    std::vector<Vec3f> points;
-    std::vector<std::uint32_t> indices;
+    std::vector<glm::vec3> points;
+    std::vector<core::Triangle> faces;
 };
 
 Hull::Hull(Hull&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
@@ -32,13 +34,13 @@ Hull::~Hull()
 std::span<const Vec3f> Hull::points() const noexcept
 {
     if (data_ == nullptr) return {};
-    return data_->points;
+    return {reinterpret_cast<const Vec3f*>(data_->points.data()), data_->points.size()};
 }
 
 std::span<const std::uint32_t> Hull::indices() const noexcept
 {
-    if (data_ == nullptr) return {};
-    return data_->indices;
+    if (data_ == nullptr || data_->faces.empty()) return {};
+    return {data_->faces.front().data(), 3 * data_->faces.size()};
 }
 
 namespace {
@@ -47,11 +49,10 @@ Result<Hull> hull_of(const Object& object, core::ProxyKind kind) noexcept
 {
     if (object.is_empty()) return {Status::invalid_argument, Sentence("the object is empty: it has no hull")};
     return result_of<Hull>("there is not enough memory for the hull; free some", [&]() -> Result<Hull> {
-        const core::CollisionProxy proxy = core::collision_proxy(*object.inside(), kind);
+        core::CollisionProxy proxy = core::collision_proxy(*object.inside(), kind);
         auto data = std::make_unique<Hull::Data>();
-        for (const glm::vec3& point : proxy.points) data->points.push_back(to_public(point));
-        for (const core::Triangle& face : proxy.faces)
-            data->indices.insert(data->indices.end(), face.begin(), face.end());
+        data->points = std::move(proxy.points);
+        data->faces = std::move(proxy.faces);
         return Hull(data.release());
     });
 }
