@@ -1,18 +1,28 @@
 #include "bench/back_ends.h"
 
-#include "back_ends/back_ends.h"
+#include <utility>
+
 #include "baseline/report_back_ends.h"
 
 namespace kerf::bench {
 
-const std::vector<TimedBackend>& back_ends()
+Result<Object> TimedBackEnd::prepare(Mesh mesh) const
+{
+    PrepareOptions options;
+    options.back_end_name = name.c_str();
+    return kerf::prepare(std::move(mesh), options);
+}
+
+const std::vector<TimedBackEnd>& back_ends()
 {
     constexpr std::uint64_t kQuadraticLimit = 30'000, kNoLimit = UINT64_MAX;
-    static const std::vector<TimedBackend> all = [] {
-        std::vector<TimedBackend> timed;
+    static const std::vector<TimedBackEnd> all = [] {
+        std::vector<TimedBackEnd> timed;
         add_report_back_ends();
-        for (const RegisteredBackend* entry : core::back_ends())
-            timed.insert(timed.begin(), {entry->make(), entry->is_quadratic ? kQuadraticLimit : kNoLimit});
+        for (std::size_t i = 0; i < back_end_count(); ++i) {
+            const BackEndFacts facts = back_end(i);
+            timed.insert(timed.begin(), {facts.name, facts.is_quadratic ? kQuadraticLimit : kNoLimit});
+        }
         return timed;
     }();
     return all;

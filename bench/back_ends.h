@@ -1,23 +1,24 @@
 #pragma once
 
+#include <kerf/object.h>
+
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
-
-#include "common/cutting/cut.h"
 
 namespace kerf::bench {
 
 /// A back end that is timed.
-struct TimedBackend
+struct TimedBackEnd
 {
-    std::shared_ptr<Backend> backend;
+    std::string name;
     /// Largest mesh that it is given, in triangles: quadratic methods stop where a cut takes seconds.
     std::uint64_t most_triangles;
+
+    Result<Object> prepare(Mesh mesh) const;
 };
 
 /// All back ends of this build, the default last.
-const std::vector<TimedBackend>& back_ends();
+const std::vector<TimedBackEnd>& back_ends();
 
 }  // namespace kerf::bench

@@ -12,6 +12,7 @@
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
+#include "bench/objects.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
 #include "common/support/median.h"
@@ -26,7 +27,7 @@ constexpr std::uint64_t kPlaneSeed = 7;
 
 struct Piece
 {
-    std::unique_ptr<Cuttable> object;
+    Object object;
     MassProperties mass;
 };
 
@@ -54,40 +55,41 @@ double worst_to_predicted(std::span<const CutCost> cuts)
         for (std::size_t j = 0; j < i; ++j)
             if (cuts[i].crossing != cuts[j].crossing)
                 slopes.push_back((cuts[i].seconds - cuts[j].seconds) / (cuts[i].crossing - cuts[j].crossing));
-    const double slope = slopes.empty() ? 0.0 : median(std::move(slopes));
+    const double slope = slopes.empty() ? 0.0 : core::median(std::move(slopes));
     for (const CutCost& cut : cuts) rests.push_back(cut.seconds - slope * cut.crossing);
-    const double rest = median(std::move(rests));
+    const double rest = core::median(std::move(rests));
     double worst = 0.0;
     for (const CutCost& cut : cuts) worst = std::max(worst, cut.seconds / (rest + slope * cut.crossing));
     return worst;
 }
 
-Chain cut_in_a_chain(std::unique_ptr<Cuttable> object, std::span<const glm::dvec3> normals)
+Chain cut_in_a_chain(Object object, std::span<const Normal> normals)
 {
     Chain chain;
     std::vector<Piece> pieces;
-    const MassProperties whole = object->mass_properties();
+    const MassProperties whole = object.mass_properties();
     pieces.push_back({std::move(object), whole});
-    for (const glm::dvec3& normal : normals) {
+    DrawView view;
+    for (const Normal& normal : normals) {
         const auto largest = std::max_element(
             pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.mass.volume < b.mass.volume; });
-        const Plane plane = *Plane::through(largest->mass.centre, normal);
-        CpuStopwatch watch;
-        CutResult result = cut(std::move(largest->object), plane);
+        const Plane plane = *Plane::at(Point(largest->mass.centre), normal);
+        core::CpuStopwatch watch;
+        Cut result = cut(std::move(largest->object), plane);
         const double seconds = watch.lap();
         if (result.status != Status::done) {
-            chain.error = "a cut of the chain gave status " + std::string(name_of(result.status));
+            chain.error = "a cut of the chain gave status " + std::string(text(result.status));
             return chain;
         }
         pieces.erase(largest);
-        for (auto* side : {&result.positive, &result.negative})
-            for (auto& fragment : *side) {
-                const MassProperties mass = fragment->mass_properties();
-                chain.most_ranges = std::max(chain.most_ranges, fragment->draw_view().ranges.size());
-                pieces.push_back({std::move(fragment), mass});
-            }
+        for_each_piece(result, [&](Object& piece) {
+            const MassProperties mass = piece.mass_properties();
+            if (piece.draw(view) != Status::done) chain.error = "a piece can't be drawn";
+            chain.most_ranges = std::max(chain.most_ranges, view.ranges.size());
+            pieces.push_back({std::move(piece), mass});
+        });
         chain.seconds += seconds;
-        chain.cuts.push_back({double(result.statistics.crossing_triangles), seconds});
+        chain.cuts.push_back({double(result.statistics().crossing_triangles), seconds});
     }
     for (const Piece& piece : pieces) chain.volume += piece.mass.volume;
     constexpr double kShare = 1e-6;  // what rounding cut points to float may change
@@ -96,14 +98,14 @@ Chain cut_in_a_chain(std::unique_ptr<Cuttable> object, std::span<const glm::dvec
     return chain;
 }
 
-void recut(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
+void recut(benchmark::State& state, const TimedBackEnd& back_end, const std::string& shape, std::uint64_t size)
 {
-    const ProvenMesh& mesh = timed_shape(shape, size);
-    std::vector<glm::dvec3> normals;
-    for (const Plane& plane : planes_through_the_middle(mesh->bounds(), kCutsInAChain, kPlaneSeed))
-        normals.push_back(plane.normal);
-    const PrepareResult prepared = backend.prepare(mesh);
-    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
+    const Mesh& mesh = timed_shape(shape, size);
+    std::vector<Normal> normals;
+    for (const Plane& plane : planes_through_the_middle(mesh.bounds(), kCutsInAChain, kPlaneSeed))
+        normals.push_back(plane.normal());
+    const Result<Object> prepared = back_end.prepare(mesh);
+    if (!prepared) return state.SkipWithError(prepared.reason());
 
     // Each cut is repeated in a chain of its own and judged by its median: a neighbour's noise is not the cut's.
     std::vector<std::vector<double>> seconds(kCutsInAChain);
@@ -111,7 +113,7 @@ void recut(benchmark::State& state, const Backend& backend, const std::string& s
     for (auto _ : state) {
         double total = 0.0;
         for (int repetition = 0; repetition < kChains; ++repetition) {
-            chain = cut_in_a_chain(prepared.object->clone(), normals);
+            chain = cut_in_a_chain(clone_of(*prepared), normals);
             if (!chain.error.empty()) return state.SkipWithError(chain.error.c_str());
             for (std::size_t i = 0; i < kCutsInAChain; ++i) seconds[i].push_back(chain.cuts[i].seconds);
             total += chain.seconds;
@@ -121,12 +123,12 @@ void recut(benchmark::State& state, const Backend& backend, const std::string& s
     double sum = 0.0, crossing = 0.0, worst = 0.0;
     for (std::size_t i = 0; i < kCutsInAChain; ++i) {
         CutCost& cut = chain.cuts[i];
-        cut.seconds = median(std::move(seconds[i]));
+        cut.seconds = core::median(std::move(seconds[i]));
         sum += cut.seconds;
         crossing += cut.crossing;
         worst = std::max(worst, cut.seconds);
     }
-    state.counters["triangles"] = double(mesh->triangles.size());
+    state.counters["triangles"] = double(mesh.triangle_count());
     state.counters["cut_ms"] = sum * 1e3 / kCutsInAChain;
     state.counters["worst_cut_ms"] = worst * 1e3;
     state.counters["ns_per_crossing"] = sum * 1e9 / crossing;
@@ -144,30 +146,29 @@ double resident_bytes()
     return resident * double(sysconf(_SC_PAGESIZE));
 }
 
-void prepare_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size)
+void prepare_shape(benchmark::State& state, const TimedBackEnd& back_end, const std::string& shape, std::uint64_t size)
 {
-    const ProvenMesh& mesh = timed_shape(shape, size);
+    const Mesh& mesh = timed_shape(shape, size);
     {
-        const PrepareResult checked = backend.prepare(mesh);
-        const std::string error =
-            checked.object ? check_cut(*checked.object, planes_through_the_middle(mesh->bounds(), 1, kPlaneSeed)[0])
-                           : checked.reason;
+        const Result<Object> checked = back_end.prepare(mesh);
+        const std::string error = checked
+                                      ? check_cut(*checked, planes_through_the_middle(mesh.bounds(), 1, kPlaneSeed)[0])
+                                      : checked.reason();
         if (!error.empty()) return state.SkipWithError(error.c_str());
     }
     double seconds = 0.0, bytes = 0.0;
     for (auto _ : state) {
         const double before = resident_bytes();
-        ProvenMesh copy = mesh;
-        CpuStopwatch watch;
-        PrepareResult result = backend.prepare(std::move(copy));
+        Mesh copy = value_of(mesh.clone());
+        core::CpuStopwatch watch;
+        const Result<Object> result = back_end.prepare(std::move(copy));
         const double iteration = watch.lap();
-        copy = {};
-        if (!result.object) return state.SkipWithError(result.reason.c_str());
+        if (!result) return state.SkipWithError(result.reason());
         bytes = resident_bytes() - before;
         state.SetIterationTime(iteration);
         seconds += iteration;
     }
-    const auto triangles = double(mesh->triangles.size());
+    const auto triangles = double(mesh.triangle_count());
     state.counters["triangles"] = triangles;
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
     state.counters["bytes_per_triangle"] = bytes / triangles;
@@ -178,18 +179,18 @@ void prepare_shape(benchmark::State& state, const Backend& backend, const std::s
 void register_chain_benchmarks()
 {
     for (const std::uint64_t size : {10'000ull, 100'000ull, 1'000'000ull})
-        for (const TimedBackend& back_end : back_ends()) {
-            const std::string tail = back_end.backend->name() + "/asteroid/" + std::to_string(size);
+        for (const TimedBackEnd& back_end : back_ends()) {
+            const std::string tail = back_end.name + "/asteroid/" + std::to_string(size);
             // A chain of a hundred cuts with a lookup that is quadratic, or hashes every vertex, says nothing new.
-            if (back_end.backend->name() == "baseline/remap" || back_end.backend->name() == "halfedge") {
+            if (back_end.name == "baseline/remap" || back_end.name == "halfedge") {
                 benchmark::RegisterBenchmark(
                     ("Recut/" + tail).c_str(),
-                    [&back_end, size](benchmark::State& s) { recut(s, *back_end.backend, "asteroid", size); })
+                    [&back_end, size](benchmark::State& s) { recut(s, back_end, "asteroid", size); })
                     ->UseManualTime()
                     ->Unit(benchmark::kMillisecond);
                 benchmark::RegisterBenchmark(
                     ("Prepare/" + tail).c_str(),
-                    [&back_end, size](benchmark::State& s) { prepare_shape(s, *back_end.backend, "asteroid", size); })
+                    [&back_end, size](benchmark::State& s) { prepare_shape(s, back_end, "asteroid", size); })
                     ->UseManualTime()
                     ->Unit(benchmark::kMillisecond);
             }

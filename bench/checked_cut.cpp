@@ -1,33 +1,75 @@
 #include "bench/checked_cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 #include <limits>
 
-#include "common/mesh/plane_noise.h"
-#include "common/mesh/support_points.h"
-#include "common/proxy/convex_hull.h"
-#include "common/repair/mesh_facts.h"
+#include "bench/objects.h"
 #include "common/support/random.h"
 
 namespace kerf::bench {
 
 namespace {
 
-double surface_area(const IndexedMesh& mesh)
+/// How far from the plane, in units in the last place of the mesh's largest coordinate, a piece may reach
+/// (docs/floating-point.md: plane noise).
+constexpr double kNoiseInUnits = 4.0;
+
+/// In mesh units, for a mesh with these bounds.
+double plane_noise(const Box& bounds)
+{
+    float largest = 0.0f;
+    for (const Vec3f& corner : {bounds.lo, bounds.hi})
+        for (const float coordinate : {corner.x, corner.y, corner.z}) largest = std::max(largest, std::abs(coordinate));
+    const float above = std::nextafter(largest, std::numeric_limits<float>::infinity());
+    return kNoiseInUnits * (double(above) - double(largest));
+}
+
+std::array<Vec3f, 3> corners_of(const MeshArrays& mesh, std::size_t triangle)
+{
+    const auto corner = [&](std::size_t i) { return mesh.positions[mesh.indices[3 * triangle + i]]; };
+    return {corner(0), corner(1), corner(2)};
+}
+
+double surface_area(const MeshArrays& mesh)
 {
     double twice = 0.0;
-    for (const TriangleGroup& group : mesh.groups) {
-        if (group.kind != TriangleKind::surface) continue;
-        for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
-            const auto& [a, b, c] = mesh.triangles[t];
-            const glm::dvec3 p(mesh.vertices[a].position), q(mesh.vertices[b].position), r(mesh.vertices[c].position);
-            twice += glm::length(glm::cross(q - p, r - p));
-        }
+    for (std::size_t t = 0; t < mesh.kinds.size(); ++t) {
+        if (mesh.kinds[t] != TriangleKind::surface) continue;
+        const auto [a, b, c] = corners_of(mesh, t);
+        twice += glm::length(glm::cross(to_glm(b) - to_glm(a), to_glm(c) - to_glm(a)));
     }
     return twice / 2;
+}
+
+bool is_closed(const MeshArrays& mesh)
+{
+    std::vector<std::uint32_t> corners;
+    corners.reserve(mesh.indices.size());
+    for (const std::uint32_t vertex : mesh.indices) corners.push_back(mesh.points[vertex]);
+    return are_closed(corners);
+}
+
+bool has_degenerate_triangle(const MeshArrays& mesh)
+{
+    for (std::size_t t = 0; t < mesh.kinds.size(); ++t)
+        if (const auto [a, b, c] = corners_of(mesh, t); a == b || b == c || c == a) return true;
+    return false;
+}
+
+/// What is wrong with a piece on this side of the plane; empty if nothing is.
+std::string check_side(const MeshArrays& mesh, const Plane& plane, Side side, double noise)
+{
+    if (mesh.kinds.empty()) return "a side has no triangles";
+    if (!is_closed(mesh)) return "a side is not closed";
+    if (has_degenerate_triangle(mesh)) return "a triangle has two corners in one place";
+    for (const Vec3f& position : mesh.positions) {
+        const double distance = plane.distance(position);
+        if ((side == Side::positive ? -distance : distance) > noise) return "a vertex is on the wrong side";
+    }
+    return {};
 }
 
 }  // namespace
@@ -35,97 +77,61 @@ double surface_area(const IndexedMesh& mesh)
 std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t count, std::uint64_t seed)
 {
     std::vector<Plane> planes;
-    Random random(seed);
+    core::Random random(seed);
     while (planes.size() < count) {
         // Uniform on the sphere: height and longitude are independent (Archimedes).
         const double z = 2 * random.unit() - 1, angle = 6.283185307179586 * random.unit();
         const double r = std::sqrt(1 - z * z);
-        if (const auto plane = Plane::through(bounds.centre(), {r * std::cos(angle), r * std::sin(angle), z}))
+        if (const auto plane = Plane::at(Point(centre_of(bounds)), Normal(r * std::cos(angle), r * std::sin(angle), z)))
             planes.push_back(*plane);
     }
     return planes;
 }
 
-std::string check_cut(const Cuttable& object, const Plane& plane, CutCounts* counted)
+std::string check_cut(const Object& object, const Plane& plane, CutCounts* counted)
 {
     constexpr double kShare = 1e-6;  // of the whole: what rounding cut points to float may change
-    const double volume = object.mass_properties().volume, area = surface_area(object.to_indexed_mesh());
-    const double noise = plane_noise(object.bounds().largest_coordinate());
-    const CutResult result = cut(object.clone(), plane);
-    if (result.status != Status::done) return "status " + std::string(name_of(result.status));
+    const double volume = object.mass_properties().volume, area = surface_area(value_of(object.mesh()).arrays());
+    const double noise = plane_noise(object.bounds());
+    Cut result = cut(clone_of(object), plane);
+    if (result.status != Status::done) return "status " + std::string(text(result.status));
     if (counted) {
-        const CutStatistics& s = result.statistics;
+        const CutStatistics& s = result.statistics();
         counted->all.crossing_triangles += s.crossing_triangles;
         counted->all.triangles_touched += s.triangles_touched;
         counted->all.nodes_visited += s.nodes_visited;
         counted->all.bytes_to_upload += s.bytes_to_upload;
-        counted->report.vertex_comparisons += baseline::report_costs(result).vertex_comparisons;
+        counted->report.vertex_comparisons += report_costs(result).vertex_comparisons;
     }
     double volume_sum = 0.0, area_sum = 0.0;
-    for (const auto* side : {&result.positive, &result.negative})
-        for (const auto& fragment : *side) {
-            const IndexedMesh mesh = fragment->to_indexed_mesh();
-            const MeshFacts facts = measure(mesh);
-            if (!facts.closed()) return "a side is not closed";
-            if (facts.degenerate_triangles > 0) return "a triangle has two corners in one place";
-            for (const Vertex& v : mesh.vertices) {
-                const double d = plane.signed_distance(v.position);
-                if ((side == &result.positive ? -d : d) > noise) return "a vertex is on the wrong side";
-            }
-            volume_sum += fragment->mass_properties().volume;
-            area_sum += surface_area(mesh);
+    for (const Side side : {Side::positive, Side::negative})
+        for (std::size_t i = 0; const Object* piece = result.piece(side, i); ++i) {
+            const Mesh mesh = value_of(piece->mesh());
+            const MeshArrays arrays = mesh.arrays();
+            if (std::string error = check_side(arrays, plane, side, noise); !error.empty()) return error;
+            volume_sum += piece->mass_properties().volume;
+            area_sum += surface_area(arrays);
         }
     if (!(std::abs(volume_sum - volume) <= kShare * std::abs(volume))) return "volumes do not add up";
     if (!(std::abs(area_sum - area) <= kShare * area)) return "surface areas do not add up";
     return {};
 }
 
-double proxy_volume(const CollisionProxy& proxy)
+bool are_closed(std::span<const std::uint32_t> corners)
 {
-    constexpr double kPi = 3.14159265358979323846;
-    if (proxy.kind == ProxyKind::box) {
-        const glm::dvec3 size = glm::dvec3(proxy.box.hi) - glm::dvec3(proxy.box.lo);
-        return size.x * size.y * size.z;
+    // Edges from the smaller to the larger point, and those that run back.
+    std::vector<std::uint64_t> there, back;
+    there.reserve(corners.size() / 2);
+    back.reserve(corners.size() / 2);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::uint64_t a = corners[i], b = corners[i % 3 == 2 ? i - 2 : i + 1];
+        if (a < b) there.push_back(a << 32 | b);
+        if (b < a) back.push_back(b << 32 | a);
     }
-    if (proxy.kind == ProxyKind::sphere) return 4.0 / 3.0 * kPi * std::pow(double(proxy.radius), 3);
-    const ConvexHull hull = convex_hull(proxy.points);
-    double six = 0.0;
-    for (const Triangle& face : hull.faces) {
-        // About the first corner, so that coordinates far from the origin cost nothing.
-        const auto corner = [&](std::size_t i) {
-            return glm::dvec3(proxy.points[hull.corners[face[i]]]) - glm::dvec3(proxy.points[hull.corners[0]]);
-        };
-        six += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-    }
-    return six / 6.0;
-}
-
-std::string check_proxy(const CollisionProxy& proxy, std::span<const Vertex> vertices)
-{
-    if (proxy.kind == ProxyKind::box || proxy.kind == ProxyKind::sphere) {
-        for (const Vertex& v : vertices) {
-            const glm::vec3& p = v.position;
-            const bool in_box =
-                glm::all(glm::lessThanEqual(proxy.box.lo, p)) && glm::all(glm::lessThanEqual(p, proxy.box.hi));
-            const bool in_sphere = proxy.kind == ProxyKind::box ||
-                                   glm::distance(glm::dvec3(p), glm::dvec3(proxy.centre)) <= double(proxy.radius);
-            if (!in_box || !in_sphere) return "a vertex is outside its proxy";
-        }
-        return {};
-    }
-    const auto farthest = [](const glm::vec3& direction, auto&& points, auto&& position) {
-        float most = -std::numeric_limits<float>::infinity();
-        for (const auto& p : points) most = std::max(most, support_value(direction, position(p)));
-        return most;
-    };
-    for (const glm::vec3& direction : support_directions()) {
-        const float of_mesh = farthest(direction, vertices, [](const Vertex& v) { return v.position; });
-        const float of_hull = farthest(direction, proxy.points, [](const glm::vec3& p) { return p; });
-        // A full hull is computed on a lattice: convex_hull.h says how far a vertex may stick out.
-        const float slack = proxy.kind == ProxyKind::full_hull ? 2e-4f * proxy.box.largest_coordinate() : 0.0f;
-        if (of_hull > of_mesh || of_hull < of_mesh - slack) return "a hull does not reach as far as its vertices";
-    }
-    return {};
+    if (there.size() != back.size()) return false;
+    std::sort(there.begin(), there.end());
+    std::sort(back.begin(), back.end());
+    return there == back;
 }
 
 }  // namespace kerf::bench

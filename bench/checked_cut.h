@@ -1,12 +1,13 @@
 #pragma once
 
-#include <memory>
+#include <kerf/cut.h>
+
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "baseline/report_costs.h"
-#include "common/cutting/cut.h"
-#include "common/proxy/collision_proxy.h"
+#include "baseline/report_back_ends.h"
 
 namespace kerf::bench {
 
@@ -17,19 +18,16 @@ std::vector<Plane> planes_through_the_middle(const Box& bounds, std::uint32_t co
 struct CutCounts
 {
     CutStatistics all;
-    baseline::ReportCosts report;
+    ReportCosts report;
 };
 
 /// Cuts a clone of `object` and looks at the result: both sides closed, volumes and surface areas add up to the
 /// whole's. Empty when all is right, otherwise what is wrong: such a result is not timed. What the cut counted is added
 /// to `counted` when that is given.
-std::string check_cut(const Cuttable& object, const Plane& plane, CutCounts* counted = nullptr);
+std::string check_cut(const Object& object, const Plane& plane, CutCounts* counted = nullptr);
 
-/// Volume of the convex body that a proxy stands for, mesh units cubed. O(points log points).
-double proxy_volume(const CollisionProxy& proxy);
-
-/// Whether a proxy is one of these vertices: boxes and spheres hold all of them, hulls reach as far in each support
-/// direction and have corners among them. Empty when it is.
-std::string check_proxy(const CollisionProxy& proxy, std::span<const Vertex> vertices);
+/// Whether triangles bound solids: each edge is run along as often one way as the other. `corners` has three points of
+/// the surface for each triangle. O(n log n).
+bool are_closed(std::span<const std::uint32_t> corners);
 
 }  // namespace kerf::bench

@@ -1,18 +1,23 @@
-// Sections that are hard on a cutter (shapes/hard_sections.h), at a quarter of the size and at full size: a step that
+// Sections that are hard on a cutter (make_hard_section()), at a quarter of the size and at full size: a step that
 // is quadratic somewhere shows as a factor of sixteen.
-//   Hard/<back end>/<section>/<size>   the cut (time), and counters in ms: `assemble` (repair()), `prepare`, `pieces` (the same
-//                                      cut into connected pieces), `again` (both fragments of the cut, cut into pieces
-//                                      by a plane at right angles)
+//   Hard/<back end>/<section>/<size>   the cut (time), and counters in ms: `assemble` (Mesh::make()), `prepare`,
+//                                      `pieces` (the same cut into connected pieces), `again` (both fragments of the
+//                                      cut, cut into pieces by a plane at right angles)
 
 #include <benchmark/benchmark.h>
+#include <kerf/cut.h>
+#include <kerf/shapes.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
 
 #include "bench/back_ends.h"
-#include "common/mesh/plane_frame.h"
-#include "common/repair/repair.h"
-#include "common/shapes/hard_sections.h"
+#include "bench/objects.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
@@ -28,7 +33,7 @@ double least_ms(Make make, Timed timed)
     double least = 0.0;
     for (int run = 0; run < kRuns; ++run) {
         auto input = make();
-        CpuStopwatch watch;
+        core::CpuStopwatch watch;
         const auto result = timed(std::move(input));
         const double seconds = watch.lap();
         benchmark::DoNotOptimize(&result);
@@ -38,53 +43,58 @@ double least_ms(Make make, Timed timed)
 }
 
 /// Through the middle of what was cut, at right angles to the first plane.
-Plane second_plane(const Cuttable& object, const Plane& first)
+Plane second_plane(const Object& object, const Plane& first)
 {
-    const PlaneFrame frame = PlaneFrame::of(first.normal);
-    return *Plane::through(object.bounds().centre(), frame.u + 0.25 * frame.v);
+    // Begins with the axis that is farthest from the normal: the product is never short.
+    const glm::dvec3 normal = to_glm(first.normal()), size = glm::abs(normal);
+    glm::dvec3 axis{0, 0, 1};
+    if (size.x <= size.y && size.x <= size.z)
+        axis = {1, 0, 0};
+    else if (size.y <= size.z)
+        axis = {0, 1, 0};
+    const glm::dvec3 u = glm::normalize(glm::cross(axis, normal)), v = glm::cross(normal, u);
+    return *Plane::at(Point(centre_of(object.bounds())), Normal(u + 0.25 * v));
 }
 
-using Pieces = std::vector<std::unique_ptr<Cuttable>>;
-
-void hard_section(benchmark::State& state, const Backend& backend, const std::string& name, std::uint32_t size)
+void hard_section(benchmark::State& state, const TimedBackEnd& back_end, const std::string& name, std::uint32_t size)
 {
     for (auto _ : state) {
-        const shapes::HardSection section = *shapes::hard_section(name, size);
-        const Plane& plane = section.plane;
-        const ProvenMesh mesh = repair(section.soup).mesh;
-        const PrepareResult prepared = backend.prepare(mesh);
-        if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
+        const HardSection section = value_of(make_hard_section(name.c_str(), size));
+        const Plane plane = section.plane();
+        const Mesh mesh = value_of(Mesh::make(section.input()));
+        const Result<Object> prepared = back_end.prepare(mesh);
+        if (!prepared) return state.SkipWithError(prepared.reason());
         state.counters["assemble"] =
-            least_ms([&] { return section.soup; }, [](TriangleSoup soup) { return repair(std::move(soup)); });
-        state.counters["prepare"] = least_ms([&] { return ProvenMesh(mesh); },
-                                             [&](ProvenMesh copy) { return backend.prepare(std::move(copy)); });
+            least_ms([&] { return section.input(); }, [](const MeshInput& input) { return Mesh::make(input); });
+        state.counters["prepare"] = least_ms([&] { return value_of(mesh.clone()); },
+                                             [&](Mesh copy) { return back_end.prepare(std::move(copy)); });
 
-        const auto clone = [&] { return prepared.object->clone(); };
+        const auto clone = [&] { return clone_of(*prepared); };
         CutOptions pieces;
-        pieces.split_components = true;
-        const CutResult result = cut(clone(), plane);
+        pieces.components = true;
+        const Cut result = cut(clone(), plane);
         if (result.status != Status::done) return state.SkipWithError("the plane cuts nothing");
-        state.SetIterationTime(
-            1e-3 * least_ms(clone, [&](std::unique_ptr<Cuttable> object) { return cut(std::move(object), plane); }));
+        state.SetIterationTime(1e-3 * least_ms(clone, [&](Object object) { return cut(std::move(object), plane); }));
         std::size_t piece_count = 0;
-        state.counters["pieces"] = least_ms(clone, [&](std::unique_ptr<Cuttable> object) {
-            CutResult fell_apart = cut(std::move(object), plane, pieces);
-            piece_count = fell_apart.negative.size() + fell_apart.positive.size();
+        state.counters["pieces"] = least_ms(clone, [&](Object object) {
+            Cut fell_apart = cut(std::move(object), plane, pieces);
+            piece_count = fell_apart.count(Side::negative) + fell_apart.count(Side::positive);
             return fell_apart;
         });
         state.counters["again"] = least_ms([&] { return cut(clone(), plane); },
-                                           [&](CutResult sides) {
-                                               std::array<CutResult, 2> again;
+                                           [&](Cut sides) {
+                                               std::array<Cut, 2> again;
                                                for (std::size_t i = 0; i < 2; ++i) {
-                                                   auto& object = (i == 0 ? sides.negative : sides.positive).front();
-                                                   const Plane second = second_plane(*object, plane);
+                                                   const Side side = i == 0 ? Side::negative : Side::positive;
+                                                   Object& object = *sides.one(side);
+                                                   const Plane second = second_plane(object, plane);
                                                    again[i] = cut(std::move(object), second, pieces);
                                                }
                                                return again;
                                            });
-        state.counters["triangles"] = double(result.statistics.triangles);
-        state.counters["crossing"] = double(result.statistics.crossing_triangles);
-        state.counters["loops"] = double(result.statistics.section_loops);
+        state.counters["triangles"] = double(result.statistics().triangles);
+        state.counters["crossing"] = double(result.statistics().crossing_triangles);
+        state.counters["loops"] = double(result.statistics().section_loops);
         state.counters["fragments"] = double(piece_count);
     }
 }
@@ -93,9 +103,9 @@ void hard_section(benchmark::State& state, const Backend& backend, const std::st
 
 void register_hard_benchmarks()
 {
-    for (const std::string& name : shapes::hard_section_names())
-        for (const TimedBackend& back_end : back_ends()) {
-            const std::string method = back_end.backend->name();
+    for (std::size_t i = 0; const char* const known = hard_section_name(i); ++i)
+        for (const TimedBackEnd& back_end : back_ends()) {
+            const std::string name = known, method = back_end.name;
             if (method != "baseline/remap" && method != "halfedge") continue;
             constexpr std::array kOneLoop{"comb", "leaning_comb", "spiral", "tip", "toothed_tip", "touches"};
             const bool is_one_loop = std::find(kOneLoop.begin(), kOneLoop.end(), name) != kOneLoop.end();
@@ -104,7 +114,7 @@ void register_hard_benchmarks()
                 const std::string full_name = "Hard/" + method + "/" + name + "/" + std::to_string(size);
                 benchmark::RegisterBenchmark(
                     full_name.c_str(),
-                    [&back_end, name, size](benchmark::State& s) { hard_section(s, *back_end.backend, name, size); })
+                    [&back_end, name, size](benchmark::State& s) { hard_section(s, back_end, name, size); })
                     ->UseManualTime()
                     ->Iterations(1)
                     ->Unit(benchmark::kMillisecond);

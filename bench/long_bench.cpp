@@ -7,16 +7,16 @@
 //                                                           the mesh's inner half: quantiles and the worst
 
 #include <benchmark/benchmark.h>
+#include <kerf/proxy.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
+#include "bench/objects.h"
 #include "bench/timed_shapes.h"
-#include "common/proxy/collision_proxy.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
@@ -27,7 +27,7 @@ constexpr std::uint64_t kLongPlaneSeed = 31;
 
 struct HeapPiece
 {
-    std::unique_ptr<Cuttable> object;
+    Object object;
     MassProperties mass;
     std::size_t ranges = 0;
 };
@@ -42,18 +42,19 @@ constexpr std::uint32_t kManyCuts = 200;
 /// A chain of cuts is looked at after so many.
 constexpr std::array kMarks{1, 3, 10, 30, 100, 300, 1000};
 
-void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t size, bool compacts)
+void long_chain(benchmark::State& state, const TimedBackEnd& back_end, std::uint64_t size, bool compacts)
 {
-    const ProvenMesh& mesh = timed_shape("asteroid", size);
-    const auto planes = planes_through_the_middle(mesh->bounds(), kMarks.back(), kLongPlaneSeed);
-    const PrepareResult prepared = backend.prepare(mesh);
-    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
-    const MassProperties whole = prepared.object->mass_properties();
+    const Mesh& mesh = timed_shape("asteroid", size);
+    const auto planes = planes_through_the_middle(mesh.bounds(), kMarks.back(), kLongPlaneSeed);
+    const Result<Object> prepared = back_end.prepare(mesh);
+    if (!prepared) return state.SkipWithError(prepared.reason());
+    const MassProperties whole = prepared->mass_properties();
 
+    DrawView view;
     for (auto _ : state) {
         // A heap by volume: the largest piece is in front.
         std::vector<HeapPiece> pieces;
-        pieces.push_back({prepared.object->clone(), whole, 1});
+        pieces.push_back({clone_of(*prepared), whole, 1});
         double total = 0.0, since_mark = 0.0, worst = 0.0, compacting = 0.0, rest = 0.0;
         std::size_t ranges = 0, most_ranges = 0, compactions = 0, mark = 0;
         int at_mark = 0;
@@ -62,33 +63,33 @@ void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t s
             HeapPiece largest = std::move(pieces.back());
             pieces.pop_back();
             ranges -= i == 0 ? 0 : largest.ranges;
-            const Plane plane = *Plane::through(largest.mass.centre, planes[std::size_t(i)].normal);
-            CpuStopwatch watch;
-            CutResult result = cut(std::move(largest.object), plane);
+            const Plane plane = *Plane::at(Point(largest.mass.centre), planes[std::size_t(i)].normal());
+            core::CpuStopwatch watch;
+            Cut result = cut(std::move(largest.object), plane);
             const double seconds = watch.lap();
             if (result.status != Status::done) return state.SkipWithError("a plane of the chain cut nothing");
             total += seconds;
             since_mark += seconds;
             worst = std::max(worst, seconds);
-            for (auto* side : {&result.positive, &result.negative})
-                for (auto& fragment : *side) {
-                    if (compacts && fragment->wants_compaction()) {
-                        CpuStopwatch compact_watch;
-                        fragment->compact();
-                        compacting += compact_watch.lap();
-                        ++compactions;
-                    }
-                    // What a game asks of each piece beside the cut itself.
-                    CpuStopwatch rest_watch;
-                    const std::size_t own = fragment->draw_view().ranges.size();
-                    const MassProperties mass = fragment->mass_properties();
-                    benchmark::DoNotOptimize(collision_proxy(*fragment, ProxyKind::bounded_hull).points.data());
-                    rest += rest_watch.lap();
-                    ranges += own;
-                    most_ranges = std::max(most_ranges, own);
-                    pieces.push_back({std::move(fragment), mass, own});
-                    std::push_heap(pieces.begin(), pieces.end(), SmallerVolume{});
+            for_each_piece(result, [&](Object& piece) {
+                if (compacts && piece.is_scattered()) {
+                    core::CpuStopwatch compact_watch;
+                    benchmark::DoNotOptimize(piece.compact());
+                    compacting += compact_watch.lap();
+                    ++compactions;
                 }
+                // What a game asks of each piece beside the cut itself.
+                core::CpuStopwatch rest_watch;
+                benchmark::DoNotOptimize(piece.draw(view));
+                const std::size_t own = view.ranges.size();
+                const MassProperties mass = piece.mass_properties();
+                benchmark::DoNotOptimize(bounded_hull(piece)->points().data());
+                rest += rest_watch.lap();
+                ranges += own;
+                most_ranges = std::max(most_ranges, own);
+                pieces.push_back({std::move(piece), mass, own});
+                std::push_heap(pieces.begin(), pieces.end(), SmallerVolume{});
+            });
             if (i + 1 == kMarks[mark]) {
                 std::string at = "_";
                 at += std::to_string(i + 1);
@@ -112,7 +113,7 @@ void long_chain(benchmark::State& state, const Backend& backend, std::uint64_t s
         if (!(std::abs(volume - whole.volume) <= kShare * std::abs(whole.volume)))
             return state.SkipWithError("the volumes of the pieces do not add up");
     }
-    state.counters["triangles"] = double(mesh->triangles.size());
+    state.counters["triangles"] = double(mesh.triangle_count());
 }
 
 /// Planes with random directions through random places of the box's inner half.
@@ -121,11 +122,12 @@ std::vector<Plane> planes_anywhere(const Box& bounds, std::uint32_t count)
     std::vector<Plane> planes;
     // Two directions make a place: their sum lies in a ball, thicker towards its middle.
     const auto normals = planes_through_the_middle(bounds, 3 * count, kLongPlaneSeed);
-    const glm::dvec3 half = 0.5 * (glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo));
+    const glm::dvec3 half = 0.5 * (to_glm(bounds.hi) - to_glm(bounds.lo));
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec3 place =
-            glm::dvec3(bounds.centre()) + 0.5 * half * 0.5 * (normals[3 * i + 1].normal + normals[3 * i + 2].normal);
-        planes.push_back(*Plane::through(place, normals[3 * i].normal));
+            centre_of(bounds) +
+            0.5 * half * 0.5 * (to_glm(normals[3 * i + 1].normal()) + to_glm(normals[3 * i + 2].normal()));
+        planes.push_back(*Plane::at(Point(place), normals[3 * i].normal()));
     }
     return planes;
 }
@@ -135,31 +137,32 @@ double quantile(const std::vector<double>& sorted, double share)
     return sorted[std::min(sorted.size() - 1, std::size_t(share * double(sorted.size())))];
 }
 
-void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t size, std::uint32_t count)
+void many_cuts(benchmark::State& state, const TimedBackEnd& back_end, std::uint64_t size, std::uint32_t count)
 {
     constexpr std::size_t kRuns = 5;  // the median of five is the cut's own time, not a neighbour's noise
     constexpr double kFrame = 1.0 / 60.0;
-    const ProvenMesh& mesh = timed_shape("asteroid", size);
-    const PrepareResult prepared = backend.prepare(mesh);
-    if (!prepared.object) return state.SkipWithError(prepared.reason.c_str());
-    const double whole = prepared.object->mass_properties().volume;
+    const Mesh& mesh = timed_shape("asteroid", size);
+    const Result<Object> prepared = back_end.prepare(mesh);
+    if (!prepared) return state.SkipWithError(prepared.reason());
+    const double whole = prepared->mass_properties().volume;
     std::vector<double> seconds;
+    DrawView view;
     for (auto _ : state) {
         seconds.clear();
         double sum = 0.0;
-        for (const Plane& plane : planes_anywhere(mesh->bounds(), count)) {
+        for (const Plane& plane : planes_anywhere(mesh.bounds(), count)) {
             std::array<double, kRuns> runs{};
             for (double& run : runs) {
-                auto fresh = prepared.object->clone();
+                Object fresh = clone_of(*prepared);
                 double volume = 0.0;
-                CpuStopwatch watch;
-                const CutResult result = cut(std::move(fresh), plane);
-                for (const auto* side : {&result.positive, &result.negative})
-                    for (const auto& fragment : *side) {
-                        volume += fragment->mass_properties().volume;
-                        benchmark::DoNotOptimize(collision_proxy(*fragment, ProxyKind::bounded_hull).points.data());
-                        benchmark::DoNotOptimize(fragment->draw_view().ranges.data());
-                    }
+                core::CpuStopwatch watch;
+                Cut result = cut(std::move(fresh), plane);
+                for_each_piece(result, [&](const Object& piece) {
+                    volume += piece.mass_properties().volume;
+                    benchmark::DoNotOptimize(bounded_hull(piece)->points().data());
+                    benchmark::DoNotOptimize(piece.draw(view));
+                    benchmark::DoNotOptimize(view.ranges.data());
+                });
                 run = watch.lap();
                 constexpr double kShare = 1e-6;  // what rounding cut points to float may change
                 if (result.status != Status::done || !(std::abs(volume - whole) <= kShare * std::abs(whole)))
@@ -172,7 +175,7 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
         state.SetIterationTime(sum);
     }
     std::sort(seconds.begin(), seconds.end());
-    state.counters["triangles"] = double(mesh->triangles.size());
+    state.counters["triangles"] = double(mesh.triangle_count());
     state.counters["cuts"] = double(seconds.size());
     state.counters["p50_ms"] = quantile(seconds, 0.5) * 1e3;
     state.counters["p90_ms"] = quantile(seconds, 0.9) * 1e3;
@@ -187,8 +190,8 @@ void many_cuts(benchmark::State& state, const Backend& backend, std::uint64_t si
 void register_long_benchmarks()
 {
     for (const std::uint64_t size : {10'000ull, 100'000ull, 1'000'000ull})
-        for (const TimedBackend& back_end : back_ends()) {
-            const std::string name = back_end.backend->name(), tail = name + "/asteroid/" + std::to_string(size);
+        for (const TimedBackEnd& back_end : back_ends()) {
+            const std::string name = back_end.name, tail = name + "/asteroid/" + std::to_string(size);
             const auto add = [&](const std::string& full_name, auto function) {
                 benchmark::RegisterBenchmark(full_name.c_str(), function)
                     ->UseManualTime()
@@ -197,15 +200,15 @@ void register_long_benchmarks()
             };
             if (name == "baseline/remap" || name == "halfedge")
                 add("Chain/kept/" + tail,
-                    [&back_end, size](benchmark::State& s) { long_chain(s, *back_end.backend, size, false); });
+                    [&back_end, size](benchmark::State& s) { long_chain(s, back_end, size, false); });
             if (name == "halfedge")
                 add("Chain/compacted/" + tail,
-                    [&back_end, size](benchmark::State& s) { long_chain(s, *back_end.backend, size, true); });
+                    [&back_end, size](benchmark::State& s) { long_chain(s, back_end, size, true); });
             if (name == "baseline/hash" || name == "baseline/remap" || name == "halfedge") {
                 // A dictionary's cuts of a million triangles take longer than all others together.
                 if (name == "baseline/hash" && size > 100'000) continue;
                 add("Many/" + tail,
-                    [&back_end, size](benchmark::State& s) { many_cuts(s, *back_end.backend, size, kManyCuts); });
+                    [&back_end, size](benchmark::State& s) { many_cuts(s, back_end, size, kManyCuts); });
             }
         }
 }

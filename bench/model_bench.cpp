@@ -8,120 +8,157 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "baseline/baseline.h"
-#include "baseline/report_proxy/every_vertex.h"
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/models.h"
-#include "common/proxy/collision_proxy.h"
+#include "bench/objects.h"
+#include "bench/proxies.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
 
 namespace {
 
-std::unique_ptr<Cuttable> prepared(benchmark::State& state, const Backend& backend, const Model& model,
-                                   std::span<const Plane> planes)
+/// An empty object if one of the cuts must not be timed; `state` has the error then.
+Object prepared(benchmark::State& state, const TimedBackEnd& back_end, const Model& model,
+                std::span<const Plane> planes)
 {
-    PrepareResult result = backend.prepare(model.mesh);
-    if (!result.object) {
-        state.SkipWithError(result.reason.c_str());
-        return nullptr;
+    Result<Object> result = back_end.prepare(model.mesh);
+    if (!result) {
+        state.SkipWithError(result.reason());
+        return {};
     }
     for (const Plane& plane : planes)
-        if (const std::string error = check_cut(*result.object, plane); !error.empty()) {
+        if (const std::string error = check_cut(*result, plane); !error.empty()) {
             state.SkipWithError(error.c_str());
-            return nullptr;
+            return {};
         }
-    return std::move(result.object);
+    return *std::move(result);
 }
 
-void cut_model(benchmark::State& state, const Backend& backend, const Model& model)
+/// The views of all pieces of some cuts.
+std::vector<DrawView> views_of(std::span<Cut> cuts)
+{
+    std::vector<DrawView> views;
+    for (Cut& cut : cuts)
+        for_each_piece(cut, [&](const Object& piece) {
+            if (piece.draw(views.emplace_back()) != Status::done) throw std::runtime_error("a piece can't be drawn");
+        });
+    return views;
+}
+
+/// The report's loop that rewrites every vertex of a piece around its new pivot. The result is thrown away, because
+/// coordinates never change: a piece's pivot belongs in its transform.
+void rewrite_around_pivot(std::span<const DrawVertex> vertices)
+{
+    double x = 0.0, y = 0.0, z = 0.0;
+    for (const DrawVertex& v : vertices) {
+        x += double(v.position.x);
+        y += double(v.position.y);
+        z += double(v.position.z);
+    }
+    const double count = std::max(1.0, double(vertices.size()));
+    const Vec3f pivot(Vec3d(x / count, y / count, z / count));
+    // Room that nobody clears first.
+    struct Written
+    {
+        float numbers[8];
+    };
+    static_assert(sizeof(Written) == sizeof(DrawVertex));
+    const auto scratch = std::make_unique_for_overwrite<Written[]>(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto& [p, n, uv] = vertices[i];
+        scratch[i] = {p.x - pivot.x, p.y - pivot.y, p.z - pivot.z, n.x, n.y, n.z, uv.x, uv.y};
+    }
+    benchmark::DoNotOptimize(scratch.get());
+    benchmark::ClobberMemory();
+}
+
+/// `rewrites_pivots`: the report's new pivots belong to the cut.
+void cut_model(benchmark::State& state, const TimedBackEnd& back_end, const Model& model, bool rewrites_pivots)
 {
     const auto planes = planes_of_model(model);
-    const auto object = prepared(state, backend, model, planes);
-    if (!object) return;
+    const Object object = prepared(state, back_end, model, planes);
+    if (object.is_empty()) return;
     std::uint64_t cuts = 0, crossing = 0;
     double seconds = 0.0;
-    std::vector<std::unique_ptr<Cuttable>> fresh(planes.size());
-    std::vector<CutResult> results(planes.size());
+    std::vector<Object> fresh(planes.size());
+    std::vector<Cut> results(planes.size());
     for (auto _ : state) {
-        for (auto& copy : fresh) copy = object->clone();
-        CpuStopwatch watch;
+        for (Object& copy : fresh) copy = clone_of(object);
+        core::CpuStopwatch watch;
         for (std::size_t i = 0; i < planes.size(); ++i) results[i] = cut(std::move(fresh[i]), planes[i]);
-        const double iteration = watch.lap();
+        double iteration = watch.lap();
         benchmark::DoNotOptimize(results.data());
+        if (rewrites_pivots) {
+            // After all cuts, so that neither the views nor a clock in each cut is timed with them.
+            const std::vector<DrawView> views = views_of(results);
+            watch.lap();
+            for (const DrawView& view : views) rewrite_around_pivot(view.vertices);
+            iteration += watch.lap();
+        }
         state.SetIterationTime(iteration);
         seconds += iteration;
         cuts += planes.size();
-        for (CutResult& result : results) {
-            crossing += result.statistics.crossing_triangles;
+        for (Cut& result : results) {
+            crossing += result.statistics().crossing_triangles;
             result = {};
         }
     }
-    const auto triangles = double(model.mesh->triangles.size());
+    const auto triangles = double(model.mesh.triangle_count());
     state.counters["cut_ms"] = seconds * 1e3 / double(cuts);
     state.counters["cuts_each"] = double(planes.size());
     state.counters["triangles"] = triangles;
-    state.counters["vertices"] = double(model.mesh->vertices.size());
+    state.counters["vertices"] = double(model.mesh.vertex_count());
     state.counters["crossing"] = double(crossing) / double(cuts);
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(cuts) / triangles;
 }
 
-/// A way to make a proxy, by the name that its benchmark has.
-struct TimedProxy
+/// Hulls are read off the tree; the other proxies look at every vertex in both.
+bool differs_in_halfedge(ProxyKind kind)
 {
-    std::string name;
-    bool differs_in_halfedge;  ///< hulls are read off the tree; the other proxies look at every vertex in both
-    CollisionProxy (*make)(const Cuttable&);
-};
-
-template <ProxyKind kind>
-CollisionProxy make_proxy(const Cuttable& object)
-{
-    return collision_proxy(object, kind);
+    return kind == ProxyKind::bounded_hull || kind == ProxyKind::full_hull;
 }
 
-const std::array<TimedProxy, 5>& timed_proxies()
-{
-    static const std::array<TimedProxy, 5> all{{{"box", false, make_proxy<ProxyKind::box>},
-                                                {"sphere", false, make_proxy<ProxyKind::sphere>},
-                                                {"bounded_hull", true, make_proxy<ProxyKind::bounded_hull>},
-                                                {"full_hull", true, make_proxy<ProxyKind::full_hull>},
-                                                {"every_vertex", false, baseline::every_vertex}}};
-    return all;
-}
-
-void build_proxies(benchmark::State& state, const Backend& backend, const TimedProxy& timed, const Model& model)
+void build_proxies(benchmark::State& state, const TimedBackEnd& back_end, ProxyKind kind, const Model& model)
 {
     const auto planes = planes_of_model(model);
-    const auto object = prepared(state, backend, model, planes);
-    if (!object) return;
-    std::vector<CutResult> cuts;
-    for (const Plane& plane : planes) cuts.push_back(cut(object->clone(), plane));
+    const Object object = prepared(state, back_end, model, planes);
+    if (object.is_empty()) return;
+    std::vector<Cut> cuts;
+    for (const Plane& plane : planes) cuts.push_back(cut(clone_of(object), plane));
+    std::vector<const Object*> pieces;
+    for (Cut& cut : cuts)
+        for (const Side side : {Side::positive, Side::negative}) pieces.push_back(cut.one(side));
+    const std::vector<DrawView> views = views_of(cuts);
     double volume = 0.0, full_volume = 0.0;
 
-    for (const CutResult& result : cuts)
-        for (const auto* side : {&result.positive, &result.negative}) {
-            const CollisionProxy proxy = timed.make(*side->front());
-            const std::string error = check_proxy(proxy, side->front()->to_indexed_mesh().vertices);
-            if (!error.empty()) return state.SkipWithError(error.c_str());
-            volume += proxy_volume(proxy);
-            full_volume += proxy_volume(collision_proxy(*side->front(), ProxyKind::full_hull));
-        }
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const Proxy proxy = make_proxy(kind, *pieces[i], views[i].vertices);
+        const Hull full = value_of(full_hull(*pieces[i]));
+        const std::string error = check_proxy(proxy, *pieces[i], full);
+        if (!error.empty()) return state.SkipWithError(error.c_str());
+        volume += proxy_volume(proxy, full);
+        full_volume += volume_of(full);
+    }
 
     double seconds = 0.0;
     std::size_t points = 0;
     for (auto _ : state) {
         points = 0;
-        CpuStopwatch watch;
-        for (const CutResult& result : cuts)
-            for (const auto* side : {&result.positive, &result.negative}) {
-                const CollisionProxy proxy = timed.make(*side->front());
-                benchmark::DoNotOptimize(proxy.points.data());
-                points += proxy.points.size();
-            }
+        core::CpuStopwatch watch;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const Proxy proxy = make_proxy(kind, *pieces[i], views[i].vertices);
+            benchmark::DoNotOptimize(proxy.corners().data());
+            points += proxy.corners().size();
+        }
         const double iteration = watch.lap();
         state.SetIterationTime(iteration);
         seconds += iteration;
@@ -130,68 +167,80 @@ void build_proxies(benchmark::State& state, const Backend& backend, const TimedP
     state.counters["cuts_each"] = double(planes.size());
     state.counters["points"] = double(points) / (2.0 * double(planes.size()));
     state.counters["volume_ratio"] = volume / full_volume;
-    state.counters["triangles"] = double(model.mesh->triangles.size());
+    state.counters["triangles"] = double(model.mesh.triangle_count());
 }
 
-void prepare_model(benchmark::State& state, const Backend& backend, const Model& model)
+void prepare_model(benchmark::State& state, const TimedBackEnd& back_end, const Model& model)
 {
-    if (!prepared(state, backend, model, planes_of_model(model))) return;
+    if (!prepared(state, back_end, model, planes_of_model(model))) return;
     double seconds = 0.0;
     for (auto _ : state) {
-        ProvenMesh copy = model.mesh;
-        CpuStopwatch watch;
-        const PrepareResult result = backend.prepare(std::move(copy));
+        Mesh copy = value_of(model.mesh.clone());
+        core::CpuStopwatch watch;
+        const Result<Object> result = back_end.prepare(std::move(copy));
         const double iteration = watch.lap();
-        benchmark::DoNotOptimize(result.object.get());
+        benchmark::DoNotOptimize(&result);
         state.SetIterationTime(iteration);
         seconds += iteration;
     }
-    const auto triangles = double(model.mesh->triangles.size());
+    const auto triangles = double(model.mesh.triangle_count());
     state.counters["triangles"] = triangles;
     state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
+}
+
+/// A back end, and whether the report's new pivots belong to its cuts.
+struct TimedMethod
+{
+    TimedBackEnd back_end;
+    bool rewrites_pivots = false;
+};
+
+/// Those of the report first, in its order. They also run its loop over all vertices for the new pivots; `remap` is
+/// nobody's and does not.
+std::vector<TimedMethod> timed_methods()
+{
+    std::vector<TimedMethod> timed;
+    const auto& all = back_ends();
+    for (const std::string name : {"baseline/scan", "baseline/two_bucket_hash", "baseline/hash"}) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+        timed.push_back({*found, true});
+    }
+    for (const TimedBackEnd& back_end : all)
+        if (std::none_of(timed.begin(), timed.end(),
+                         [&](const TimedMethod& other) { return other.back_end.name == back_end.name; }))
+            timed.push_back({back_end, false});
+    return timed;
 }
 
 }  // namespace
 
 void register_model_benchmarks()
 {
-    // The report's methods also run its loop over all vertices for the new pivots; `remap` is nobody's and does not.
-    using baseline::VertexLookup;
-    static std::vector<std::shared_ptr<Backend>> timed;
-    for (const VertexLookup lookup : {VertexLookup::scan, VertexLookup::two_bucket_hash, VertexLookup::hash})
-        timed.push_back(baseline::make_back_end(lookup, true));
-    for (const TimedBackend& back_end : back_ends()) {
-        const std::string name = back_end.backend->name();
-        if (std::none_of(timed.begin(), timed.end(), [&](const auto& other) { return other->name() == name; }))
-            timed.push_back(back_end.backend);
-    }
+    static const std::vector<TimedMethod> timed = timed_methods();
+    const auto add = [](const std::string& name, auto function) {
+        benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMillisecond);
+    };
     for (const Model& model : models()) {
-        for (const auto& backend : timed) {
-            benchmark::RegisterBenchmark(("Cut/" + backend->name() + "/" + model.name).c_str(),
-                                         [&](benchmark::State& s) { cut_model(s, *backend, model); })
-                ->UseManualTime()
-                ->Unit(benchmark::kMillisecond);
-        }
-        for (const TimedProxy& proxy : timed_proxies())
-            for (const auto& backend : timed) {
-                const bool is_halfedge = backend->name() == "halfedge";
-                if (!is_halfedge && backend->name() != "baseline/remap") continue;  // all lookups build alike
-                if (is_halfedge && !proxy.differs_in_halfedge) continue;
-                const std::string variant = (is_halfedge ? "halfedge/" : "") + proxy.name;
-                benchmark::RegisterBenchmark(("Proxy/" + variant + "/" + model.name).c_str(),
-                                             [&](benchmark::State& s) { build_proxies(s, *backend, proxy, model); })
-                    ->UseManualTime()
-                    ->Unit(benchmark::kMillisecond);
+        for (const TimedMethod& method : timed)
+            add("Cut/" + method.back_end.name + "/" + model.name, [&method, &model](benchmark::State& s) {
+                cut_model(s, method.back_end, model, method.rewrites_pivots);
+            });
+        for (const ProxyKind kind : kProxyKinds)
+            for (const TimedMethod& method : timed) {
+                const TimedBackEnd& back_end = method.back_end;
+                const bool is_halfedge = back_end.name == "halfedge";
+                if (!is_halfedge && back_end.name != "baseline/remap") continue;  // all lookups build alike
+                if (is_halfedge && !differs_in_halfedge(kind)) continue;
+                const std::string variant = (is_halfedge ? "halfedge/" : "") + name_of(kind);
+                add("Proxy/" + variant + "/" + model.name,
+                    [&back_end, kind, &model](benchmark::State& s) { build_proxies(s, back_end, kind, model); });
             }
         // All lookups prepare alike.
-        for (const auto& backend : timed) {
-            if (backend->name() == "baseline/scan" || backend->name() == "baseline/two_bucket_hash" ||
-                backend->name() == "baseline/hash")
-                continue;
-            benchmark::RegisterBenchmark(("Prepare/" + backend->name() + "/" + model.name).c_str(),
-                                         [&](benchmark::State& s) { prepare_model(s, *backend, model); })
-                ->UseManualTime()
-                ->Unit(benchmark::kMillisecond);
+        for (const TimedMethod& method : timed) {
+            const TimedBackEnd& back_end = method.back_end;
+            if (method.rewrites_pivots) continue;
+            add("Prepare/" + back_end.name + "/" + model.name,
+                [&back_end, &model](benchmark::State& s) { prepare_model(s, back_end, model); });
         }
     }
 }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <kerf/mesh.h>
+#include <kerf/plane.h>
+
 #include <string>
 #include <vector>
-
-#include "common/mesh/plane.h"
-#include "common/repair/proven_mesh.h"
 
 namespace kerf::bench {
 
@@ -12,11 +12,11 @@ namespace kerf::bench {
 struct Model
 {
     std::string name;
-    ProvenMesh mesh;
+    Mesh mesh;
 };
 
 /// The models of data/models in the order of the report's tables.
-/// @throws io::FileError
+/// @throws std::runtime_error  a file cannot be used
 const std::vector<Model>& models();
 
 /// The report's ten cuts of a model: planes with seeded random directions through its middle.

@@ -8,11 +8,14 @@
 // destroying the fragments stay untimed.
 
 #include <benchmark/benchmark.h>
+#include <kerf/proxy.h>
+
+#include <array>
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
+#include "bench/objects.h"
 #include "bench/timed_shapes.h"
-#include "common/proxy/collision_proxy.h"
 #include "common/support/cpu_stopwatch.h"
 
 namespace kerf::bench {
@@ -31,63 +34,64 @@ enum class Extent
 struct Prepared
 {
     std::string key;
-    std::unique_ptr<Cuttable> object;
+    Object object;
     CutCounts counted;  ///< by one cut with each plane: the same on every run, however often is timed
     std::string error;  ///< why a cut of it must not be timed
 };
 
 /// A mesh made ready and every cut of it that will be timed checked; kept for the repetitions and for the other extent.
-const Prepared& prepared_and_checked(const Backend& backend, const ProvenMesh& mesh, const std::string& shape,
+const Prepared& prepared_and_checked(const TimedBackEnd& back_end, const Mesh& mesh, const std::string& shape,
                                      std::span<const Plane> planes)
 {
     static Prepared last;
-    const std::string key = backend.name() + "/" + shape + "/" + std::to_string(mesh->triangles.size());
+    const std::string key = back_end.name + "/" + shape + "/" + std::to_string(mesh.triangle_count());
     if (last.key == key) return last;
     last = {};
-    PrepareResult result = backend.prepare(mesh);
-    last.error = result.reason;
+    Result<Object> result = back_end.prepare(mesh);
+    last.error = result.reason();
     for (const Plane& plane : planes)
-        if (result.object && last.error.empty()) last.error = check_cut(*result.object, plane, &last.counted);
-    last.object = std::move(result.object);
+        if (result && last.error.empty()) last.error = check_cut(*result, plane, &last.counted);
+    last.object = *std::move(result);
     last.key = key;
     return last;
 }
 
-void cut_shape(benchmark::State& state, const Backend& backend, const std::string& shape, std::uint64_t size,
+void cut_shape(benchmark::State& state, const TimedBackEnd& back_end, const std::string& shape, std::uint64_t size,
                Extent extent)
 {
-    const ProvenMesh& mesh = timed_shape(shape, size);
+    const Mesh& mesh = timed_shape(shape, size);
     const auto planes = planes_of_shape(mesh);
-    const Prepared& prepared = prepared_and_checked(backend, mesh, shape, planes);
+    const Prepared& prepared = prepared_and_checked(back_end, mesh, shape, planes);
     if (!prepared.error.empty()) return state.SkipWithError(prepared.error.c_str());
 
     std::uint64_t cuts = 0;
     double seconds = 0.0;
     std::uint64_t crossing = 0;
-    PhaseTimes phases;
+    std::array<double, kPhaseCount> phase_ms{};
     double mass_ms = 0.0, proxy_ms = 0.0, draw_ms = 0.0;
+    DrawView view;
     const auto cut_once = [&](const Plane& plane) {
-        auto fresh = prepared.object->clone();
-        CpuStopwatch whole, part;
-        CutResult result = cut(std::move(fresh), plane);
+        Object fresh = clone_of(prepared.object);
+        core::CpuStopwatch whole, part;
+        Cut result = cut(std::move(fresh), plane);
         benchmark::DoNotOptimize(result);
         part.lap();
         if (extent == Extent::whole_chain) {
-            for (const auto* side : {&result.positive, &result.negative})
-                for (const auto& fragment : *side) benchmark::DoNotOptimize(fragment->mass_properties());
+            for_each_piece(result, [](const Object& piece) { benchmark::DoNotOptimize(piece.mass_properties()); });
             mass_ms += part.lap() * 1e3;
-            for (const auto* side : {&result.positive, &result.negative})
-                for (const auto& fragment : *side)
-                    benchmark::DoNotOptimize(collision_proxy(*fragment, ProxyKind::bounded_hull).points.data());
+            for_each_piece(result,
+                           [](const Object& piece) { benchmark::DoNotOptimize(bounded_hull(piece)->points().data()); });
             proxy_ms += part.lap() * 1e3;
-            for (const auto* side : {&result.positive, &result.negative})
-                for (const auto& fragment : *side) benchmark::DoNotOptimize(fragment->draw_view().ranges.data());
+            for_each_piece(result, [&](const Object& piece) {
+                benchmark::DoNotOptimize(piece.draw(view));
+                benchmark::DoNotOptimize(view.ranges.data());
+            });
             draw_ms += part.lap() * 1e3;
         }
         const double taken = whole.lap();
         ++cuts;
-        crossing += result.statistics.crossing_triangles;
-        for (std::size_t i = 0; i < kPhaseCount; ++i) phases.ms[i] += result.statistics.phases.ms[i];
+        crossing += result.statistics().crossing_triangles;
+        for (std::size_t i = 0; i < kPhaseCount; ++i) phase_ms[i] += result.statistics().phase_ms[i];
         return taken;
     };
     for (auto _ : state) {
@@ -96,7 +100,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
         state.SetIterationTime(round);
         seconds += round;
     }
-    const auto n = double(cuts), triangles = double(mesh->triangles.size());
+    const auto n = double(cuts), triangles = double(mesh.triangle_count());
     const CutStatistics& counted = prepared.counted.all;
     const auto counts = double(planes.size());
     state.counters["triangles"] = triangles;
@@ -109,7 +113,7 @@ void cut_shape(benchmark::State& state, const Backend& backend, const std::strin
     state.counters["comparisons"] = double(prepared.counted.report.vertex_comparisons) / counts;
     state.counters["upload_bytes"] = double(counted.bytes_to_upload) / counts;
     for (std::size_t i = 0; i < kPhaseCount; ++i)
-        if (phases.ms[i] > 0) state.counters["ms_" + std::string(name_of(static_cast<Phase>(i)))] = phases.ms[i] / n;
+        if (phase_ms[i] > 0) state.counters["ms_" + std::string(text(static_cast<Phase>(i)))] = phase_ms[i] / n;
     if (extent == Extent::whole_chain) {
         state.counters["ms_mass"] = mass_ms / n;
         state.counters["ms_proxy"] = proxy_ms / n;
@@ -124,18 +128,18 @@ void register_scale_benchmarks()
     for (const std::uint64_t size :
          {1'000ull, 3'000ull, 10'000ull, 30'000ull, 100'000ull, 300'000ull, 1'000'000ull, 4'000'000ull, 16'000'000ull})
         for (const std::string shape : {"asteroid", "shuffled"})
-            for (const TimedBackend& back_end : back_ends())
+            for (const TimedBackEnd& back_end : back_ends())
                 for (const Extent extent : {Extent::whole_chain, Extent::geometry}) {
                     if (size > back_end.most_triangles) continue;
-                    const bool dictionary = back_end.backend->name() == "baseline/hash";
+                    const bool dictionary = back_end.name == "baseline/hash";
                     // Nearly all of a dictionary's whole chain is the geometry: the largest is timed once.
                     if (dictionary && extent == Extent::geometry && size > kMostDictionaryGeometry) continue;
                     if (shape == "shuffled" && size > (dictionary ? kMostShuffledDictionary : kMostShuffled)) continue;
-                    const std::string name = (extent == Extent::geometry ? "Geometry/" : "Scale/") +
-                                             back_end.backend->name() + "/" + shape + "/" + std::to_string(size);
+                    const std::string name = (extent == Extent::geometry ? "Geometry/" : "Scale/") + back_end.name +
+                                             "/" + shape + "/" + std::to_string(size);
                     benchmark::RegisterBenchmark(name.c_str(),
                                                  [&back_end, shape, size, extent](benchmark::State& s) {
-                                                     cut_shape(s, *back_end.backend, shape, size, extent);
+                                                     cut_shape(s, back_end, shape, size, extent);
                                                  })
                         ->UseManualTime()
                         ->Unit(benchmark::kMillisecond);

@@ -13,7 +13,8 @@
 #include <memory>
 #include <string>
 
-#include "bench/timed_shapes.h"
+#include "common/repair/repair.h"
+#include "common/shapes/shapes.h"
 #include "common/support/cpu_stopwatch.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body_proxies.h"
@@ -32,7 +33,8 @@ std::shared_ptr<sim::ModelLibrary> asteroid_library(std::uint64_t triangles)
     static std::shared_ptr<sim::ModelLibrary> library;
     if (size != triangles) {
         library = std::make_shared<sim::ModelLibrary>();
-        library->add("asteroid", timed_shape("asteroid", triangles));
+        constexpr std::uint64_t kShapeSeed = 1;
+        library->add("asteroid", repair(shapes::asteroid(triangles, kShapeSeed)).mesh);
         size = triangles;
     }
     return library;

@@ -25,14 +25,15 @@ CgalMesh to_cgal(const PeerInput& input)
 {
     CgalMesh mesh;
     std::vector<CgalMesh::Vertex_index> points;
-    for (const glm::vec3& p : input.points) points.push_back(mesh.add_vertex({p.x, p.y, p.z}));
-    for (const Triangle& t : input.triangles) mesh.add_face(points[t[0]], points[t[1]], points[t[2]]);
+    for (const Vec3f& p : input.points) points.push_back(mesh.add_vertex({p.x, p.y, p.z}));
+    for (const auto& t : input.triangles) mesh.add_face(points[t[0]], points[t[1]], points[t[2]]);
     return mesh;
 }
 
 Kernel::Plane_3 to_cgal(const Plane& plane)
 {
-    return {plane.normal.x, plane.normal.y, plane.normal.z, -plane.offset};
+    const Normal normal = plane.normal();
+    return {normal.x, normal.y, normal.z, -plane.offset()};
 }
 
 /// What is the matter with one cut; empty when nothing is.
@@ -75,7 +76,7 @@ PeerRow time_cgal_clip(const PeerInput& input, double budget_seconds)
     return time_planes("cgal_clip", input, budget_seconds, [&](std::size_t i) -> std::pair<double, Problem> {
         CgalMesh negative = whole, positive = whole;
         const Kernel::Plane_3 plane = to_cgal(input.planes[i]);
-        CpuStopwatch watch;
+        core::CpuStopwatch watch;
         try {
             const bool done = PMP::clip(negative, plane, CGAL::parameters::clip_volume(true)) &&
                               PMP::clip(positive, plane.opposite(), CGAL::parameters::clip_volume(true));
@@ -99,7 +100,7 @@ PeerRow time_cgal_split(const PeerInput& input, double budget_seconds)
     const double area = PMP::area(whole);
     return time_planes("cgal_split", input, budget_seconds, [&](std::size_t i) -> std::pair<double, Problem> {
         CgalMesh mesh = whole;
-        CpuStopwatch watch;
+        core::CpuStopwatch watch;
         try {
             PMP::split(mesh, to_cgal(input.planes[i]));
             const double seconds = watch.lap();

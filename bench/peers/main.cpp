@@ -64,8 +64,9 @@ Json export_inputs(const std::filesystem::path& folder, const std::vector<std::s
         Json planes = Json::array();
         for (std::size_t i = 0; i < input.planes.size(); ++i) {
             const Plane& plane = input.planes[i];
-            planes.push_back({{"normal", {plane.normal.x, plane.normal.y, plane.normal.z}},
-                              {"offset", plane.offset},
+            const Normal normal = plane.normal();
+            planes.push_back({{"normal", {normal.x, normal.y, normal.z}},
+                              {"offset", plane.offset()},
                               {"negative_volume", input.volumes[i]}});
         }
         inputs.push_back(

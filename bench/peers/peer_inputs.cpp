@@ -1,36 +1,42 @@
 #include "bench/peers/peer_inputs.h"
 
+#include <kerf/cut.h>
+
 #include <stdexcept>
 #include <utility>
 
-#include "baseline/baseline.h"
+#include "baseline/report_back_ends.h"
 #include "bench/models.h"
+#include "bench/objects.h"
 #include "bench/timed_shapes.h"
-#include "common/cutting/cut.h"
 
 namespace kerf::bench {
 
 namespace {
 
-PeerInput input_of(const std::string& name, const ProvenMesh& mesh, std::vector<Plane> planes)
+PeerInput input_of(const std::string& name, const Mesh& mesh, std::vector<Plane> planes)
 {
+    const MeshArrays arrays = mesh.arrays();
     PeerInput input;
     input.name = name;
-    input.points.resize(mesh->point_count);
-    for (std::size_t v = 0; v < mesh->vertices.size(); ++v) input.points[mesh->points[v]] = mesh->vertices[v].position;
-    for (const Triangle& t : mesh->triangles)
-        input.triangles.push_back({mesh->points[t[0]], mesh->points[t[1]], mesh->points[t[2]]});
+    input.points.resize(arrays.point_count);
+    for (std::size_t v = 0; v < arrays.points.size(); ++v) input.points[arrays.points[v]] = arrays.positions[v];
+    for (std::size_t i = 0; i < arrays.indices.size(); i += 3) {
+        const auto point = [&](std::size_t corner) { return arrays.points[arrays.indices[i + corner]]; };
+        input.triangles.push_back({point(0), point(1), point(2)});
+    }
     input.planes = std::move(planes);
 
-    const auto backend = baseline::make_back_end(baseline::VertexLookup::remap);
-    const PrepareResult prepared = backend->prepare(mesh);
-    if (!prepared.object) throw std::runtime_error(name + ": " + prepared.reason);
-    input.volume = prepared.object->mass_properties().volume;
+    add_report_back_ends();
+    PrepareOptions options;
+    options.back_end_name = "baseline/remap";
+    const Result<Object> prepared = prepare(mesh, options);
+    if (!prepared) throw std::runtime_error(name + ": " + prepared.reason());
+    input.volume = prepared->mass_properties().volume;
     for (const Plane& plane : input.planes) {
-        const CutResult result = cut(prepared.object->clone(), plane);
-        if (result.status != Status::done)
-            throw std::runtime_error(name + ": a plane gives " + std::string(name_of(result.status)));
-        input.volumes.push_back(result.negative.front()->mass_properties().volume);
+        Cut result = cut(clone_of(*prepared), plane);
+        if (result.status != Status::done) throw std::runtime_error(name + ": a plane gives " + text(result.status));
+        input.volumes.push_back(result.one(Side::negative)->mass_properties().volume);
     }
     return input;
 }
@@ -39,7 +45,7 @@ PeerInput input_of(const std::string& name, const ProvenMesh& mesh, std::vector<
 
 PeerInput asteroid_input(std::uint64_t triangles)
 {
-    const ProvenMesh& mesh = timed_shape("asteroid", triangles);
+    const Mesh& mesh = timed_shape("asteroid", triangles);
     return input_of("asteroid", mesh, planes_of_shape(mesh));
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <kerf/mesh.h>
+#include <kerf/plane.h>
+
+#include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
-
-#include "common/mesh/indexed_mesh.h"
-#include "common/mesh/plane.h"
 
 // What other libraries are given: the meshes and planes of kerf_bench, as bare triangles that share their corners.
 
@@ -16,8 +16,8 @@ namespace kerf::bench {
 struct PeerInput
 {
     std::string name;
-    std::vector<glm::vec3> points;
-    std::vector<Triangle> triangles;  ///< index into `points`
+    std::vector<Vec3f> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< index into `points`
     std::vector<Plane> planes;
     std::vector<double> volumes;  ///< of the negative side of each plane, by the baseline
     double volume = 0.0;          ///< of the whole
