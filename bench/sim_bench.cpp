@@ -13,8 +13,7 @@
 #include <memory>
 #include <string>
 
-#include "common/repair/repair.h"
-#include "common/shapes/shapes.h"
+#include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body_proxies.h"
@@ -33,8 +32,7 @@ std::shared_ptr<sim::ModelLibrary> asteroid_library(std::uint64_t triangles)
     static std::shared_ptr<sim::ModelLibrary> library;
     if (size != triangles) {
         library = std::make_shared<sim::ModelLibrary>();
-        constexpr std::uint64_t kShapeSeed = 1;
-        library->add("asteroid", repair(shapes::asteroid(triangles, kShapeSeed)).mesh);
+        library->add("asteroid", timed_shape("asteroid", triangles));
         size = triangles;
     }
     return library;
@@ -88,7 +86,7 @@ bool cut_up(sim::Simulation& run, std::size_t count, sim::Tick ticks_between)
     return true;
 }
 
-void pieces(benchmark::State& state, bool heap, ProxyKind proxy)
+void pieces(benchmark::State& state, bool heap, sim::ProxyKind proxy)
 {
     const auto wanted = std::size_t(state.range(0));
     sim::Settings settings;
@@ -100,7 +98,7 @@ void pieces(benchmark::State& state, bool heap, ProxyKind proxy)
     if (!cut_up(run, wanted, heap ? 0 : 3)) return state.SkipWithError("there are not enough pieces");
     double touching = 0.0, bodies = 0.0, frames = 0.0;
     for (auto _ : state) {
-        CpuStopwatch watch;
+        core::CpuStopwatch watch;
         run.advance(sim::kTicksPerFrame);
         state.SetIterationTime(watch.lap());
         touching += double(run.world().contacts());
@@ -127,12 +125,12 @@ void register_sim_benchmarks()
         }
     for (const bool heap : {false, true})
         benchmark::RegisterBenchmark(heap ? "Pieces/heap" : "Pieces/spread",
-                                     [=](benchmark::State& state) { pieces(state, heap, ProxyKind::bounded_hull); })
+                                     [=](benchmark::State& state) { pieces(state, heap, sim::ProxyKind::bounded_hull); })
             ->Arg(300)
             ->UseManualTime()
             ->Iterations(20)
             ->Unit(benchmark::kMillisecond);
-    for (const ProxyKind proxy : sim::kProxyKinds)
+    for (const sim::ProxyKind proxy : sim::kProxyKinds)
         benchmark::RegisterBenchmark(("Physics/" + std::string(sim::proxy_name(proxy))).c_str(),
                                      [=](benchmark::State& state) { pieces(state, false, proxy); })
             ->Arg(300)

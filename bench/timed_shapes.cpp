@@ -68,7 +68,9 @@ const Mesh& timed_shape(const std::string& name, std::uint64_t triangles)
     static Mesh mesh;
     if (key != std::pair{name, triangles}) {
         mesh = {};
-        mesh = value_of(make_shape("asteroid", triangles, kSeed));
+        ShapeOptions options;
+        options.seed = kSeed;
+        mesh = value_of(make_shape("asteroid", triangles, options));
         if (name == "shuffled") mesh = shuffled(mesh, kSeed);
         key = {name, triangles};
     }

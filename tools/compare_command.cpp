@@ -168,10 +168,10 @@ std::string row_text(const ComparisonRow& row)
         if (row.section_intersects_itself) text += "  the section intersects itself";
         if (!row.section_is_judged) text += "  the section crosses itself too often to be judged";
     } else {
-        text += outcome_text(row.halfedge.status);
+        text += outcome_name(row.halfedge.status);
     }
     if (row.baseline.status != row.halfedge.status)
-        text += "  baseline: " + outcome_text(row.baseline.status);
+        text += "  baseline: " + std::string(outcome_name(row.baseline.status));
     if (!row.earlier_caps_fit) text += "  (after a wrong cap)";
     text += "\n";
     if (!row.failures.empty()) {
@@ -209,7 +209,7 @@ std::string tally_text(const std::string& name, const Tally& tally)
 
 Json back_end_json(const BackEndRow& facts)
 {
-    return {{"status", outcome_text(facts.status)},
+    return {{"status", outcome_name(facts.status)},
             {"crossing", facts.crossing},
             {"triangles", {{"positive", facts.triangles[0]}, {"negative", facts.triangles[1]}}},
             {"cap_area", {{"positive", facts.cap_area[0]}, {"negative", facts.cap_area[1]}}},
@@ -250,27 +250,28 @@ Json row_json(const ComparisonRow& row)
     const auto difference_json = [](const SurfaceDifference& difference) {
         return Json{{"only_baseline", difference.only_first}, {"only_halfedge", difference.only_second}};
     };
-    return {{"number", row.number},
-            {"piece", row.piece},
-            {"kind", row.plane.kind},
-            {"plane", {{"normal", vector_json(to_glm(row.plane.plane.normal()))}, {"offset", row.plane.plane.offset()}}},
-            {"status", outcome_text(row.halfedge.status)},
-            {"crossing", row.halfedge.crossing},
-            {"loops", row.loops},
-            {"open_chains", row.open_chains},
-            {"surfaces_equal", row.surfaces_equal()},
-            {"pieces_equal", row.pieces_equal},
-            {"positive", difference_json(row.surface[0])},
-            {"negative", difference_json(row.surface[1])},
-            {"section_area", row.section_area},
-            {"section_intersects_itself", row.section_is_judged ? Json(row.section_intersects_itself) : Json()},
-            {"covered_area", row.covered_area},
-            {"earlier_caps_fit", row.earlier_caps_fit},
-            {"fan_fits", row.fan_fits},
-            {"cap_fits", row.cap_fits},
-            {"baseline", back_end_json(row.baseline)},
-            {"halfedge", back_end_json(row.halfedge)},
-            {"failures", row.failures}};
+    return {
+        {"number", row.number},
+        {"piece", row.piece},
+        {"kind", row.plane.kind},
+        {"plane", {{"normal", vector_json(to_glm(row.plane.plane.normal()))}, {"offset", row.plane.plane.offset()}}},
+        {"status", outcome_name(row.halfedge.status)},
+        {"crossing", row.halfedge.crossing},
+        {"loops", row.loops},
+        {"open_chains", row.open_chains},
+        {"surfaces_equal", row.surfaces_equal()},
+        {"pieces_equal", row.pieces_equal},
+        {"positive", difference_json(row.surface[0])},
+        {"negative", difference_json(row.surface[1])},
+        {"section_area", row.section_area},
+        {"section_intersects_itself", row.section_is_judged ? Json(row.section_intersects_itself) : Json()},
+        {"covered_area", row.covered_area},
+        {"earlier_caps_fit", row.earlier_caps_fit},
+        {"fan_fits", row.fan_fits},
+        {"cap_fits", row.cap_fits},
+        {"baseline", back_end_json(row.baseline)},
+        {"halfedge", back_end_json(row.halfedge)},
+        {"failures", row.failures}};
 }
 
 Json tally_json(const Tally& tally)

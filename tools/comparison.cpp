@@ -157,7 +157,8 @@ private:
         const auto fail = [&](std::string clause) { row.failures.push_back(std::move(clause)); };
         // With a cap that covers what it should not, a piece has another shape: further planes may meet it elsewhere.
         if (row.baseline.status != row.halfedge.status && row.earlier_caps_fit && !only_a_sliver_is_cut(row, a, b))
-            fail("status " + outcome_text(row.baseline.status) + " and " + outcome_text(row.halfedge.status));
+            fail("status " + std::string(outcome_name(row.baseline.status)) + " and " +
+                 std::string(outcome_name(row.halfedge.status)));
         if (!is_cut(a.result) || !is_cut(b.result)) return;
         // Caps of earlier cuts cross, too, and are other triangles in each back end.
         if (row.piece.empty() && row.baseline.crossing != row.halfedge.crossing)

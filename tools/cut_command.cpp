@@ -135,7 +135,8 @@ CutReport perform(const CutCommandOptions& options)
     if (result.status == Status::out_of_memory)
         throw std::runtime_error(options.file + ": there is not enough memory to cut it; divide it or free some");
     if (result.status != Status::done && result.status != Status::open_section)
-        throw std::runtime_error(options.file + ": it could not be cut (" + outcome_text(result.status) + ")");
+        throw std::runtime_error(options.file + ": it could not be cut (" + std::string(outcome_name(result.status)) +
+                                 ")");
 
     MeshFileSet files(report.read);
     report.positive = add_side(files, options, result, Side::positive);
@@ -167,7 +168,7 @@ Json report_json(const CutReport& report)
     if (report.caps_exceed_section) warnings.push_back("caps_exceed_section");
     Json json{{"file", report.file},
               {"backend", report.backend},
-              {"status", outcome_text(report.status)},
+              {"status", outcome_name(report.status)},
               {"plane", {{"normal", vector_json(to_glm(report.plane.normal()))}, {"offset", report.plane.offset()}}},
               {"repairs", describe(report.read.mesh().repairs).c_str()},
               {"warnings", std::move(warnings)},
@@ -212,7 +213,7 @@ std::string report_text(const CutReport& report)
     if (report.status == Status::missed)
         return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
 
-    text += outcome_text(report.status) + ": " + grouped(statistics.crossing_triangles) + " of " +
+    text += std::string(outcome_name(report.status)) + ": " + grouped(statistics.crossing_triangles) + " of " +
             counted(statistics.triangles, "triangle") + " crossing, " +
             counted(statistics.section_loops, "section loop") + ", section area " + rounded(report.section_area) + "\n";
     if (report.status == Status::open_section)

@@ -25,7 +25,9 @@ struct ShapeOptions
 
 void run(const ShapeOptions& options)
 {
-    const Result<Mesh> shape = make_shape(options.name.c_str(), options.triangles, options.seed);
+    kerf::ShapeOptions how;
+    how.seed = options.seed;
+    const Result<Mesh> shape = make_shape(options.name.c_str(), options.triangles, how);
     if (!shape) throw std::runtime_error(options.name + ": " + shape.reason());
     check(write_mesh(*shape, options.out.c_str()));
     print(options.out + ": " + counted(shape->triangle_count(), "triangle") + "\n");

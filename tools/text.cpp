@@ -19,14 +19,6 @@ std::string grouped(std::uint64_t value)
     return digits;
 }
 
-std::string outcome_text(Status status)
-{
-    if (status == Status::done) return "cut";
-    std::string name = text(status);
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-}
-
 std::string rounded(double value)
 {
     char text[32];

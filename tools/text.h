@@ -19,9 +19,6 @@ using Json = nlohmann::ordered_json;
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t value);
 
-/// What became of a cut: "cut", "missed", "open_section".
-std::string outcome_text(Status status);
-
 /// With six significant digits.
 std::string rounded(double value);
 

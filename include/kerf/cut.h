@@ -58,6 +58,9 @@ private:
     Data* data_ = nullptr;
 };
 
+/// What became of a cut in one word, for logs and files: "cut", "missed", "open_section", ... Never null.
+KERF_API const char* outcome_name(Status status) noexcept;
+
 /// Cuts an object by a plane, in the object's own coordinates, and consumes it; it comes back in `Cut::object` if it was
 /// not cut. The same object and plane give the same bytes in every run (kerf/version.h: bits_version()).
 ///

@@ -1,7 +1,7 @@
 #pragma once
 
 // Points, vectors and matrices: plain numbers. Anything with members x, y and z (glm, Eigen's accessors apart, most
-// engines) converts to a Vec3f or a Vec3d by itself.
+// engines) converts to a Vec3f or a Vec3d by itself, and these to it where the type is named: `glm::vec3(point)`.
 
 namespace kerf {
 
@@ -12,6 +12,13 @@ concept HasXyz = requires(const T& t)
     static_cast<double>(t.x);
     static_cast<double>(t.y);
     static_cast<double>(t.z);
+};
+
+/// A type of three coordinates that can be made of them.
+template <class T, class Number>
+concept IsMadeOfXyz = HasXyz<T> && requires(Number n)
+{
+    T{n, n, n};
 };
 
 struct Vec2f
@@ -33,6 +40,13 @@ struct Vec3f
     {
     }
 
+    /// As the caller's own type.
+    template <IsMadeOfXyz<float> T>
+    explicit constexpr operator T() const
+    {
+        return T{x, y, z};
+    }
+
     friend bool operator==(const Vec3f&, const Vec3f&) = default;
 };
 
@@ -46,6 +60,13 @@ struct Vec3d
     template <HasXyz T>
     constexpr Vec3d(const T& t) : x(static_cast<double>(t.x)), y(static_cast<double>(t.y)), z(static_cast<double>(t.z))
     {
+    }
+
+    /// As the caller's own type.
+    template <IsMadeOfXyz<double> T>
+    explicit constexpr operator T() const
+    {
+        return T{x, y, z};
     }
 
     friend bool operator==(const Vec3d&, const Vec3d&) = default;

@@ -14,10 +14,22 @@ namespace kerf {
 /// The most triangles that a shape is asked for.
 inline constexpr std::uint64_t kMostShapeTriangles = 16'000'000;
 
+/// Options of make_shape().
+struct ShapeOptions
+{
+    std::uint64_t seed = 1;              ///< only the asteroid uses it
+    const Material* material = nullptr;  ///< of all triangles; null: the shape's own
+    /// Called from the thread that makes the shape, with the share that is done: 0 at the start, about 0.4 if the
+    /// triangles are there and are to be joined to a mesh, 1 at the end. Returns false to stop; the status is
+    /// `cancelled` then. May be null.
+    bool (*progress)(void* user, double share) = nullptr;
+    void* user = nullptr;  ///< for `progress`
+};
+
 /// A closed shape by its name with about so many triangles (at least what it needs, at most
-/// kMostShapeTriangles). Only the asteroid uses the seed.
-/// O(n log n). Status: `invalid_argument` for a name that is none of shape_name(), `out_of_memory`.
-KERF_API Result<Mesh> make_shape(const char* name, std::uint64_t triangles, std::uint64_t seed = 1) noexcept;
+/// kMostShapeTriangles).
+/// O(n log n). Status: `invalid_argument` for a name that is none of shape_name(), `cancelled`, `out_of_memory`.
+KERF_API Result<Mesh> make_shape(const char* name, std::uint64_t triangles, const ShapeOptions& options = {}) noexcept;
 
 /// "asteroid", "bowl", "box", ...; null beyond the last.
 KERF_API const char* shape_name(std::size_t i) noexcept;

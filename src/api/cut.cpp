@@ -170,6 +170,29 @@ Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options
     return result;
 }
 
+const char* outcome_name(Status status) noexcept
+{
+    switch (status) {
+        case Status::done:
+            return "cut";
+        case Status::missed:
+            return "missed";
+        case Status::open_section:
+            return "open_section";
+        case Status::invalid_argument:
+            return "invalid_argument";
+        case Status::invalid_mesh:
+            return "invalid_mesh";
+        case Status::out_of_memory:
+            return "out_of_memory";
+        case Status::cancelled:
+            return "cancelled";
+        case Status::unusable_file:
+            return "unusable_file";
+    }
+    return "unknown";
+}
+
 Cut::Cut() noexcept = default;
 
 Cut::Cut(Cut&& other) noexcept

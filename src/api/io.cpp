@@ -9,8 +9,8 @@
 
 #include "api/mesh_data.h"
 #include "api/no_memory.h"
+#include "common/files/unfinished_files.h"
 #include "common/io/mesh_file.h"
-#include "common/io/unfinished_files.h"
 
 namespace kerf {
 

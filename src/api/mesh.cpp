@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kNoMemory = "there is not enough memory for the mesh; divide it or free some";
+constexpr const char* kNoMemoryForMesh = "there is not enough memory for the mesh; divide it or free some";
 constexpr std::size_t kWidestStream = 16;
 
 /// Reads element i of an array of floats with a stride.
@@ -130,9 +130,9 @@ Result<Mesh> Mesh::make(const MeshInput& input, MeshReport* report) noexcept
         if (!repaired.error.empty()) return {Status::invalid_mesh, Sentence(repaired.error.c_str())};
         return Mesh(new Data(std::move(repaired.mesh)));
     } catch (const std::bad_alloc&) {
-        return {Status::out_of_memory, Sentence(kNoMemory)};
+        return {Status::out_of_memory, Sentence(kNoMemoryForMesh)};
     } catch (const std::length_error&) {
-        return {Status::out_of_memory, Sentence(kNoMemory)};
+        return {Status::out_of_memory, Sentence(kNoMemoryForMesh)};
     }
 }
 
@@ -149,8 +149,7 @@ core::PrepareResult Mesh::Data::prepare(const core::Backend& back_end, const cor
 bool Mesh::Data::is_closed() const
 {
     if (!is_proven_) return core::measure(plain_).boundary_edges == 0;
-    const auto& opposite = proven_.adjacency().opposite;
-    return std::find(opposite.begin(), opposite.end(), core::kNone) == opposite.end();
+    return proven_.is_closed();
 }
 
 bool Mesh::Data::has_coarse_coordinates() const
@@ -180,7 +179,7 @@ Mesh::~Mesh()
 Result<Mesh> Mesh::clone() const noexcept
 {
     if (is_empty()) return {Status::invalid_mesh, Sentence("the mesh is empty; make one with Mesh::make()")};
-    return result_of<Mesh>(kNoMemory, [&]() -> Result<Mesh> { return Mesh(data_->clone()); });
+    return result_of<Mesh>(kNoMemoryForMesh, [&]() -> Result<Mesh> { return Mesh(data_->clone()); });
 }
 
 std::uint64_t Mesh::triangle_count() const noexcept

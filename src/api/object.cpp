@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-constexpr const char* kNoMemory = "there is not enough memory for the object; free some";
+constexpr const char* kNoMemoryForObject = "there is not enough memory for the object; free some";
 constexpr const char* kEmpty = "the object is empty: it was cut, moved from, or never made";
 
 /// Whether so many cuts pay the half-edge back end's preparing back. A linear cut with all that a game needs costs about
@@ -57,7 +57,7 @@ Object::~Object()
 Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
 {
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence("the mesh is empty; make one with Mesh::make()")};
-    return result_of<Object>(kNoMemory, [&]() -> Result<Object> {
+    return result_of<Object>(kNoMemoryForObject, [&]() -> Result<Object> {
         const core::RegisteredBackend* const entry = core::find_back_end(name_of(options, mesh.triangle_count()));
         if (entry == nullptr)
             return {Status::invalid_argument,
@@ -77,7 +77,7 @@ Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
 Result<Object> Object::clone() const noexcept
 {
     if (is_empty()) return {Status::invalid_argument, Sentence(kEmpty)};
-    return result_of<Object>(kNoMemory, [&]() -> Result<Object> {
+    return result_of<Object>(kNoMemoryForObject, [&]() -> Result<Object> {
         std::unique_ptr<core::Cuttable> copy = inside_->clone();
         copy->memory = inside_->memory;
         return Object(copy.release());
@@ -107,7 +107,7 @@ MassProperties Object::mass_properties() const noexcept
 Result<Mesh> Object::mesh() const noexcept
 {
     if (is_empty()) return {Status::invalid_argument, Sentence(kEmpty)};
-    return result_of<Mesh>(kNoMemory,
+    return result_of<Mesh>(kNoMemoryForObject,
                            [&]() -> Result<Mesh> { return Mesh(new Mesh::Data(inside_->to_indexed_mesh())); });
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "api/convert.h"
 #include "api/mesh_data.h"
 #include "api/no_memory.h"
 #include "common/shapes/hard_sections.h"
@@ -10,14 +11,38 @@
 
 namespace kerf {
 
-Result<Mesh> make_shape(const char* name, std::uint64_t triangles, std::uint64_t seed) noexcept
+namespace {
+
+/// The share of the time that it takes to make the triangles; the rest joins them to a mesh.
+constexpr double kShaping = 0.4;
+
+Result<Mesh> cancelled_shape()
+{
+    return {Status::cancelled, Sentence("the caller asked to stop; there is no shape")};
+}
+
+}  // namespace
+
+Result<Mesh> make_shape(const char* name, std::uint64_t triangles, const ShapeOptions& options) noexcept
 {
     return result_of<Mesh>("there is not enough memory for the shape", [&]() -> Result<Mesh> {
-        std::optional<core::TriangleSoup> soup = core::shapes::make(name != nullptr ? name : "", triangles, seed);
+        const auto goes_on = [&](double share) {
+            return options.progress == nullptr || options.progress(options.user, share);
+        };
+        if (!goes_on(0.0)) return cancelled_shape();
+        std::optional<core::TriangleSoup> soup =
+            core::shapes::make(name != nullptr ? name : "", triangles, options.seed);
         if (!soup) return {Status::invalid_argument, Sentence("there is no such shape; shape_name() lists them")};
+        if (options.material != nullptr) {
+            soup->materials = {to_core(*options.material)};
+            soup->triangle_materials.clear();
+        }
+        if (!goes_on(kShaping)) return cancelled_shape();
         core::Repaired repaired = core::repair(*std::move(soup));
         if (!repaired.error.empty()) return {Status::invalid_mesh, Sentence(repaired.error.c_str())};
-        return Mesh(new Mesh::Data(std::move(repaired.mesh)));
+        Mesh mesh(new Mesh::Data(std::move(repaired.mesh)));
+        if (!goes_on(1.0)) return cancelled_shape();
+        return mesh;
     });
 }
 

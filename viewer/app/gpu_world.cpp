@@ -27,7 +27,7 @@ void GpuWorld::sync(const sim::Simulation& simulation)
 }
 
 /// Brings an object nearer as far as this frame's budget goes. True once all of it is there.
-bool GpuWorld::bring(Cuttable& object, std::uint64_t copy)
+bool GpuWorld::bring(Object& object, std::uint64_t copy)
 {
     wanted_.insert(copy);
     render::Arrival& arrival = arrivals_[copy];
@@ -39,12 +39,17 @@ bool GpuWorld::bring(Cuttable& object, std::uint64_t copy)
     return arrival.is_whole;
 }
 
+render::DrawnFragment GpuWorld::add(const sim::Simulation& simulation, sim::Body& body)
+{
+    return store_.add(body.object(), simulation.models().model(body.identity().origin.model).images);
+}
+
 void GpuWorld::bring_whole_bodies(const sim::Simulation& simulation)
 {
     for (const auto& body : simulation.bodies()) {
         const sim::Identity& identity = body->identity();
         if (identity.parent != 0 || fragments_.contains(body->id())) continue;
-        if (bring(body->object(), identity.origin.copy)) fragments_[body->id()] = store_.add(body->object());
+        if (bring(body->object(), identity.origin.copy)) fragments_[body->id()] = add(simulation, *body);
     }
 }
 
@@ -72,9 +77,9 @@ GpuWorld::Uploads GpuWorld::upload_new_bodies(const sim::Simulation& simulation,
     Uploads uploads;
     for (const auto& body : simulation.bodies()) {
         if (body->identity().parent == 0 || fragments_.contains(body->id())) continue;
-        CpuStopwatch watch;
+        core::CpuStopwatch watch;
         const std::uint64_t before = store_.bytes_uploaded();
-        render::DrawnFragment& fragment = fragments_[body->id()] = store_.add(body->object());
+        render::DrawnFragment& fragment = fragments_[body->id()] = add(simulation, *body);
         const double cpu_ms = 1e3 * watch.lap();
         Upload& upload = uploads[fragment.buffers.get()];
         upload.cost.cpu_ms += cpu_ms;

@@ -63,7 +63,8 @@ private:
     };
     using Uploads = std::map<const render::SharedBuffers*, Upload>;
 
-    bool bring(Cuttable& object, std::uint64_t copy);
+    bool bring(Object& object, std::uint64_t copy);
+    render::DrawnFragment add(const sim::Simulation& simulation, sim::Body& body);
     void bring_whole_bodies(const sim::Simulation& simulation);
     void bring_next(const sim::Simulation& simulation);
     Uploads upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut);

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <new>
 
-#include "common/io/unfinished_files.h"
+#include "common/files/unfinished_files.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/app/game/game_window.h"
 #include "viewer/app/headless/headless_game.h"
@@ -25,7 +25,7 @@ int run(const kerf::app::Options& options)
 int main(int argc, char** argv)
 {
     using namespace kerf::app;
-    kerf::io::remove_unfinished_files_on_signals();
+    kerf::core::io::remove_unfinished_files_on_signals();
     try {
         const ParsedOptions parsed = parse_options(argc, argv);
         if (!parsed.options) return parsed.exit_status;

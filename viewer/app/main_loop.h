@@ -36,7 +36,7 @@ public:
 
     /// It has nothing more to do.
     virtual bool has_ended() const { return false; }
-    /// Takes input and lets a frame go by. @throws io::FileError, render::RenderError
+    /// Takes input and lets a frame go by. @throws core::io::FileError, render::RenderError
     virtual void advance(const Frame& frame) = 0;
     /// Uploads what is new, for a frame that nobody sees. @throws render::RenderError
     virtual void sync() = 0;
@@ -64,10 +64,10 @@ struct LoopPlan
 class MainLoop
 {
 public:
-    /// All outlive it. @throws io::FileError  the folder of a recording cannot be made
+    /// All outlive it. @throws core::io::FileError  the folder of a recording cannot be made
     MainLoop(Program& program, Display& display, render::GlErrorLog& errors, LoopPlan plan);
 
-    /// One frame. False when it was the last. @throws io::FileError, render::RenderError
+    /// One frame. False when it was the last. @throws core::io::FileError, render::RenderError
     bool frame();
     void run();
 
@@ -81,7 +81,7 @@ private:
     LoopPlan plan_;
     std::optional<render::Recording> recording_;
     std::int64_t number_ = 0;
-    Stopwatch since_last_, in_frame_;
+    core::Stopwatch since_last_, in_frame_;
 };
 
 }  // namespace kerf::app

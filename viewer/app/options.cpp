@@ -70,7 +70,7 @@ std::string joined(const std::vector<std::string>& words)
 std::vector<std::string> proxy_names()
 {
     std::vector<std::string> names;
-    for (const ProxyKind kind : sim::kProxyKinds) names.emplace_back(sim::proxy_name(kind));
+    for (const sim::ProxyKind kind : sim::kProxyKinds) names.emplace_back(sim::proxy_name(kind));
     return names;
 }
 

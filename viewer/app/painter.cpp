@@ -4,8 +4,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <vector>
 
-#include "common/cutting/back_end_helpers.h"
-#include "viewer/render/proxy_lines.h"
+#include "viewer/app/proxy_lines.h"
 #include "viewer/render/wall.h"
 #include "viewer/sim/camera.h"
 
@@ -86,10 +85,15 @@ Painter::Painter(int width, int height) : world_(std::in_place, looks_), rendere
 void Painter::warm_up(const sim::ModelLibrary& models)
 {
     for (std::size_t i = 0; i < models.size(); ++i) {
-        std::vector<Material> materials = models.model(i).mesh->materials;
-        add_cap_material(materials);
+        const sim::Model& model = models.model(i);
+        std::vector<Material> materials;
+        for (std::size_t m = 0; m < model.mesh.material_count(); ++m) {
+            materials.push_back(model.mesh.material(m));
+            if (m < model.images.size()) materials.back().base_colour_image = model.images[m].c_str();
+        }
+        materials.push_back({"cap"});
         for (std::uint32_t m = 0; m < materials.size(); ++m) {
-            if (!materials[m].texture.empty())
+            if (*materials[m].base_colour_image != '\0')
                 renderer_.warm_up(looks_.look(looks_.index_of(materials, m, TriangleKind::surface)).pattern);
             for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap})
                 renderer_.warm_up(render::look_of(materials, m, kind).pattern);
@@ -109,7 +113,7 @@ void Painter::paint(const sim::Simulation& simulation, const ViewSettings& setti
     std::vector<glm::vec3> lines;
     if (settings.proxies)
         for (const auto& body : simulation.bodies())
-            render::append_proxy_lines(body->proxy().proxy(), glm::mat4(body->model_matrix(fraction)), lines);
+            append_proxy_lines(body->proxy().proxy(), glm::mat4(body->model_matrix(fraction)), lines);
     const StagePicture stage{world_->objects(simulation, fraction),
                              blade != nullptr ? blade : &simulation.blade(),
                              simulation.time(),

@@ -1,11 +1,12 @@
 #include "viewer/app/run_setup.h"
 
+#include <kerf/mesh.h>
+
 #include <array>
 #include <stdexcept>
 
-#include "common/io/mesh_file.h"
-#include "common/io/output_file.h"
-#include "common/mesh/coordinate_grain.h"
+#include "common/files/file_places.h"
+#include "common/files/output_file.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/game_mode.h"
 #include "viewer/render/picture.h"
@@ -32,11 +33,11 @@ void add_thrown_models(RunSetup& setup, const Options& options)
             const std::size_t model = setup.models->add_file(file);
             if (setup.models->model(model).coarse_coordinates)
                 setup.messages.push_back(file.string() + ": " + kCoarseCoordinatesText);
-        } catch (const io::FileError& error) {
+        } catch (const core::io::FileError& error) {
             setup.messages.emplace_back(error.what());
         }
     }
-    if (setup.models->empty()) throw io::FileError(setup.messages.front());
+    if (setup.models->empty()) throw core::io::FileError(setup.messages.front());
 }
 
 /// Runs in fixed steps must not depend on how fast a thread is, and recordings say themselves when a giant came.
@@ -59,7 +60,7 @@ sim::Settings settings_of(const Options& options, const sim::Script& script, con
     if (!backend.empty() && settings.backend.empty())
         throw std::invalid_argument("there is no back end '" + backend + "'");
     if (const std::string proxy = first_said(options.proxy, script.proxy, {}); !proxy.empty()) {
-        const std::optional<ProxyKind> kind = sim::find_proxy(proxy);
+        const std::optional<sim::ProxyKind> kind = sim::find_proxy(proxy);
         if (!kind) throw std::invalid_argument("there is no collision proxy '" + proxy + "'");
         settings.proxy = *kind;
     }
@@ -98,17 +99,17 @@ void refuse_to_replace(const Options& options, const sim::ModelLibrary& models)
         inputs.insert(inputs.end(), models.model(i).files.begin(), models.model(i).files.end());
     for (const std::filesystem::path& output : {options.screenshot, options.save_script}) {
         if (output.empty()) continue;
-        io::refuse_to_replace(output, inputs);
-        io::refuse_same_place(output, outputs);
+        core::io::refuse_to_replace(output, inputs);
+        core::io::refuse_same_place(output, outputs);
         outputs.push_back(output);
     }
     if (options.record.empty()) return;
     for (const std::filesystem::path& frame : render::Recording::frames_in(options.record))
-        io::refuse_to_replace(frame, inputs);
+        core::io::refuse_to_replace(frame, inputs);
     for (const std::filesystem::path& output : outputs)
-        for (const std::filesystem::path& name : {output, io::place_of(output)})
+        for (const std::filesystem::path& name : {output, core::io::place_of(output)})
             if (render::Recording::is_frame(name))
-                io::refuse_same_place(output, std::array{options.record / name.filename()});
+                core::io::refuse_same_place(output, std::array{options.record / name.filename()});
 }
 
 }  // namespace kerf::app

@@ -14,7 +14,7 @@ namespace {
 class Dice
 {
 public:
-    explicit Dice(std::uint64_t seed) : random_(Random::mix(seed)) {}
+    explicit Dice(std::uint64_t seed) : random_(core::Random::mix(seed)) {}
 
     float between(float low, float high) { return low + (high - low) * static_cast<float>(random_.unit()); }
     std::uint32_t below(std::size_t n) { return random_.below(static_cast<std::uint32_t>(n)); }
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    Random random_;
+    core::Random random_;
 };
 
 glm::vec3 varied(Dice& dice, const glm::vec3& colour)

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "viewer/sim/camera.h"
+#include "viewer/sim/kerf_glm.h"
 
 namespace kerf::effects {
 
@@ -32,16 +33,16 @@ const game::Fruit* fruit_of_model(const std::string& model)
 /// Every n-th point of all loops, in the world.
 std::vector<glm::vec3> outline_of(const sim::Body& piece)
 {
-    const std::span<const SectionLoop> loops = piece.object().section_loops();
+    const Object& object = piece.object();
     std::size_t points = 0;
-    for (const SectionLoop& loop : loops) points += loop.points.size();
+    for (std::size_t l = 0; l < object.loop_count(); ++l) points += object.loop(l).points.size();
     const std::size_t stride = std::max<std::size_t>(1, points / kOutlinePoints);
     const sim::MeshPose pose = piece.pose();
     std::vector<glm::vec3> outline;
     std::size_t i = 0;
-    for (const SectionLoop& loop : loops)
-        for (const glm::vec3& point : loop.points)
-            if (i++ % stride == 0) outline.emplace_back(pose.to_world(glm::dvec3(point)));
+    for (std::size_t l = 0; l < object.loop_count(); ++l)
+        for (const Vec3f& point : object.loop(l).points)
+            if (i++ % stride == 0) outline.emplace_back(pose.to_world(glm::dvec3(glm::vec3(point))));
     return outline;
 }
 
@@ -193,7 +194,8 @@ void Effects::step(const sim::Simulation& simulation)
             if (played->whole(body->id()) != game::FruitKind::bomb) continue;
             // The fuse ends at the top of the model.
             const Box& box = simulation.models().model(body->identity().origin.model).box;
-            const glm::dvec3 tip(box.centre().x, double(box.hi.y), box.centre().z);
+            const glm::dvec3 centre = sim::centre_of(box);
+            const glm::dvec3 tip(centre.x, double(box.hi.y), centre.z);
             add_fuse_sparks(glm::vec3(body->pose().to_world(tip)), std::uint64_t(now_) * 64 + body->id(), drops_);
         }
 }

@@ -1,6 +1,8 @@
 // fruit_gallery PICTURE [NAME ...]: draws the fruit of data/fruit - whole, cut across, cut along, cut askew - onto one
 // sheet, a row for each.
 
+#include <kerf/cut.h>
+#include <kerf/io.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -11,19 +13,19 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "back_ends/back_ends.h"
-#include "common/io/mesh_file.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/render/picture.h"
 #include "viewer/render/scene_renderer.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/kerf_glm.h"
 
 namespace kerf::app {
 namespace {
@@ -63,26 +65,38 @@ glm::mat4 turned(const glm::vec3& front, const glm::vec3& up, const glm::vec3& t
     return glm::mat4(basis(glm::normalize(to), {0, 1, 0}) * glm::transpose(basis(front, level)));
 }
 
+/// @throws std::runtime_error
+template <class T>
+T value_of(Result<T> result)
+{
+    if (!result) throw std::runtime_error(result.reason());
+    return *std::move(result);
+}
+
 struct Piece
 {
-    std::unique_ptr<Cuttable> object;
+    Object object;
     glm::mat4 model{1.0f};
 
     /// The box around it in the picture's frame.
     Box box() const
     {
-        Box around;
-        for (const Vertex& v : object->to_indexed_mesh().vertices)
-            around.add(glm::vec3(model * glm::vec4(v.position, 1.0f)));
-        return around;
+        glm::vec3 lo(std::numeric_limits<float>::infinity()), hi(-lo);
+        const Mesh mesh = value_of(object.mesh());
+        for (const Vec3f& p : mesh.arrays().positions) {
+            const glm::vec3 placed(model * glm::vec4(glm::vec3(p), 1.0f));
+            lo = glm::min(lo, placed);
+            hi = glm::max(hi, placed);
+        }
+        return {lo, hi};
     }
 };
 
 /// The fruit as a pose shows it: halves lie open like a book.
-std::vector<Piece> posed(std::unique_ptr<Cuttable> whole, const Pose& pose)
+std::vector<Piece> posed(Object whole, const Pose& pose)
 {
     std::vector<Piece> pieces;
-    const glm::vec3 middle = whole->bounds().centre();
+    const glm::vec3 middle(sim::centre_of(whole.bounds()));
     if (pose.normal == glm::dvec3(0.0)) {
         glm::mat4 model = turned({0, 0, 1}, {0, 1, 0}, {0.45f, -0.42f, 1.0f});
         pieces.push_back({std::move(whole), glm::translate(model, -middle)});
@@ -90,17 +104,17 @@ std::vector<Piece> posed(std::unique_ptr<Cuttable> whole, const Pose& pose)
     }
     const glm::dvec3 normal = glm::normalize(pose.normal);
     // A little beside the middle, where symmetry would hide that nothing swims.
-    CutResult result = cut(std::move(whole), *Plane::through(glm::dvec3(0.0, 0.02, 0.03), normal));
+    Cut result = cut(std::move(whole), Plane::at(Point(0.0, 0.02, 0.03), Normal(normal)).value());
     if (result.status != Status::done) throw std::runtime_error("the cut missed");
-    const auto show = [&](std::unique_ptr<Cuttable>& object, float side) {
+    const auto show = [&](Object& object, float side) {
         const glm::vec3 front = glm::vec3(normal) * side;
         const glm::mat4 model = turned(front, glm::vec3(pose.up), {-0.25f * side, 0.30f, 1.0f});
-        const glm::vec3 centre = object->bounds().centre();
+        const glm::vec3 centre(sim::centre_of(object.bounds()));
         const glm::vec3 at = glm::vec3(model * glm::vec4(centre, 0.0f));
         pieces.push_back({std::move(object), glm::translate(glm::mat4(1.0f), -at) * model});
     };
-    for (auto& object : result.positive) show(object, -1.0f);
-    for (auto& object : result.negative) show(object, 1.0f);
+    if (Object* const half = result.one(Side::positive)) show(*half, -1.0f);
+    if (Object* const half = result.one(Side::negative)) show(*half, 1.0f);
     // Side by side.
     float width = 0.0f;
     for (const Piece& piece : pieces) width += piece.box().hi.x - piece.box().lo.x;
@@ -129,7 +143,7 @@ class Gallery
 {
 public:
     Gallery(std::filesystem::path folder, const std::string& backend, int height)
-        : folder_(std::move(folder)), backend_(make_back_end(backend)), height_(height), target_(width(), height)
+        : folder_(std::move(folder)), backend_(backend), height_(height), target_(width(), height)
     {
     }
 
@@ -140,12 +154,11 @@ public:
         sheet.height = height_ * static_cast<int>(names.size());
         sheet.rgba.resize(4 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height));
         for (std::size_t row = 0; row < names.size(); ++row) {
-            io::LoadedMesh loaded = io::read_mesh(folder_ / (names[row] + ".glb"));
-            const bool is_closed = loaded.is_closed();
-            PrepareResult prepared = backend_->prepare(std::move(loaded.mesh));
-            if (!prepared.object) throw std::runtime_error(names[row] + ": " + prepared.reason);
+            const Mesh mesh = value_of(read_mesh((folder_ / (names[row] + ".glb")).c_str()));
+            const bool is_closed = mesh.is_closed();
+            const Object whole = value_of(sim::prepare(mesh, backend_));
             for (std::size_t column = 0; column < kPoses.size(); ++column)
-                paste(tile(prepared.object->clone(), is_closed, pose_of(names[row], column)), sheet,
+                paste(tile(value_of(whole.clone()), is_closed, pose_of(names[row], column)), sheet,
                       static_cast<int>(column) * width(), static_cast<int>(row) * height_);
         }
         return sheet;
@@ -154,12 +167,12 @@ public:
 private:
     int width() const { return height_ * 4 / 3; }
 
-    render::Picture tile(std::unique_ptr<Cuttable> whole, bool is_closed, const Pose& pose)
+    render::Picture tile(Object whole, bool is_closed, const Pose& pose)
     {
-        const float size = glm::length(whole->bounds().hi - whole->bounds().lo);
+        const auto size = static_cast<float>(2.0 * sim::radius_of(whole.bounds()));
         std::vector<Piece> pieces = posed(std::move(whole), pose);
         std::vector<render::DrawnFragment> fragments;
-        for (Piece& piece : pieces) fragments.push_back(store_.add(*piece.object));
+        for (Piece& piece : pieces) fragments.push_back(store_.add(piece.object));
         std::vector<render::DrawnObject> objects;
         for (std::size_t i = 0; i < pieces.size(); ++i)
             objects.push_back(
@@ -185,7 +198,7 @@ private:
     }
 
     std::filesystem::path folder_;
-    std::unique_ptr<Backend> backend_;
+    std::string backend_;
     int height_;
     render::LookTable looks_;
     render::FragmentStore store_{looks_};

@@ -51,7 +51,7 @@ const sim::Body* target_of(const sim::Simulation& simulation)
     return best;
 }
 
-std::optional<Stroke> stroke_at_largest(const sim::Simulation& simulation, Random& random)
+std::optional<Stroke> stroke_at_largest(const sim::Simulation& simulation, core::Random& random)
 {
     const sim::Body* const target = target_of(simulation);
     if (target == nullptr || simulation.bodies().size() > kMostPieces) return std::nullopt;
@@ -109,7 +109,7 @@ int value_of(const Stroke& stroke, const std::vector<Mark>& marks)
     return fruit;
 }
 
-std::optional<Stroke> best_stroke(const sim::Simulation& simulation, const GameScene& game, Random& random)
+std::optional<Stroke> best_stroke(const sim::Simulation& simulation, const GameScene& game, core::Random& random)
 {
     const std::vector<Mark> marks = marks_of(simulation, game);
     std::vector<Mark> targets;
@@ -142,7 +142,7 @@ std::vector<sim::InputEvent> Autopilot::play(const sim::Simulation& simulation)
 {
     const sim::Microseconds now = simulation.time();
     if (now < busy_until_) return {};
-    Random random(Random::mix(seed_ + swipes_ + 1));
+    core::Random random(core::Random::mix(seed_ + swipes_ + 1));
     const GameScene* const game = game_of(simulation.scene());
     const std::optional<Stroke> stroke =
         game != nullptr ? best_stroke(simulation, *game, random) : stroke_at_largest(simulation, random);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "viewer/sim/camera.h"
+#include "viewer/sim/kerf_glm.h"
 #include "viewer/sim/simulation.h"
 
 namespace kerf::game {
@@ -94,7 +95,7 @@ void GameScene::throw_fruit(sim::Simulation& simulation, const PlannedThrow& wha
 {
     const std::size_t model = models_[static_cast<std::size_t>(what.kind)];
     const Box& box = simulation.models().model(model).box;
-    const double reach = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    const double reach = sim::radius_of(box);
     const double scale = reach > 0.0 ? fruit_of(what.kind).radius / reach : 1.0;
     const sim::Flight& flight = what.flight;
     const sim::Body* const body = simulation.let_enter(model, scale, flight.centre, flight.rotation, flight.motion);

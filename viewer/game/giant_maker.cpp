@@ -1,5 +1,7 @@
 #include "viewer/game/giant_maker.h"
 
+#include <kerf/shapes.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,8 +9,6 @@
 #include <mutex>
 #include <new>
 
-#include "common/repair/repair.h"
-#include "common/shapes/shapes.h"
 #include "viewer/sim/back_ends.h"
 
 namespace kerf::game {
@@ -30,13 +30,7 @@ const StageTime& time_of(GiantStage stage)
     return stage == GiantStage::shaping ? kShaping : stage == GiantStage::joining ? kJoining : kPreparing;
 }
 
-Material rock()
-{
-    Material material;
-    material.name = "rock";
-    material.colour = {0.23f, 0.20f, 0.18f, 1.0f};
-    return material;
-}
+constexpr Material kRock{"rock", {0.23f, 0.20f, 0.18f, 1.0f}};
 
 /// Threads that nobody waits for any more. They end by themselves; the program's end waits for them.
 class Retired
@@ -102,7 +96,7 @@ struct GiantMaker::Task
     std::int64_t triangles = 0;
     std::uint64_t seed = 0;
     std::string backend;
-    ProxyKind proxy = ProxyKind::bounded_hull;
+    sim::ProxyKind proxy = sim::ProxyKind::bounded_hull;
     std::optional<std::size_t> old_model;  ///< of an earlier size: to be emptied
     std::optional<std::size_t> model;      ///< known from the start when only a copy is wanted
     std::string error;
@@ -143,13 +137,23 @@ struct GiantMaker::Task
     void make_mesh()
     {
         if (is_settled) return;
-        std::optional<TriangleSoup> soup = shapes::make("asteroid", std::uint64_t(triangles), seed);
-        soup->materials = {rock()};
-        move_to(GiantStage::joining);
-        if (is_settled) return;
-        Repaired repaired = repair(std::move(*soup));
-        error = std::move(repaired.error);
-        if (error.empty()) model = models->add("asteroid", std::move(repaired.mesh), true);
+        ShapeOptions options;
+        options.seed = seed;
+        options.material = &kRock;
+        options.progress = [](void* task, double share) { return static_cast<Task*>(task)->go_on(share); };
+        options.user = this;
+        Result<Mesh> mesh = make_shape("asteroid", std::uint64_t(triangles), options);
+        if (mesh.status() == Status::cancelled) return;
+        if (mesh.status() == Status::out_of_memory) throw std::bad_alloc();
+        error = mesh.reason();
+        if (mesh) model = models->add("asteroid", *std::move(mesh), true);
+    }
+
+    /// While the mesh is made. False if nobody waits for it any more.
+    bool go_on(double share)
+    {
+        if (share > 0.0 && stage == GiantStage::shaping) move_to(GiantStage::joining);
+        return !is_settled;
     }
 
     void prepare()
@@ -174,7 +178,7 @@ std::optional<std::size_t> GiantMaker::give_up()
     return was_done ? task_->model : std::nullopt;
 }
 
-void GiantMaker::request(std::int64_t triangles, std::uint64_t seed, const std::string& backend, ProxyKind proxy)
+void GiantMaker::request(std::int64_t triangles, std::uint64_t seed, const std::string& backend, sim::ProxyKind proxy)
 {
     auto task = std::make_shared<Task>();
     task->models = models_;

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <thread>
 
-#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/model_library.h"
 
 namespace kerf::game {
@@ -38,7 +37,7 @@ public:
 
     /// Starts to get a copy ready to throw: the mesh is made when its size or seed are new. Returns at once.
     void request(std::int64_t triangles, std::uint64_t seed, const std::string& backend,
-                 ProxyKind proxy = ProxyKind::bounded_hull);
+                 sim::ProxyKind proxy = sim::ProxyKind::bounded_hull);
 
     GiantStage stage() const;
     /// 0 to 1, never falling for one request: the share of the time that is over, by the stage and what it usually

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <glm/geometric.hpp>
 
+#include "viewer/sim/kerf_glm.h"
 #include "viewer/sim/simulation.h"
 
 namespace kerf::game {
@@ -62,8 +63,9 @@ bool GiantScene::may_show(const sim::Simulation& simulation) const
     if (maker_.stage() != GiantStage::ready) return maker_.is_done();
     const std::optional<sim::StockedCopy> copy = simulation.models().stocked(maker_.model(), backend_);
     if (!copy) return false;
-    const DrawView view = copy->object->draw_view();
-    return view.new_vertex_bytes.empty() && view.new_index_bytes.empty();
+    DrawView view;
+    return ok(copy->object->draw(view)) && view.new_vertices_from == view.vertices.size() &&
+           view.new_indices_from == view.indices.size();
 }
 
 void GiantScene::show(sim::Simulation& simulation)
@@ -72,7 +74,7 @@ void GiantScene::show(sim::Simulation& simulation)
     maker_.wait();
     if (maker_.stage() == GiantStage::failed) return simulation.report(maker_.error());
     const Box& box = simulation.models().model(maker_.model()).box;
-    const double reach = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    const double reach = sim::radius_of(box);
     const sim::Motion rising{{0.0, kFastest, 0.0}, kSpin};
     const sim::Body* const body =
         simulation.place_object(maker_.model(), kRadius / reach, {0.0, kStartsAt, 0.0}, glm::dmat3(1.0), rising);

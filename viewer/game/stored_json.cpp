@@ -6,8 +6,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "common/io/mesh_file.h"
-#include "common/io/output_file.h"
+#include "common/files/output_file.h"
 
 namespace kerf::game {
 namespace {
@@ -81,12 +80,12 @@ std::string save_json(const fs::path& path, const nlohmann::json& value)
     std::error_code ignored;
     fs::create_directories(path.parent_path(), ignored);  // where that fails, the file says so
     try {
-        io::OutputFile file(path);
+        core::io::OutputFile file(path);
         file.write(text_of(value));
         file.synchronise();
         file.finish();
         file.commit();
-    } catch (const io::FileError& error) {
+    } catch (const core::io::FileError& error) {
         return error.what();
     }
     return {};

@@ -29,7 +29,7 @@ StoredJson load_json(const std::filesystem::path& path, const Objection& objecti
                      int newest = std::numeric_limits<int>::max());
 
 /// Writes a file so that whatever happens, a kill or a power cut included, it holds either what it held or the whole of
-/// `value` (io::OutputFile). Creates the folder. One sentence when that failed; then the file holds what it held.
+/// `value` (core::io::OutputFile). Creates the folder. One sentence when that failed; then the file holds what it held.
 std::string save_json(const std::filesystem::path& path, const nlohmann::json& value);
 
 }  // namespace kerf::game

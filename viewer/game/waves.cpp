@@ -45,22 +45,22 @@ constexpr double kLowestSideApex = 0.35, kHighestSideApex = 0.6;
 /// Where it crosses the height of its start again, shares of the half width beyond the middle.
 constexpr double kNearestSideLanding = 0.1, kFarthestSideLanding = 0.7;
 
-bool chance(Random& random, int percent)
+bool chance(core::Random& random, int percent)
 {
     return random.below(100) < std::uint32_t(percent);
 }
 
-int between(Random& random, int least, int most)
+int between(core::Random& random, int least, int most)
 {
     return least + int(random.below(std::uint32_t(most - least + 1)));
 }
 
-double between(Random& random, double low, double high)
+double between(core::Random& random, double low, double high)
 {
     return low + (high - low) * random.unit();
 }
 
-FruitKind draw_fruit(Random& random)
+FruitKind draw_fruit(core::Random& random)
 {
     int sum = 0;
     for (const Fruit& fruit : fruit_catalogue()) sum += fruit.weight;
@@ -72,7 +72,7 @@ FruitKind draw_fruit(Random& random)
     return FruitKind::apple;
 }
 
-std::vector<FruitKind> draw_kinds(Random& random, const Difficulty& difficulty)
+std::vector<FruitKind> draw_kinds(core::Random& random, const Difficulty& difficulty)
 {
     std::vector<FruitKind> kinds;
     const int fruit = between(random, difficulty.least_fruit, difficulty.most_fruit);
@@ -121,7 +121,7 @@ const Difficulty& difficulty_of(GameMode mode, int wave)
 Wave plan_wave(GameMode mode, int number, std::uint64_t seed)
 {
     const Difficulty& difficulty = difficulty_of(mode, number);
-    Random random(seed);
+    core::Random random(seed);
     const bool is_volley = chance(random, difficulty.volley_percent);
     const std::vector<FruitKind> kinds = draw_kinds(random, difficulty);
 
@@ -143,7 +143,7 @@ Wave plan_wave(GameMode mode, int number, std::uint64_t seed)
 
 PlannedThrow plan_frenzy_throw(std::uint64_t number, std::uint64_t seed)
 {
-    Random random(seed);
+    core::Random random(seed);
     PlannedThrow next;
     next.kind = draw_fruit(random);
     const double radius = fruit_of(next.kind).radius;

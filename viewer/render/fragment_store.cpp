@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "common/cutting/back_end_helpers.h"
+#include "viewer/render/render_error.h"
 
 namespace kerf::render {
 
@@ -16,11 +16,11 @@ void describe_vertices(const SharedBuffers& buffers)
     glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
     const auto attribute = [](GLuint location, GLint floats, std::size_t offset) {
         glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(Vertex), buffer_offset(offset));
+        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(DrawVertex), buffer_offset(offset));
     };
-    attribute(0, 3, offsetof(Vertex, position));
-    attribute(1, 3, offsetof(Vertex, normal));
-    attribute(2, 2, offsetof(Vertex, uv));
+    attribute(0, 3, offsetof(DrawVertex, position));
+    attribute(1, 3, offsetof(DrawVertex, normal));
+    attribute(2, 2, offsetof(DrawVertex, uv));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -32,7 +32,18 @@ std::uint64_t capacity_for(std::uint64_t bytes, Room room)
     return bytes + (room == Room::to_grow ? std::min(bytes, kMostRoom) : 0);
 }
 
-std::vector<DrawBatch> batches_of(const DrawView& view, LookTable& looks)
+/// The materials of an object, their images where `images` says that they are.
+std::vector<Material> materials_of(const Object& object, std::span<const std::string> images)
+{
+    std::vector<Material> materials;
+    for (std::size_t i = 0; i < object.material_count(); ++i) {
+        Material& material = materials.emplace_back(object.material(i));
+        if (i < images.size()) material.base_colour_image = images[i].c_str();
+    }
+    return materials;
+}
+
+std::vector<DrawBatch> batches_of(const DrawView& view, std::span<const Material> materials, LookTable& looks)
 {
     std::vector<DrawBatch> batches;
     for (const DrawRange& range : view.ranges) {
@@ -42,7 +53,7 @@ std::vector<DrawBatch> batches_of(const DrawView& view, LookTable& looks)
             DrawBatch& batch = batches.emplace_back();
             batch.material = range.material;
             batch.kind = range.kind;
-            batch.look = looks.index_of(view.materials, range.material, range.kind);
+            batch.look = looks.index_of(materials, range.material, range.kind);
         }
         batches.back().runs.add(range.first_index, range.index_count);
     }
@@ -52,14 +63,16 @@ std::vector<DrawBatch> batches_of(const DrawView& view, LookTable& looks)
 /// All ranges in the order of the buffer, those that follow one another joined.
 IndexRuns everything_of(const DrawView& view)
 {
-    std::vector<DrawRange> ranges = view.ranges;
-    for (DrawRange& range : ranges) {
-        range.material = 0;
-        range.kind = TriangleKind::surface;
-    }
-    merge_ranges(ranges);
+    std::vector<DrawRange> ranges(view.ranges.begin(), view.ranges.end());
+    std::sort(ranges.begin(), ranges.end(),
+              [](const DrawRange& a, const DrawRange& b) { return a.first_index < b.first_index; });
     IndexRuns runs;
-    for (const DrawRange& range : ranges) runs.add(range.first_index, range.index_count);
+    for (std::size_t i = 0; i < ranges.size();) {
+        const std::uint32_t first = ranges[i].first_index;
+        std::uint32_t end = first;
+        for (; i < ranges.size() && ranges[i].first_index == end; ++i) end += ranges[i].index_count;
+        runs.add(first, end - first);
+    }
     return runs;
 }
 
@@ -84,36 +97,39 @@ std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, 
     return made;
 }
 
-DrawnFragment FragmentStore::add(Cuttable& object, Room room)
+const DrawView& FragmentStore::look_at(const Object& object)
 {
-    const DrawView view = object.draw_view();
+    if (!ok(object.draw(view_))) throw RenderError("there is not enough memory to draw an object");
+    return view_;
+}
+
+DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> images, Room room)
+{
+    const DrawView& view = look_at(object);
     bool is_new = false;
     const std::shared_ptr<SharedBuffers> buffers = buffers_for(view, room, is_new);
 
     bool has_moved = false;
-    const auto upload = [&](GrowingBuffer& buffer, std::span<const std::byte> content,
-                            const std::vector<ByteRange>& news) {
-        for (const ByteRange& range : news) {
-            has_moved |= buffer.write(range.offset, content.subspan(range.offset, range.size));
-            bytes_uploaded_ += range.size;
-        }
+    const auto upload = [&](GrowingBuffer& buffer, std::span<const std::byte> content, std::size_t from) {
+        if (from == content.size()) return;
+        has_moved |= buffer.write(from, content.subspan(from));
+        bytes_uploaded_ += content.size() - from;
     };
-    const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
     // Buffers that were here once and were released must come anew, whole.
-    const std::vector<ByteRange> all_vertices{{0, vertices.size()}}, all_indices{{0, indices.size()}};
-    upload(buffers->vertices, vertices, is_new ? all_vertices : view.new_vertex_bytes);
-    upload(buffers->indices, indices, is_new ? all_indices : view.new_index_bytes);
+    upload(buffers->vertices, std::as_bytes(view.vertices), is_new ? 0 : view.new_vertices_from * sizeof(DrawVertex));
+    upload(buffers->indices, std::as_bytes(view.indices), is_new ? 0 : view.new_indices_from * sizeof(std::uint32_t));
     if (has_moved) describe_vertices(*buffers);
     object.mark_uploaded(view);
 
-    DrawnFragment drawn{buffers, batches_of(view, looks_), everything_of(view), 0, object.bounds()};
+    DrawnFragment drawn{buffers, batches_of(view, materials_of(object, images), looks_), everything_of(view), 0,
+                        object.bounds()};
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
 }
 
-std::uint64_t FragmentStore::bring(Cuttable& object, Arrival& arrival, std::uint64_t most, Room room)
+std::uint64_t FragmentStore::bring(Object& object, Arrival& arrival, std::uint64_t most, Room room)
 {
-    const DrawView view = object.draw_view();
+    const DrawView& view = look_at(object);
     const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
     if (!arrival.buffers) {
         // The index buffer gets its size when its turn comes.

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <kerf/object.h>
+
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "common/cutting/cut.h"
 #include "viewer/render/growing_buffer.h"
 #include "viewer/render/surface_look.h"
 
@@ -37,7 +40,7 @@ struct DrawBatch
     IndexRuns runs;
 };
 
-/// What is needed to draw an object, whatever becomes of its Cuttable. Cheap to keep, made anew after a cut.
+/// What is needed to draw an object, whatever becomes of the object. Cheap to keep, made anew after a cut.
 struct DrawnFragment
 {
     std::shared_ptr<const SharedBuffers> buffers;
@@ -79,15 +82,16 @@ public:
 
     /// Uploads what is new of the object, tells it so, and gives what is needed to draw it. O(ranges + new bytes).
     /// Add the fragments of a cut before the next release_unused(), so that they find their object's buffers.
+    /// @param images  for each material the file of its image, or nothing; empty: as the materials name them
     /// @throws RenderError  the graphics card has no memory left; the object does not count as uploaded then
-    DrawnFragment add(Cuttable& object, Room room = Room::exact);
+    DrawnFragment add(Object& object, std::span<const std::string> images = {}, Room room = Room::exact);
 
     /// Uploads at most so many bytes of an object of which nothing was uploaded yet, from where `arrival` ends, and
     /// says how many. Each of the two buffers is allocated in a call of its own. When all is there the object is told
     /// so, and add() has nothing left to upload as long as `arrival` is kept. The object must be the same each time and
     /// not be cut meanwhile. O(bytes)
     /// @throws RenderError  the graphics card has no memory left
-    std::uint64_t bring(Cuttable& object, Arrival& arrival, std::uint64_t most, Room room = Room::exact);
+    std::uint64_t bring(Object& object, Arrival& arrival, std::uint64_t most, Room room = Room::exact);
 
     /// Frees the buffers that no DrawnFragment and no Arrival uses. For once a frame. O(objects)
     void release_unused();
@@ -99,7 +103,11 @@ public:
 private:
     std::shared_ptr<SharedBuffers> buffers_for(const DrawView& view, Room room, bool& is_new);
 
+    /// Fills `view_`. @throws RenderError
+    const DrawView& look_at(const Object& object);
+
     LookTable& looks_;
+    DrawView view_;                                                           ///< used again and again
     std::unordered_map<std::uint64_t, std::shared_ptr<SharedBuffers>> sets_;  ///< by DrawView::buffers
     std::vector<std::shared_ptr<SharedBuffers>> arriving_;                    ///< all is not there yet
     std::uint64_t bytes_uploaded_ = 0;

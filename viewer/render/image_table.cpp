@@ -13,7 +13,7 @@
 #include <stb_image.h>
 #pragma GCC diagnostic pop
 
-#include "common/io/mesh_file.h"
+#include "common/files/file_error.h"
 
 namespace kerf::render {
 
@@ -58,16 +58,16 @@ GlTexture upload(const Picture& picture)
 Picture read_image(const std::string& path)
 {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) throw io::FileError(path + ": there is no such image");
+    if (!std::filesystem::is_regular_file(path, error)) throw core::io::FileError(path + ": there is no such image");
     Picture picture;
     int channels = 0;
     if (stbi_info(path.c_str(), &picture.width, &picture.height, &channels) == 0)
-        throw io::FileError(path + ": this is no image (" + stbi_failure_reason() + ")");
+        throw core::io::FileError(path + ": this is no image (" + stbi_failure_reason() + ")");
     if (std::int64_t{picture.width} * picture.height > kMostPixels)
-        throw io::FileError(path + ": the image is larger than 64 million pixels");
+        throw core::io::FileError(path + ": the image is larger than 64 million pixels");
     const std::unique_ptr<stbi_uc, FreePixels> pixels(
         stbi_load(path.c_str(), &picture.width, &picture.height, &channels, 4));
-    if (!pixels) throw io::FileError(path + ": the image cannot be read (" + stbi_failure_reason() + ")");
+    if (!pixels) throw core::io::FileError(path + ": the image cannot be read (" + stbi_failure_reason() + ")");
     const std::size_t size = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     picture.rgba.assign(pixels.get(), pixels.get() + size);
     return picture;
@@ -82,12 +82,12 @@ std::uint32_t ImageTable::index_of(const std::string& path)
         GLint most = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
         if (picture.width > most || picture.height > most)
-            throw io::FileError(path + ": the image is larger than the " + std::to_string(most) +
-                                " pixels a side that the graphics driver offers");
+            throw core::io::FileError(path + ": the image is larger than the " + std::to_string(most) +
+                                      " pixels a side that the graphics driver offers");
         turn_over(picture);
         textures_.push_back(upload(picture));
         place->second = static_cast<std::uint32_t>(textures_.size());
-    } catch (const io::FileError& error) {
+    } catch (const core::io::FileError& error) {
         messages_.emplace_back(error.what());
     }
     return place->second;

@@ -11,7 +11,7 @@
 namespace kerf::render {
 
 /// Reads an image in any format that stb_image knows: PNG, JPEG, BMP, TGA, GIF and others.
-/// @throws io::FileError  there is no such file, it is broken, or too large (64 million pixels)
+/// @throws core::io::FileError  there is no such file, it is broken, or too large (64 million pixels)
 Picture read_image(const std::string& path);
 
 /// The images of materials on the graphics card, each once: sRGB, with mipmaps, repeated beyond their edges.

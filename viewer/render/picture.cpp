@@ -16,8 +16,8 @@
 #include <stb_image_write.h>
 #pragma GCC diagnostic pop
 
-#include "common/io/mesh_file.h"
-#include "common/io/output_file.h"
+#include "common/files/file_error.h"
+#include "common/files/output_file.h"
 
 namespace kerf::render {
 
@@ -41,7 +41,7 @@ std::vector<std::uint8_t> rgb_of(const Picture& picture)
 
 void write_whole(const std::filesystem::path& path, const std::string& bytes)
 {
-    io::OutputFile file(path);
+    core::io::OutputFile file(path);
     file.write(bytes);
     file.finish();
     file.commit();
@@ -61,7 +61,7 @@ void write_png(const std::filesystem::path& path, const Picture& picture)
     std::string bytes;
     const int is_good = stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3, rgb_of(picture).data(),
                                                3 * picture.width);
-    if (is_good == 0) throw io::FileError(path.string() + ": the picture cannot be compressed");
+    if (is_good == 0) throw core::io::FileError(path.string() + ": the picture cannot be compressed");
     write_whole(path, bytes);
 }
 
@@ -70,7 +70,7 @@ void write_jpeg(const std::filesystem::path& path, const Picture& picture, int q
     std::string bytes;
     const int is_good =
         stbi_write_jpg_to_func(append, &bytes, picture.width, picture.height, 3, rgb_of(picture).data(), quality);
-    if (is_good == 0) throw io::FileError(path.string() + ": the picture cannot be compressed");
+    if (is_good == 0) throw core::io::FileError(path.string() + ": the picture cannot be compressed");
     write_whole(path, bytes);
 }
 
@@ -80,7 +80,8 @@ Recording::Recording(std::filesystem::path folder) : folder_(std::move(folder))
     std::filesystem::create_directories(folder_, error);
     for (int i = 0; !error && std::filesystem::remove(folder_ / frame_name(i), error); ++i) {
     }
-    if (error) throw io::FileError(folder_.string() + ": it is no folder to write pictures to: " + error.message());
+    if (error)
+        throw core::io::FileError(folder_.string() + ": it is no folder to write pictures to: " + error.message());
 }
 
 bool Recording::is_frame(const std::filesystem::path& name)

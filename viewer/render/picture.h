@@ -23,12 +23,12 @@ struct Picture
 };
 
 /// Writes a PNG file, which appears complete or not at all. Alpha is left out.
-/// @throws io::FileError
+/// @throws core::io::FileError
 void write_png(const std::filesystem::path& path, const Picture& picture);
 
 /// The same as a JPEG file, a tenth of the size: for documentation.
 /// @param quality  1 to 100
-/// @throws io::FileError
+/// @throws core::io::FileError
 void write_jpeg(const std::filesystem::path& path, const Picture& picture, int quality = 88);
 
 /// Pictures numbered from 0 in a folder: frame_00000.png and so on, which every video encoder understands.
@@ -36,10 +36,10 @@ class Recording
 {
 public:
     /// Makes the folder where there is none, and removes the frames of an earlier recording: a shorter one would end in
-    /// them. @throws io::FileError
+    /// them. @throws core::io::FileError
     explicit Recording(std::filesystem::path folder);
 
-    /// @throws io::FileError
+    /// @throws core::io::FileError
     void add(const Picture& picture);
 
     int size() const { return count_; }

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <kerf/math.h>
+
 #include <cstdint>
 #include <glm/mat4x4.hpp>
-
-#include "common/mesh/box.h"
 
 namespace kerf::render {
 

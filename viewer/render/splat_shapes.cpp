@@ -51,7 +51,7 @@ private:
 };
 
 /// Drops in a row from the body outwards, thinner and thinner; what was fastest tore off and lies beyond.
-void add_ray(HeightField& field, Random& random, float angle)
+void add_ray(HeightField& field, core::Random& random, float angle)
 {
     const auto between = [&](float low, float high) { return low + (high - low) * static_cast<float>(random.unit()); };
     const glm::vec2 along(std::cos(angle), std::sin(angle));
@@ -82,7 +82,7 @@ void add_ray(HeightField& field, Random& random, float angle)
 HeightField made(std::uint64_t seed)
 {
     HeightField field;
-    Random random(Random::mix(seed));
+    core::Random random(core::Random::mix(seed));
     const auto between = [&](float low, float high) { return low + (high - low) * static_cast<float>(random.unit()); };
     const auto direction = [&] { return between(0.0f, 2.0f * std::numbers::pi_v<float>); };
     // Splashes have a side that they go to.

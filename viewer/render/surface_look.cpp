@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
 #include "viewer/render/fruit_looks.h"
@@ -101,7 +102,7 @@ SurfaceLook inside_of(std::span<const Material> materials)
         if (const SurfaceLook* flesh = find(fruit_flesh(), material.name)) return *flesh;
     for (const auto& [name, inside] : insides())
         if (std::any_of(materials.begin(), materials.end(),
-                        [&name = name](const Material& m) { return m.name == name; }))
+                        [&name = name](const Material& m) { return std::string_view(m.name) == name; }))
             return inside;
     // Nobody knows what is inside: a warm clay that stands out from most colours.
     return look(Pattern::stone, {0.62f, 0.24f, 0.12f}, {0.50f, 0.16f, 0.07f}, {0.36f, 0.10f, 0.05f}, 14, 0.6f, 0.8f,
@@ -135,7 +136,7 @@ SurfaceLook look_of(std::span<const Material> materials, std::uint32_t material,
     if (const SurfaceLook* known = find(surfaces(), wanted.name)) return *known;
     if (const SurfaceLook* known = find(fruit_skins(), wanted.name)) return *known;
     if (const SurfaceLook* known = find(insides(), wanted.name)) return *known;
-    return plain(glm::vec3(wanted.colour));
+    return plain(glm::make_vec3(wanted.base_colour));
 }
 
 std::span<const std::string_view> shaders_of(Pattern pattern)
@@ -161,9 +162,9 @@ LookTable::LookTable() : looks_{SurfaceLook{}}, buffer_(GlBuffer::create())
 std::uint32_t LookTable::index_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind)
 {
     SurfaceLook wanted = look_of(materials, material, kind);
-    if (material < materials.size() && kind == TriangleKind::surface && !materials[material].texture.empty())
-        if (const std::uint32_t image = images_.index_of(materials[material].texture); image != 0)
-            wanted = look_of_image(materials[material].colour, image);
+    if (material < materials.size() && kind == TriangleKind::surface && *materials[material].base_colour_image != '\0')
+        if (const std::uint32_t image = images_.index_of(materials[material].base_colour_image); image != 0)
+            wanted = look_of_image(glm::make_vec4(materials[material].base_colour), image);
     const auto found = std::find(looks_.begin(), looks_.end(), wanted);
     if (found != looks_.end()) return static_cast<std::uint32_t>(found - looks_.begin());
     if (looks_.size() == kMostLooks) return 0;

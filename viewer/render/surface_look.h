@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kerf/mesh.h>
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -8,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "common/mesh/indexed_mesh.h"
 #include "viewer/render/gl_objects.h"
 #include "viewer/render/image_table.h"
 
@@ -74,7 +75,7 @@ struct SurfaceLook
 };
 
 /// The look of one of an object's materials. Names that the viewer knows have looks of their own; others are plain in
-/// their colour. What a cut uncovers - a cap whose material is one that add_cap_material() named - looks like the
+/// their colour. What a cut uncovers - a cap whose material is one that kerf::cut() added - looks like the
 /// inside of the object's surface materials: wood under paint, stuffing under fur.
 SurfaceLook look_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind);
 
@@ -88,7 +89,7 @@ public:
     LookTable();
 
     /// The index of look_of(...) in the table, which gets it if it is new. A full table gives 0, a neutral grey. A
-    /// surface whose material names an image looks like the image, if that can be read.
+    /// surface whose material names an image looks like the image, if that can be read: its name is a path here.
     std::uint32_t index_of(std::span<const Material> materials, std::uint32_t material, TriangleKind kind);
 
     const SurfaceLook& look(std::uint32_t index) const { return looks_[index]; }

@@ -1,6 +1,5 @@
 #include "viewer/sim/back_ends.h"
 
-#include "back_ends/back_ends.h"
 #include "baseline/report_back_ends.h"
 
 namespace kerf::sim {
@@ -10,7 +9,7 @@ const std::vector<std::string>& backend_names()
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
         add_report_back_ends();
-        for (const RegisteredBackend* entry : back_ends()) all.push_back(entry->name);
+        for (std::size_t i = 0; i < back_end_count(); ++i) all.emplace_back(back_end(i).name);
         return all;
     }();
     return names;
@@ -19,14 +18,15 @@ const std::vector<std::string>& backend_names()
 std::string known_back_end(std::string_view name)
 {
     add_report_back_ends();
-    const RegisteredBackend* const entry = core::find_back_end(name);
-    return entry == nullptr ? std::string() : entry->name;
+    return find_back_end(std::string(name).c_str()).name;
 }
 
-std::unique_ptr<Backend> make_back_end(std::string_view name)
+Result<Object> prepare(const Mesh& mesh, const std::string& back_end)
 {
     add_report_back_ends();
-    return core::make_back_end(name);
+    PrepareOptions options;
+    options.back_end_name = back_end.c_str();
+    return kerf::prepare(mesh, options);
 }
 
 }  // namespace kerf::sim

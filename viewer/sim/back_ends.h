@@ -1,21 +1,21 @@
 #pragma once
 
-#include <memory>
+#include <kerf/object.h>
+
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "common/cutting/cut.h"
-
 namespace kerf::sim {
 
-/// Names of all back ends of this build (back_ends()), as the command line spells them. The first is the default.
+/// Names of all back ends of this build, the report's among them, as the command line spells them. The first is the
+/// default.
 const std::vector<std::string>& backend_names();
 
 /// Accepts "baseline" for the default lookup. Empty for a name that this build does not have.
 std::string known_back_end(std::string_view name);
 
-/// Null for an unknown name.
-std::unique_ptr<Backend> make_back_end(std::string_view name);
+/// kerf::prepare() by a back end of that name. Status: `invalid_argument` for an unknown name.
+Result<Object> prepare(const Mesh& mesh, const std::string& back_end);
 
 }  // namespace kerf::sim

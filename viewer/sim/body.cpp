@@ -7,7 +7,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "common/proxy/collision_proxy.h"
 #include "common/support/stopwatch.h"
 #include "viewer/sim/body_proxies.h"
 #include "viewer/sim/bullet_glm.h"
@@ -25,18 +24,18 @@ constexpr btScalar kRestitution = 0.3f, kFriction = 0.5f;
 
 }  // namespace
 
-Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
-           const Motion& motion, ProxyKind proxy)
+Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
+           ProxyKind proxy)
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
-    Stopwatch watch;
-    const CollisionProxy shape = body_proxy(*object_, proxy);
+    core::Stopwatch watch;
+    const CollisionProxy shape = body_proxy(object_, proxy);
     proxy_ms_ = watch.lap();
     embody(shape, pose, motion);
 }
 
-Body::Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
-           const Motion& motion, const CollisionProxy& proxy)
+Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
+           const CollisionProxy& proxy)
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
     embody(proxy, pose, motion);
@@ -132,7 +131,7 @@ void Body::hash(StateHash& hash) const
     hash.add(identity_.last_swipe);
     hash.add(missed_swipe_);
     hash.add(std::uint64_t(is_entering_));
-    hash.add(object_->triangle_count());
+    hash.add(object_.triangle_count());
     hash.add(solid_.mass);
     hash.add(solid_.moments);
     hash.add(centre());

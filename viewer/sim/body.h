@@ -1,12 +1,13 @@
 #pragma once
 
+#include <kerf/object.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "common/cutting/cut.h"
-#include "common/proxy/collision_proxy.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/pose.h"
 #include "viewer/sim/proxy_shape.h"
 #include "viewer/sim/solid.h"
@@ -59,15 +60,15 @@ struct Identity
 class Body
 {
 public:
-    /// @param object  must not be null
+    /// @param object  must not be empty
     /// @param solid   solid_of() the object
     /// @param pose    where its mesh stands; pose.scale is identity.origin.scale
     /// Builds the collision proxy (timed: proxy_ms()).
-    Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
-         const Motion& motion, ProxyKind proxy);
+    Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
+         ProxyKind proxy);
     /// The same with a proxy that was built before: of this object or one that it is a copy of.
-    Body(Identity identity, std::unique_ptr<Cuttable> object, const Solid& solid, const MeshPose& pose,
-         const Motion& motion, const CollisionProxy& proxy);
+    Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
+         const CollisionProxy& proxy);
     ~Body();
     Body(const Body&) = delete;
     Body& operator=(const Body&) = delete;
@@ -78,10 +79,11 @@ public:
     std::uint32_t missed_swipe() const { return missed_swipe_; }
     void mark_missed(std::uint32_t swipe) { missed_swipe_ = swipe; }
 
-    Cuttable& object() const { return *object_; }
+    Object& object() { return object_; }
+    const Object& object() const { return object_; }
     /// Takes the object out to be cut; put_back() when it was not.
-    std::unique_ptr<Cuttable> take_object() { return std::move(object_); }
-    void put_back(std::unique_ptr<Cuttable> object) { object_ = std::move(object); }
+    Object take_object() { return std::move(object_); }
+    void put_back(Object object) { object_ = std::move(object); }
 
     const Solid& solid() const { return solid_; }
     double mass() const { return solid_.mass; }
@@ -126,7 +128,7 @@ private:
     MeshPose mesh_pose(const glm::dvec3& centre, const glm::dmat3& rotation) const;
 
     Identity identity_;
-    std::unique_ptr<Cuttable> object_;
+    Object object_;
     Solid solid_;
     double proxy_ms_ = 0.0;
     std::unique_ptr<ProxyShape> proxy_;

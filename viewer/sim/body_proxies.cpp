@@ -1,12 +1,46 @@
 #include "viewer/sim/body_proxies.h"
 
-#include "baseline/report_proxy/every_vertex.h"
+#include <kerf/proxy.h>
+
+#include <new>
+
+#include "baseline/report_back_ends.h"
 
 namespace kerf::sim {
+namespace {
+
+template <class T>
+T value_of(Result<T> result)
+{
+    if (!result) throw std::bad_alloc();
+    return *std::move(result);
+}
+
+void take_hull(const Hull& hull, CollisionProxy& proxy)
+{
+    for (const Vec3f& p : hull.points()) proxy.points.emplace_back(p.x, p.y, p.z);
+    const std::span<const std::uint32_t> corners = hull.indices();
+    for (std::size_t i = 0; i + 3 <= corners.size(); i += 3)
+        proxy.faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+}
+
+}  // namespace
 
 std::string_view proxy_name(ProxyKind kind)
 {
-    return kind == ProxyKind::points ? "every_vertex" : name_of(kind);
+    switch (kind) {
+        case ProxyKind::box:
+            return "box";
+        case ProxyKind::sphere:
+            return "sphere";
+        case ProxyKind::bounded_hull:
+            return "bounded_hull";
+        case ProxyKind::full_hull:
+            return "full_hull";
+        case ProxyKind::points:
+            return "every_vertex";
+    }
+    return {};
 }
 
 std::optional<ProxyKind> find_proxy(std::string_view name)
@@ -16,9 +50,31 @@ std::optional<ProxyKind> find_proxy(std::string_view name)
     return std::nullopt;
 }
 
-CollisionProxy body_proxy(const Cuttable& object, ProxyKind kind)
+CollisionProxy body_proxy(const Object& object, ProxyKind kind)
 {
-    return kind == ProxyKind::points ? baseline::every_vertex(object) : collision_proxy(object, kind);
+    CollisionProxy proxy;
+    proxy.kind = kind;
+    proxy.box = object.bounds();
+    switch (kind) {
+        case ProxyKind::box:
+            break;
+        case ProxyKind::sphere: {
+            const Sphere sphere = value_of(bounding_sphere(object));
+            proxy.centre = glm::vec3(sphere.centre);
+            proxy.radius = sphere.radius;
+            break;
+        }
+        case ProxyKind::bounded_hull:
+            take_hull(value_of(bounded_hull(object)), proxy);
+            break;
+        case ProxyKind::full_hull:
+            take_hull(value_of(full_hull(object)), proxy);
+            break;
+        case ProxyKind::points:
+            for (const Vec3f& p : report_collision_points(object)) proxy.points.emplace_back(p.x, p.y, p.z);
+            break;
+    }
+    return proxy;
 }
 
 }  // namespace kerf::sim

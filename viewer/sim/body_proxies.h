@@ -1,15 +1,27 @@
 #pragma once
 
+#include <kerf/object.h>
+
 #include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string_view>
-
-#include "common/cutting/cut.h"
-#include "common/proxy/collision_proxy.h"
+#include <vector>
 
 namespace kerf::sim {
 
-/// What a body may collide as, in the order of the viewer's menu. `points` is the report's way: every vertex.
+/// What a body may collide as.
+enum class ProxyKind : std::uint8_t
+{
+    box,           ///< along the axes
+    sphere,        ///< around all vertices: box centre, farthest vertex
+    bounded_hull,  ///< of the vertices that are farthest along fixed directions
+    full_hull,     ///< of all vertices
+    points,        ///< the report's way: every vertex, and their hull is left to Bullet
+};
+
+/// All kinds, in the order of the viewer's menu.
 inline constexpr std::array kProxyKinds{ProxyKind::bounded_hull, ProxyKind::full_hull, ProxyKind::box,
                                         ProxyKind::sphere, ProxyKind::points};
 
@@ -19,7 +31,20 @@ std::string_view proxy_name(ProxyKind kind);
 /// The kind whose proxy_name() this is.
 std::optional<ProxyKind> find_proxy(std::string_view name);
 
+/// A convex body in mesh coordinates.
+struct CollisionProxy
+{
+    ProxyKind kind = ProxyKind::box;
+    Box box;                                          ///< bounds of the object; every kind
+    glm::vec3 centre{0.0f};                           ///< of a sphere
+    float radius = 0.0f;                              ///< of a sphere
+    std::vector<glm::vec3> points;                    ///< of hulls
+    std::vector<std::array<std::uint32_t, 3>> faces;  ///< of hulls, counter-clockwise seen from outside; none of a flat
+                                                      ///< object and of `points`
+};
+
 /// The proxy of an object; `points` are made as the report's program does, which is quadratic.
-CollisionProxy body_proxy(const Cuttable& object, ProxyKind kind);
+/// @throws std::bad_alloc
+CollisionProxy body_proxy(const Object& object, ProxyKind kind);
 
 }  // namespace kerf::sim

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <new>
 
 namespace kerf::sim {
 namespace {
@@ -12,14 +14,17 @@ constexpr double kAreaRounding = 1e-4;
 
 }  // namespace
 
-double cap_area(const Cuttable& object)
+double cap_area(const Object& object)
 {
-    const DrawView view = object.draw_view();
+    DrawView view;
+    if (!ok(object.draw(view))) throw std::bad_alloc();
     double twice = 0.0;
     for (const DrawRange& range : view.ranges) {
         if (range.kind != TriangleKind::cap) continue;
         for (std::size_t i = range.first_index; i + 3 <= std::size_t{range.first_index} + range.index_count; i += 3) {
-            const auto corner = [&](std::size_t c) { return glm::dvec3(view.vertices[view.indices[i + c]].position); };
+            const auto corner = [&](std::size_t c) {
+                return glm::dvec3(glm::vec3(view.vertices[view.indices[i + c]].position));
+            };
             const glm::dvec3 a = corner(0);
             twice += glm::length(glm::cross(corner(1) - a, corner(2) - a));
         }

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "viewer/sim/kerf_glm.h"
+
 namespace kerf::sim {
 namespace {
 
@@ -25,8 +27,8 @@ bool WorldBox::overlaps(const WorldBox& other) const
 
 WorldBox world_box(const Box& box, const MeshPose& pose)
 {
-    const glm::dvec3 centre = pose.to_world(box.centre());
-    const glm::dvec3 half = 0.5 * pose.scale * (glm::dvec3(box.hi) - glm::dvec3(box.lo));
+    const glm::dvec3 centre = pose.to_world(centre_of(box));
+    const glm::dvec3 half = 0.5 * pose.scale * extent_of(box);
     const glm::dmat3& r = pose.rotation;
     const glm::dvec3 reach = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
     return {centre - reach, centre + reach};

@@ -16,18 +16,18 @@ namespace {
 
 struct Piece
 {
-    std::unique_ptr<Cuttable> object;
+    Object object;
     Box box;
     bool positive = false;
     Solid solid;
 };
 
-void append(std::vector<Piece>& pieces, std::vector<std::unique_ptr<Cuttable>>& objects, bool positive)
+void append(std::vector<Piece>& pieces, Cut& cut, Side side)
 {
     const auto first = std::ptrdiff_t(pieces.size());
-    for (std::unique_ptr<Cuttable>& object : objects) {
+    for (std::size_t i = 0; Object* const object = cut.piece(side, i); ++i) {
         const Box box = object->bounds();
-        pieces.push_back({std::move(object), box, positive, {}});
+        pieces.push_back({std::move(*object), box, side == Side::positive, {}});
     }
     const auto key = [](const Piece& p) {
         return std::array{p.box.lo.x, p.box.lo.y, p.box.lo.z, p.box.hi.x, p.box.hi.y, p.box.hi.z};
@@ -36,10 +36,11 @@ void append(std::vector<Piece>& pieces, std::vector<std::unique_ptr<Cuttable>>& 
                      [&](const Piece& a, const Piece& b) { return key(a) < key(b); });
 }
 
-double cap_area(const std::vector<std::unique_ptr<Cuttable>>& pieces)
+double cap_area(Cut& cut)
 {
     double area = 0.0;
-    for (const std::unique_ptr<Cuttable>& piece : pieces) area += sim::cap_area(*piece);
+    for (const Side side : {Side::positive, Side::negative})
+        for (std::size_t i = 0; const Object* const piece = cut.piece(side, i); ++i) area += sim::cap_area(*piece);
     return area;
 }
 
@@ -47,7 +48,7 @@ std::vector<Part> weigh(std::vector<Piece>& pieces, const MeshPose& pose)
 {
     std::vector<Part> parts;
     for (Piece& piece : pieces) {
-        piece.solid = solid_of(piece.object->mass_properties(), piece.box, pose.scale);
+        piece.solid = solid_of(piece.object.mass_properties(), piece.box, pose.scale);
         Part part;
         part.positive = piece.positive;
         part.mass = piece.solid.mass;
@@ -126,8 +127,8 @@ void hash_surfaces(const World& world, CutRecord& record)
 
 void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyOptions& options, CutRecord& record)
 {
-    CpuStopwatch cpu;
-    Stopwatch watch;
+    core::CpuStopwatch cpu;
+    core::Stopwatch watch;
     Body& body = *world.find(id);
     const Origin& origin = body.identity().origin;
     record.object = id;
@@ -147,15 +148,15 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     record.normal = placed.normal;
 
     CutOptions how;
-    how.split_components = true;
+    how.components = true;
     record.cpu_ms = cpu.lap() * 1e3;
     const double caps_before = options.hash_surfaces ? sim::cap_area(body.object()) : 0.0;
     if (const double checked = cpu.lap(); options.hash_surfaces) record.check_cpu_ms = checked * 1e3;
     watch.lap();
-    CutResult result = cut(body.take_object(), *section, how);
+    Cut result = cut(body.take_object(), *section, how);
     record.cut_ms = watch.lap();
     record.status = result.status;
-    record.statistics = result.statistics;
+    record.statistics = result.statistics();
     record.section_area = result.section_area;
     if (result.object) {
         body.put_back(std::move(result.object));
@@ -165,15 +166,15 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     }
     if (options.hash_surfaces) {
         record.cpu_ms += cpu.lap() * 1e3;
-        const double caps_after = cap_area(result.positive) + cap_area(result.negative);
+        const double caps_after = cap_area(result);
         record.closed_rightly = is_closed_rightly(caps_before, caps_after, record.section_area);
         record.check_cpu_ms += cpu.lap() * 1e3;
         watch.lap();
     }
 
     std::vector<Piece> pieces;
-    append(pieces, result.positive, true);
-    append(pieces, result.negative, false);
+    append(pieces, result, Side::positive);
+    append(pieces, result, Side::negative);
     std::vector<Part> parts = weigh(pieces, pose);
     part_ways(body.centre(), body.motion(), placed.normal, placed.point, parts);
 
@@ -186,7 +187,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
             ++record.dropped;
             continue;
         }
-        const std::uint64_t triangles = piece.object->triangle_count();
+        const std::uint64_t triangles = piece.object.triangle_count();
         const Body& made = world.add(std::make_unique<Body>(heir_of(parent->identity(), record, ++*options.last_id),
                                                             std::move(piece.object), piece.solid, pose, parts[i].motion,
                                                             options.proxy));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/proxy/collision_proxy.h"
+#include "viewer/sim/body_proxies.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/cutting_plane.h"
 #include "viewer/sim/world.h"

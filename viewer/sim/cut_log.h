@@ -1,9 +1,10 @@
 #pragma once
 
+#include <kerf/cut.h>
+
 #include <string>
 #include <vector>
 
-#include "common/cutting/cut.h"
 #include "viewer/sim/body.h"
 
 namespace kerf::sim {
@@ -36,7 +37,7 @@ struct CutRecord
     std::uint64_t surface_hash = 0;  ///< over all pieces, by side; 0 when not asked for
     /// Bodies had touched in this run before the cut: from then on back ends part in the last digit, and then in all.
     bool contact_before = false;
-    double section_area = 0.0;  ///< CutResult::section_area, mesh units squared
+    double section_area = 0.0;  ///< Cut::section_area, mesh units squared
     /// Whether the object's section was closed by what covers it and no more (cap_area.h), and whether that is so for
     /// all sections that the object itself descends from. Back ends agree on cuts of objects whose sections were.
     /// True when not asked for.

@@ -29,12 +29,13 @@ std::optional<Plane> object_plane(const WorldPlane& plane, const MeshPose& pose,
     const glm::dvec3 snapped(on_grid(unit.x), on_grid(unit.y), on_grid(unit.z));
     const double distance = (offset / length - glm::dot(unit, origin.centre)) / origin.radius;
     const glm::dvec3 direction = glm::normalize(snapped);
-    return Plane::through(origin.centre + on_grid(distance) * origin.radius * direction, snapped);
+    return Plane::at(Point(origin.centre + on_grid(distance) * origin.radius * direction), Normal(snapped));
 }
 
 WorldPlane world_plane(const Plane& plane, const MeshPose& pose)
 {
-    return {glm::normalize(pose.rotation * plane.normal), pose.to_world(plane.offset * plane.normal)};
+    const glm::dvec3 normal(plane.normal());
+    return {glm::normalize(pose.rotation * normal), pose.to_world(plane.offset() * normal)};
 }
 
 }  // namespace kerf::sim

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <kerf/plane.h>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "common/mesh/plane.h"
 #include "viewer/sim/body.h"
 
 namespace kerf::sim {

@@ -1,16 +1,17 @@
 #include "viewer/sim/model_library.h"
 
+#include <kerf/io.h>
+
 #include <algorithm>
 #include <array>
-#include <glm/geometric.hpp>
+#include <new>
 #include <system_error>
 #include <utility>
 
-#include "back_ends/back_ends.h"
-#include "common/io/mesh_file.h"
-#include "common/proxy/collision_proxy.h"
+#include "common/files/file_error.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body_proxies.h"
+#include "viewer/sim/kerf_glm.h"
 
 namespace kerf::sim {
 
@@ -22,6 +23,25 @@ std::filesystem::path file_of_texture(const std::filesystem::path& folder, std::
     std::error_code ignored;
     if (!std::filesystem::exists(folder / name, ignored)) std::replace(name.begin(), name.end(), '\\', '/');
     return folder / name;
+}
+
+/// For each material the file of its image, or nothing.
+std::vector<std::string> images_of(const Mesh& mesh, const std::filesystem::path& folder)
+{
+    std::vector<std::string> images;
+    for (std::size_t i = 0; i < mesh.material_count(); ++i) {
+        const std::string name = mesh.material(i).base_colour_image;
+        images.push_back(name.empty() ? name : file_of_texture(folder, name).string());
+    }
+    return images;
+}
+
+/// @throws std::bad_alloc
+Object copy_of(const Object& object)
+{
+    Result<Object> copy = object.clone();
+    if (!copy) throw std::bad_alloc();
+    return *std::move(copy);
 }
 
 }  // namespace
@@ -36,13 +56,13 @@ std::span<const std::string_view> report_model_names()
 
 std::size_t ModelLibrary::add(Model model)
 {
-    model.box = model.mesh->bounds();
+    model.box = model.mesh.bounds();
     const std::lock_guard lock(mutex_);
     models_.push_back(std::make_unique<Model>(std::move(model)));
     return models_.size() - 1;
 }
 
-std::size_t ModelLibrary::add(std::string name, ProvenMesh mesh, bool is_closed)
+std::size_t ModelLibrary::add(std::string name, Mesh mesh, bool is_closed)
 {
     Model model;
     model.name = std::move(name);
@@ -55,22 +75,20 @@ std::size_t ModelLibrary::add_file(const std::filesystem::path& path)
 {
     Model model;
     model.name = path.stem().string();
-    io::LoadedMesh loaded = io::read_mesh(path);
-    model.is_closed = loaded.is_closed();
-    model.mesh = std::move(loaded.mesh);
-    model.coarse_coordinates = loaded.facts.has_coarse_coordinates();
-    const Box box = model.mesh->bounds();
-    const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    FileReport report;
+    Result<Mesh> mesh = read_mesh(path.c_str(), &report);
+    if (!mesh) throw core::io::FileError(mesh.reason());
+    model.is_closed = report.mesh().facts.is_closed();
+    model.mesh = *std::move(mesh);
+    model.coarse_coordinates = report.mesh().facts.has_coarse_coordinates;
+    const double radius = radius_of(model.mesh.bounds());
     if (!(radius <= kLargestMesh && radius >= 1.0 / kLargestMesh))
-        throw io::FileError(path.string() +
-                            ": the mesh is too large or too small to be thrown, beyond 1e18 mesh units");
-    model.folder = path.parent_path();
-    model.files = std::move(loaded.files);
-    for (Material& material : model.mesh.materials()) {
-        if (material.texture.empty()) continue;
-        model.files.push_back(file_of_texture(model.folder, material.texture));
-        material.texture = model.files.back().string();
-    }
+        throw core::io::FileError(path.string() +
+                                  ": the mesh is too large or too small to be thrown, beyond 1e18 mesh units");
+    for (std::size_t i = 0; i < report.file_count(); ++i) model.files.emplace_back(report.file(i));
+    model.images = images_of(model.mesh, path.parent_path());
+    for (const std::string& image : model.images)
+        if (!image.empty()) model.files.emplace_back(image);
     return add(std::move(model));
 }
 
@@ -82,7 +100,7 @@ void ModelLibrary::add_report_models(const std::filesystem::path& folder)
 void ModelLibrary::empty_model(std::size_t index)
 {
     // What is freed goes after the lock: it takes time.
-    ProvenMesh mesh;
+    Mesh mesh;
     std::vector<std::shared_ptr<Prepared>> prepared;
     const std::lock_guard lock(mutex_);
     std::swap(mesh, models_[index]->mesh);
@@ -121,12 +139,12 @@ std::shared_ptr<ModelLibrary::Prepared> ModelLibrary::find_entry(std::size_t ind
 void ModelLibrary::prepare_once(Prepared& entry, std::size_t index, const std::string& backend)
 {
     if (entry.ready) return;
-    if (const std::unique_ptr<Backend> maker = make_back_end(backend)) {
-        PrepareResult result = maker->prepare(model(index).mesh);
-        entry.object = std::move(result.object);
-        if (!entry.object) entry.error = model(index).name + " can't be prepared: " + result.reason;
-    } else {
+    if (known_back_end(backend).empty()) {
         entry.error = "there is no back end '" + backend + "'";
+    } else {
+        Result<Object> object = sim::prepare(model(index).mesh, backend);
+        if (!object) entry.error = model(index).name + " can't be prepared: " + object.reason();
+        entry.object = *std::move(object);
     }
     entry.ready = true;
 }
@@ -148,9 +166,9 @@ bool ModelLibrary::is_prepared(std::size_t index, const std::string& backend) co
 void ModelLibrary::measure_once(Prepared& entry, ProxyKind proxy)
 {
     if (!entry.object) return;
-    if (!entry.mass) entry.mass = entry.object->mass_properties();
+    if (!entry.mass) entry.mass = entry.object.mass_properties();
     std::shared_ptr<const CollisionProxy>& known = entry.proxies[proxy];
-    if (!known) known = std::make_shared<const CollisionProxy>(body_proxy(*entry.object, proxy));
+    if (!known) known = std::make_shared<const CollisionProxy>(body_proxy(entry.object, proxy));
 }
 
 void ModelLibrary::stock(std::size_t index, const std::string& backend, ProxyKind proxy)
@@ -160,7 +178,7 @@ void ModelLibrary::stock(std::size_t index, const std::string& backend, ProxyKin
     prepare_once(*wanted, index, backend);
     measure_once(*wanted, proxy);
     if (!wanted->object || wanted->spare) return;
-    wanted->spare = wanted->object->clone();
+    wanted->spare = copy_of(wanted->object);
     wanted->spare_copy = ++copies_;
 }
 
@@ -179,7 +197,7 @@ std::optional<StockedCopy> ModelLibrary::stocked(std::size_t index, const std::s
     if (!found) return std::nullopt;
     const std::unique_lock lock(found->mutex, std::try_to_lock);
     if (!lock || !found->spare) return std::nullopt;
-    return StockedCopy{found->spare.get(), found->spare_copy};
+    return StockedCopy{&found->spare, found->spare_copy};
 }
 
 Throwable ModelLibrary::take(std::size_t index, const std::string& backend, ProxyKind proxy)
@@ -196,22 +214,22 @@ Throwable ModelLibrary::take(std::size_t index, const std::string& backend, Prox
         taken.copy = wanted->spare_copy;
     } else {
         ++late_copies_;
-        taken.object = wanted->object->clone();
+        taken.object = copy_of(wanted->object);
         taken.copy = ++copies_;
     }
     taken.mass = *wanted->mass;
-    taken.bounds = wanted->object->bounds();
+    taken.bounds = wanted->object.bounds();
     taken.proxy = wanted->proxies.at(proxy);
     return taken;
 }
 
-std::unique_ptr<Cuttable> ModelLibrary::make(std::size_t index, const std::string& backend)
+Object ModelLibrary::make(std::size_t index, const std::string& backend)
 {
     const std::shared_ptr<Prepared> wanted = entry(index, backend);
     const std::lock_guard lock(wanted->mutex);
     prepare_once(*wanted, index, backend);
     if (wanted->spare) return std::move(wanted->spare);
-    return wanted->object ? wanted->object->clone() : nullptr;
+    return wanted->object ? copy_of(wanted->object) : Object();
 }
 
 }  // namespace kerf::sim

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kerf/object.h>
+
 #include <atomic>
 #include <filesystem>
 #include <map>
@@ -10,10 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "common/cutting/cut.h"
-#include "common/mesh/mass_properties.h"
-#include "common/proxy/collision_proxy.h"
-#include "common/repair/proven_mesh.h"
+#include "viewer/sim/body_proxies.h"
 
 namespace kerf::sim {
 
@@ -21,11 +20,11 @@ namespace kerf::sim {
 struct Model
 {
     std::string name;
-    ProvenMesh mesh;
+    Mesh mesh;
     Box box;
-    bool coarse_coordinates = false;  ///< MeshFacts::has_coarse_coordinates(): a warning
+    bool coarse_coordinates = false;  ///< Mesh::has_coarse_coordinates(): a warning
     bool is_closed = false;           ///< the surface of solids, known to have no boundary: nobody sees its back
-    std::filesystem::path folder;     ///< of the file that it came from; Material::texture begins with it
+    std::vector<std::string> images;  ///< for each material the file of its image, or nothing
     std::vector<std::filesystem::path> files;  ///< that it came from, with its images; none for generated ones
 };
 
@@ -33,8 +32,8 @@ struct Model
 /// every vertex.
 struct Throwable
 {
-    std::unique_ptr<Cuttable> object;  ///< null: the model can't be prepared
-    std::uint64_t copy = 0;            ///< which copy this is; counts up from 1 in each library
+    Object object;           ///< empty: the model can't be prepared
+    std::uint64_t copy = 0;  ///< which copy this is; counts up from 1 in each library
     MassProperties mass;
     Box bounds;
     std::shared_ptr<const CollisionProxy> proxy;
@@ -43,7 +42,7 @@ struct Throwable
 /// A copy that is ready and lies in the library until somebody takes it.
 struct StockedCopy
 {
-    Cuttable* object = nullptr;
+    Object* object = nullptr;
     std::uint64_t copy = 0;
 };
 
@@ -68,11 +67,11 @@ class ModelLibrary
 public:
     /// Returns the model's index.
     std::size_t add(Model model);
-    std::size_t add(std::string name, ProvenMesh mesh, bool is_closed = false);
-    /// @throws io::FileError  also for a mesh that is too large or too small to be drawn (kLargestMesh)
+    std::size_t add(std::string name, Mesh mesh, bool is_closed = false);
+    /// @throws core::io::FileError  also for a mesh that is too large or too small to be drawn (kLargestMesh)
     std::size_t add_file(const std::filesystem::path& path);
     /// The report's fifteen models from data/models.
-    /// @throws io::FileError
+    /// @throws core::io::FileError
     void add_report_models(const std::filesystem::path& folder);
 
     /// Frees a model's mesh and what was prepared of it, the stocked copy included; its name and box stay, and so do
@@ -101,16 +100,16 @@ public:
     /// failed). Waits for a thread that is stocking the same.
     Throwable take(std::size_t index, const std::string& backend, ProxyKind proxy = ProxyKind::bounded_hull);
     /// The same without measures and proxy.
-    std::unique_ptr<Cuttable> make(std::size_t index, const std::string& backend);
+    Object make(std::size_t index, const std::string& backend);
 
     LateWork late_work() const { return {late_preparations_, late_copies_}; }
 
 private:
     struct Prepared
     {
-        std::mutex mutex;  ///< a Cuttable is cloned by one thread at a time
+        std::mutex mutex;  ///< an object is cloned by one thread at a time
         std::atomic<bool> ready = false;
-        std::unique_ptr<Cuttable> object, spare;
+        Object object, spare;
         std::uint64_t spare_copy = 0;
         std::optional<MassProperties> mass;
         std::map<ProxyKind, std::shared_ptr<const CollisionProxy>> proxies;

@@ -7,7 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/model_library.h"
 
 namespace kerf::sim {

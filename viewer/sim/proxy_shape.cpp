@@ -67,8 +67,8 @@ ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, co
         return;
     }
 
-    const glm::dvec3 lo(proxy_.box.empty() ? glm::vec3(centre) : proxy_.box.lo);
-    const glm::dvec3 hi(proxy_.box.empty() ? glm::vec3(centre) : proxy_.box.hi);
+    const glm::dvec3 lo(proxy_.box.is_empty() ? glm::vec3(centre) : glm::vec3(proxy_.box.lo));
+    const glm::dvec3 hi(proxy_.box.is_empty() ? glm::vec3(centre) : glm::vec3(proxy_.box.hi));
     const glm::dvec3 side = (hi - lo) * scale;
     const double thinnest = std::min({side.x, side.y, side.z});
 

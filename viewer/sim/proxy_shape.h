@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "common/proxy/collision_proxy.h"
+#include "viewer/sim/body_proxies.h"
 
 class btConvexShape;
 

@@ -7,9 +7,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "common/io/output_file.h"
-#include "common/io/read_formats.h"
-#include "common/io/text_scanner.h"
+#include "common/files/output_file.h"
+#include "common/files/read_file.h"
+#include "common/support/reason.h"
 
 namespace kerf::sim {
 namespace {
@@ -86,7 +86,7 @@ private:
     [[noreturn]] void fail(const std::string& reason) const
     {
         const std::string place = line_ > 0 ? ":" + std::to_string(line_) : std::string();
-        throw io::FileError(name_ + place + ": " + reason);
+        throw core::io::FileError(name_ + place + ": " + reason);
     }
 
     void first_line(std::string_view text)
@@ -105,8 +105,8 @@ private:
         const std::string_view word = take_word(rest);
         rest = trimmed(rest);
         if (word.front() >= '0' && word.front() <= '9') return event(word, rest);
-        if (!script_.events.empty()) fail(io::in_quotes(word) + " must come before the first event");
-        if (rest.empty()) fail(io::in_quotes(word) + " needs a value");
+        if (!script_.events.empty()) fail(core::in_quotes(word) + " must come before the first event");
+        if (rest.empty()) fail(core::in_quotes(word) + " needs a value");
         if (word == "scene") {
             script_.scene = rest;
         } else if (word == "backend") {
@@ -115,10 +115,10 @@ private:
             script_.proxy = rest;
         } else if (word == "seed") {
             std::uint64_t seed = 0;
-            if (!parse(rest, seed)) fail(io::in_quotes(rest) + " is no seed: a whole number from 0 to 2^64 - 1");
+            if (!parse(rest, seed)) fail(core::in_quotes(rest) + " is no seed: a whole number from 0 to 2^64 - 1");
             script_.seed = seed;
         } else {
-            fail(io::in_quotes(word) + " is not known: scene, backend, proxy, seed, or a time");
+            fail(core::in_quotes(word) + " is not known: scene, backend, proxy, seed, or a time");
         }
     }
 
@@ -126,7 +126,7 @@ private:
     {
         InputEvent event;
         if (!parse(word, event.time) || event.time > kLatest)
-            fail(io::in_quotes(word) + " is no time: whole microseconds, at most a day");
+            fail(core::in_quotes(word) + " is no time: whole microseconds, at most a day");
         if (!script_.events.empty() && event.time < script_.events.back().time) fail("time goes backwards");
         while (at_once_ < script_.events.size() && script_.events[at_once_].time <= event.time - kAtOnce) ++at_once_;
         if (script_.events.size() - at_once_ >= kMostEventsAtOnce)
@@ -140,14 +140,14 @@ private:
             event.kind = candidate;
             known = true;
         }
-        if (!known) fail(io::in_quotes(kind) + " is not known: press, move, release or command");
+        if (!known) fail(core::in_quotes(kind) + " is not known: press, move, release or command");
         if (event.kind == InputKind::command) {
             if (rest.empty()) fail("'command' needs a text");
             event.text = rest;
         } else {
             event.position.x = coordinate(take_word(rest));
             event.position.y = coordinate(take_word(rest));
-            if (!trimmed(rest).empty()) fail(io::in_quotes(kind) + " takes two numbers and nothing else");
+            if (!trimmed(rest).empty()) fail(core::in_quotes(kind) + " takes two numbers and nothing else");
         }
         script_.events.push_back(std::move(event));
     }
@@ -156,7 +156,7 @@ private:
     {
         double value = 0.0;
         if (!parse(word, value) || !(std::abs(value) <= kFarthest))
-            fail(io::in_quotes(word) + " is no place on the stage: two numbers in metres are needed");
+            fail(core::in_quotes(word) + " is no place on the stage: two numbers in metres are needed");
         return value;
     }
 
@@ -183,7 +183,7 @@ Script read_script(std::istream& in, const std::string& name)
 
 Script read_script(const std::filesystem::path& path)
 {
-    std::istringstream in(io::read_bytes(path));
+    std::istringstream in(core::io::read_bytes(path));
     return read_script(in, path.string());
 }
 
@@ -208,7 +208,7 @@ void write_script(const std::filesystem::path& path, const Script& script)
 {
     std::ostringstream text;
     write_script(text, script);
-    io::OutputFile file(path);
+    core::io::OutputFile file(path);
     file.write(text.str());
     file.finish();
     file.commit();

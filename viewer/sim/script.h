@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "common/io/mesh_file.h"
 #include "viewer/sim/ticks.h"
 
 namespace kerf::sim {
@@ -62,14 +61,14 @@ inline constexpr std::size_t kMostEventsAtOnce = 5000;
 inline constexpr Microseconds kAtOnce = 250'000;
 
 /// @param name  how messages call the source
-/// @throws io::FileError  "NAME:LINE: ..." for the first line that is wrong, "NAME: ..." when there is none
+/// @throws core::io::FileError  "NAME:LINE: ..." for the first line that is wrong, "NAME: ..." when there is none
 Script read_script(std::istream& in, const std::string& name);
 /// From a regular file.
 Script read_script(const std::filesystem::path& path);
 
 void write_script(std::ostream& out, const Script& script);
 /// Complete or not at all.
-/// @throws io::FileError
+/// @throws core::io::FileError
 void write_script(const std::filesystem::path& path, const Script& script);
 
 }  // namespace kerf::sim

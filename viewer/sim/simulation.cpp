@@ -8,6 +8,7 @@
 #include "viewer/sim/body_proxies.h"
 #include "viewer/sim/crowd.h"
 #include "viewer/sim/cut_body.h"
+#include "viewer/sim/kerf_glm.h"
 
 namespace kerf::sim {
 
@@ -204,7 +205,7 @@ const Body* Simulation::throw_object(const Throw& what)
 {
     const Flight flight = plan_flight(what.seed, world_.gravity(), what.radius);
     const Box& box = models_->model(what.model).box;
-    const double radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    const double radius = radius_of(box);
     const double scale = radius > 0.0 ? what.radius / radius : 1.0;
     const Body* const body = place_object(what.model, scale, flight.centre, flight.rotation, flight.motion);
     if (body != nullptr) last_throw_ = what;
@@ -222,7 +223,7 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
     MeshPose pose;
     pose.scale = scale;
     pose.rotation = rotation;
-    pose.translation = centre - scale * (rotation * box.centre());
+    pose.translation = centre - scale * (rotation * centre_of(box));
     if (bodies().size() >= kMostNeighbours && Crowd(world_).is_thick_at(world_box(box, pose))) {
         report("there are " + std::to_string(kMostNeighbours) +
                " pieces or more where a throw begins: no room for another one before they are gone");
@@ -241,8 +242,8 @@ const Body* Simulation::place_object(std::size_t model, double scale, const glm:
     identity.origin.copy = taken.copy;
     identity.origin.backend = backend_;
     identity.origin.scale = scale;
-    identity.origin.centre = box.centre();
-    identity.origin.radius = 0.5 * glm::distance(glm::dvec3(box.lo), glm::dvec3(box.hi));
+    identity.origin.centre = centre_of(box);
+    identity.origin.radius = radius_of(box);
 
     const Solid solid = solid_of(taken.mass, taken.bounds, scale);
     return &world_.add(

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "common/proxy/collision_proxy.h"
 #include "viewer/sim/blade.h"
 #include "viewer/sim/camera.h"
 #include "viewer/sim/cut_log.h"

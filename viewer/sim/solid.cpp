@@ -1,11 +1,12 @@
 #include "viewer/sim/solid.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
-#include "common/mesh/plane.h"
-#include "common/mesh/plane_noise.h"
+#include "viewer/sim/kerf_glm.h"
 
 namespace kerf::sim {
 namespace {
@@ -18,15 +19,17 @@ constexpr double kThinnestBox = 1e-3;
 constexpr double kLeastVolumeShare = 1e-7;
 /// No principal moment is below this share of the largest: a needle can't be spun up without bound by rounding.
 constexpr double kLeastMomentShare = 1e-6;
+/// A centre of mass may lie so far outside the box, in units in the last place of its largest coordinate.
+constexpr double kCentreSlack = 4.0;
 
 Solid box_solid(const Box& bounds, double scale)
 {
     Solid solid;
     solid.from_geometry = false;
-    const glm::dvec3 extent = bounds.empty() ? glm::dvec3(0.0) : glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo);
+    const glm::dvec3 extent = bounds.is_empty() ? glm::dvec3(0.0) : extent_of(bounds);
     const glm::dvec3 side = glm::max(extent * scale, glm::dvec3(kThinnestBox));
     solid.mass = kHollowShare * kDensity * side.x * side.y * side.z;
-    solid.centre = bounds.empty() ? glm::dvec3(0.0) : bounds.centre();
+    solid.centre = bounds.is_empty() ? glm::dvec3(0.0) : centre_of(bounds);
     const glm::dvec3 squares = side * side;
     const glm::dvec3 moments =
         solid.mass / 12.0 * glm::dvec3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
@@ -37,9 +40,11 @@ Solid box_solid(const Box& bounds, double scale)
 /// The centre of mass of a sliver may lie outside its box by the rounding of its vertices.
 bool about_inside(const glm::dvec3& p, const Box& box)
 {
-    const double slack = plane_noise(box.largest_coordinate());
+    const float largest = largest_coordinate(box);
+    const double slack = kCentreSlack * (double(largest) - double(std::nextafter(largest, 0.0f)));
+    const glm::dvec3 lo(glm::vec3(box.lo)), hi(glm::vec3(box.hi));
     for (int axis = 0; axis < 3; ++axis)
-        if (!(p[axis] >= double(box.lo[axis]) - slack && p[axis] <= double(box.hi[axis]) + slack)) return false;
+        if (!(p[axis] >= lo[axis] - slack && p[axis] <= hi[axis] + slack)) return false;
     return true;
 }
 
@@ -54,18 +59,19 @@ glm::dmat3 Solid::inertia() const
 
 Solid solid_of(const MassProperties& properties, const Box& bounds, double scale)
 {
-    if (bounds.empty()) return box_solid(bounds, scale);
-    const glm::dvec3 side = glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo);
+    if (bounds.is_empty()) return box_solid(bounds, scale);
+    const glm::dvec3 side = extent_of(bounds);
     const double least = kLeastVolumeShare * side.x * side.y * side.z;
-    if (!(properties.volume > least) || !about_inside(properties.centre, bounds)) return box_solid(bounds, scale);
+    if (!(properties.volume > least) || !about_inside(glm::dvec3(properties.centre), bounds))
+        return box_solid(bounds, scale);
 
     Solid solid;
     solid.mass = kDensity * properties.volume * scale * scale * scale;
-    solid.centre = properties.centre;
+    solid.centre = glm::dvec3(properties.centre);
 
     Eigen::Matrix3d tensor;
     for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) tensor(row, column) = properties.inertia[column][row];
+        for (int row = 0; row < 3; ++row) tensor(row, column) = properties.inertia.m[column][row];
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
     if (solver.info() != Eigen::Success) return box_solid(bounds, scale);
     const double to_si = kDensity * scale * scale * scale * scale * scale;

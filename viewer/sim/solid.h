@@ -1,10 +1,9 @@
 #pragma once
 
+#include <kerf/mass.h>
+
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
-
-#include "common/mesh/box.h"
-#include "common/mesh/mass_properties.h"
 
 namespace kerf::sim {
 

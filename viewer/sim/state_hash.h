@@ -13,7 +13,7 @@ namespace kerf::sim {
 class StateHash
 {
 public:
-    void add(std::uint64_t word) { state_ = Random::mix((state_ ^ word) + 0x9E3779B97F4A7C15u); }
+    void add(std::uint64_t word) { state_ = core::Random::mix((state_ ^ word) + 0x9E3779B97F4A7C15u); }
     void add(std::int64_t number) { add(static_cast<std::uint64_t>(number)); }
     void add(std::uint32_t number) { add(std::uint64_t(number)); }
     void add(bool flag) { add(std::uint64_t(flag)); }

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include "viewer/sim/state_hash.h"
 
 namespace kerf::sim {
 namespace {
 
-std::uint64_t vertex_hash(const Vertex& v)
+std::uint64_t vertex_hash(const DrawVertex& v)
 {
     StateHash hash;
     for (const float number :
@@ -19,9 +20,10 @@ std::uint64_t vertex_hash(const Vertex& v)
 
 }  // namespace
 
-std::uint64_t surface_hash(const Cuttable& object)
+std::uint64_t surface_hash(const Object& object)
 {
-    const DrawView view = object.draw_view();
+    DrawView view;
+    if (!ok(object.draw(view))) throw std::bad_alloc();
     std::uint64_t sum = 0;
     for (const DrawRange& range : view.ranges) {
         if (range.kind != TriangleKind::surface) continue;

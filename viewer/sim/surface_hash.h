@@ -1,14 +1,15 @@
 #pragma once
 
-#include <cstdint>
+#include <kerf/object.h>
 
-#include "common/cutting/cut.h"
+#include <cstdint>
 
 namespace kerf::sim {
 
 /// Hash of the object's `surface` triangles as a multiset: positions, normals, uv and material of each, whatever their
 /// order and whichever corner comes first. Both back ends give the same; caps, which they triangulate differently, are
 /// left out. O(n).
-std::uint64_t surface_hash(const Cuttable& object);
+/// @throws std::bad_alloc
+std::uint64_t surface_hash(const Object& object);
 
 }  // namespace kerf::sim

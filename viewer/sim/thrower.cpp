@@ -22,13 +22,13 @@ constexpr double kStartBelow = 1.2;
 // Numbers are drawn in statements of their own, last coordinate first: in which order the arguments of a call are
 // evaluated is the compiler's choice, and a seed is the same throw with any compiler.
 
-double between(Random& random, double low, double high)
+double between(core::Random& random, double low, double high)
 {
     return low + (high - low) * random.unit();
 }
 
 /// Uniform on the sphere, from the ball by rejection.
-glm::dvec3 random_axis(Random& random)
+glm::dvec3 random_axis(core::Random& random)
 {
     for (;;) {
         const double z = between(random, -1, 1), y = between(random, -1, 1), x = between(random, -1, 1);
@@ -39,7 +39,7 @@ glm::dvec3 random_axis(Random& random)
 }
 
 /// Uniform over all rotations: a uniform unit quaternion.
-glm::dmat3 random_rotation(Random& random)
+glm::dmat3 random_rotation(core::Random& random)
 {
     for (;;) {
         const double z = between(random, -1, 1), y = between(random, -1, 1), x = between(random, -1, 1);
@@ -53,7 +53,7 @@ glm::dmat3 random_rotation(Random& random)
 
 Flight plan_flight(std::uint64_t seed, double gravity, double radius)
 {
-    Random random(seed);
+    core::Random random(seed);
     Flight flight;
     const double start = between(random, -kStartSpread, kStartSpread) * kStageHalfWidth;
     const double landing = between(random, -kLandingSpread, kLandingSpread) * kStageHalfWidth;

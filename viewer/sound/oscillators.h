@@ -35,7 +35,7 @@ public:
     double unit() { return random_.unit(); }
 
 private:
-    Random random_;
+    core::Random random_;
 };
 
 /// A state variable filter: low, band and high pass at once, whose frequency may change from sample to sample (Simper,

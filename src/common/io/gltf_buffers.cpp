@@ -1,4 +1,5 @@
 #include "common/io/gltf_buffers.h"
+#include "common/files/read_file.h"
 
 #include <algorithm>
 #include <array>

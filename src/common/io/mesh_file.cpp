@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "common/io/output_file.h"
+#include "common/files/file_places.h"
+#include "common/files/output_file.h"
+#include "common/files/read_file.h"
 #include "common/io/read_formats.h"
 #include "common/io/write_formats.h"
 
@@ -77,25 +78,7 @@ Writer writer_for(const fs::path& path)
     fail(path, "the extension is not one of obj, ply, stl, off, glb; choose one of these");
 }
 
-thread_local std::vector<fs::path>* files_read = nullptr;
-
 }  // namespace
-
-ReadRecord::ReadRecord(std::vector<fs::path>& files) : outer_(std::exchange(files_read, &files)) {}
-
-ReadRecord::~ReadRecord()
-{
-    files_read = outer_;
-}
-
-void fail(const fs::path& path, const std::string& reason)
-{
-    // A name may hold line ends and control characters; a message is one line.
-    std::string name = path.string();
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-    throw FileError(name + ": " + reason);
-}
 
 std::optional<fs::path> file_beside(const fs::path& path, const std::string& name)
 {
@@ -106,30 +89,6 @@ std::optional<fs::path> file_beside(const fs::path& path, const std::string& nam
     if (!relative.is_relative() || std::find(relative.begin(), relative.end(), "..") != relative.end())
         return std::nullopt;
     return path.parent_path() / relative;
-}
-
-std::string read_bytes(const fs::path& path)
-{
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    // The system would take the name to end there.
-    const bool has_zero = path.native().find('\0') != fs::path::string_type::npos;
-    if (has_zero || status.type() == fs::file_type::not_found)
-        fail(path, "there is no such file; look at its name and folder");
-    if (error) fail(path, "it cannot be read (" + error.message() + "); look at its name and folder");
-    // A device or a pipe has no size to check a claim against, and may never end.
-    if (status.type() != fs::file_type::regular) fail(path, "it is not a regular file; name one that is");
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error) fail(path, "it cannot be read (" + error.message() + ")");
-
-    std::ifstream file(path, std::ios::binary);
-    if (!file) fail(path, "it cannot be opened for reading; allow that first");
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (file.bad() || static_cast<std::uintmax_t>(file.gcount()) != size)
-        fail(path, "it cannot be read to its end; copy it again");
-    if (files_read != nullptr) files_read->push_back(path);
-    return bytes;
 }
 
 namespace {
@@ -182,29 +141,6 @@ const std::vector<std::string>& writable_formats()
 {
     static const std::vector<std::string> formats{"obj", "ply", "stl", "off", "glb"};
     return formats;
-}
-
-void refuse_to_replace(const fs::path& output, std::span<const fs::path> inputs)
-{
-    std::error_code ignored;
-    for (const fs::path& input : inputs)
-        if (fs::equivalent(output, input, ignored))
-            fail(output, "it would replace what is read, " + input.string() + "; choose another name");
-}
-
-namespace {
-
-[[noreturn]] void fail_for_same_place(const fs::path& output)
-{
-    fail(output, "another file of the same call is written to this place; choose another name");
-}
-
-}  // namespace
-
-void refuse_same_place(const fs::path& output, std::span<const fs::path> others)
-{
-    for (const fs::path& other : others)
-        if (place_of(other) == place_of(output)) fail_for_same_place(output);
 }
 
 struct MeshFileSet::Impl

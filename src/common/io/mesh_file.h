@@ -3,24 +3,17 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/files/file_error.h"
 #include "common/io/reading_notes.h"
 #include "common/repair/repair.h"
 
 // Reading and writing mesh files: what users of the library call.
 
 namespace kerf::core::io {
-
-/// A file that cannot be read or written. what() is one sentence that names the file and the reason.
-class FileError : public std::runtime_error
-{
-public:
-    using std::runtime_error::runtime_error;
-};
 
 /// Reads a mesh file without repair: triangles (n-gons triangulated without a new vertex), several meshes and materials
 /// joined, node transforms applied. OBJ, PLY, STL, OFF, glTF and GLB, by file name extension in either case.
@@ -84,14 +77,8 @@ void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 /// @throws FileError  a format that is not written; a mesh that check() refuses
 std::string mesh_bytes(const IndexedMesh& mesh, std::string_view format);
 
-/// @throws FileError  `output` is one of `inputs`, by whatever name: another spelling, a symbolic or a hard link
-void refuse_to_replace(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
-
-/// @throws FileError  `output` is written to the place of one of `others`
-void refuse_same_place(const std::filesystem::path& output, std::span<const std::filesystem::path> others);
-
 /// Several mesh files that appear together or not at all, even if the program is interrupted
-/// (common/io/unfinished_files.h).
+/// (common/files/unfinished_files.h).
 class MeshFileSet
 {
 public:

@@ -1,4 +1,5 @@
 #include "common/io/mtl_reader.h"
+#include "common/files/read_file.h"
 
 #include <algorithm>
 #include <string_view>

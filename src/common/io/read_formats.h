@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/files/file_error.h"
 #include "common/io/reading_notes.h"
 #include "common/mesh/triangle_soup.h"
 
@@ -13,26 +14,6 @@
 // what all formats have in common. Harmless faults are put right and noted. All throw FileError.
 
 namespace kerf::core::io {
-
-/// @throws FileError  "FILE: REASON"
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason);
-
-/// All bytes of a regular file.
-std::string read_bytes(const std::filesystem::path& path);
-
-/// While it lives, it records what read_bytes() reads in this thread: a mesh file names others, and only its reader
-/// knows which.
-class ReadRecord
-{
-public:
-    explicit ReadRecord(std::vector<std::filesystem::path>& files);
-    ~ReadRecord();
-    ReadRecord(const ReadRecord&) = delete;
-    ReadRecord& operator=(const ReadRecord&) = delete;
-
-private:
-    std::vector<std::filesystem::path>* outer_;
-};
 
 /// The file of this name in the folder of `path` or below it; nothing for an absolute path, one with "..", one of
 /// another system or an address. A file from elsewhere must not make us read files that its sender cannot.

@@ -1,6 +1,7 @@
 #include <new>
 #include <utility>
 
+#include "common/files/read_file.h"
 #include "common/io/mesh_file.h"
 #include "common/io/read_formats.h"
 #include "common/repair/repair.h"

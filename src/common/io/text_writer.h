@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "common/io/byte_sink.h"
+#include "common/files/byte_sink.h"
 
 namespace kerf::core::io {
 

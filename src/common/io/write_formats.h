@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "common/io/byte_sink.h"
+#include "common/files/byte_sink.h"
 #include "common/mesh/indexed_mesh.h"
 
 // One writer per format. Each writes the whole file; the caller finishes and commits it. All throw FileError.

@@ -21,9 +21,4 @@ inline bool has_coarse_coordinates(double shortest_edge, const Box& box)
     return shortest_edge < kCoarseUnits * coordinate_grain(box);
 }
 
-/// What to tell a user of such a mesh: one sentence.
-inline constexpr const char* kCoarseCoordinatesText =
-    "coarse coordinates: the shortest edge is under 16 steps of the coordinates' precision; move the mesh towards the "
-    "origin before it is stored in single precision";
-
 }  // namespace kerf::core

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <string>
@@ -27,7 +28,8 @@ public:
     ProvenMesh(ProvenMesh&& other) noexcept
         : mesh_(std::move(other.mesh_)),
           adjacency_(std::move(other.adjacency_)),
-          shortest_edge_(std::exchange(other.shortest_edge_, kNoEdge))
+          shortest_edge_(std::exchange(other.shortest_edge_, kNoEdge)),
+          is_closed_(std::exchange(other.is_closed_, true))
     {
         other.forget_counts();
     }
@@ -36,6 +38,7 @@ public:
         mesh_ = std::move(other.mesh_);
         adjacency_ = std::move(other.adjacency_);
         shortest_edge_ = other.shortest_edge_;
+        is_closed_ = other.is_closed_;
         return *this;
     }
 
@@ -49,11 +52,15 @@ public:
     /// Length of the shortest edge, in mesh units; infinite without triangles, and once the mesh has been taken out.
     double shortest_edge() const { return shortest_edge_; }
 
+    /// Whether every edge has two triangles, so that the surface bounds solids. True without triangles.
+    bool is_closed() const { return is_closed_; }
+
     /// Takes the mesh out.
     IndexedMesh operator*() &&
     {
         adjacency_ = {};
         shortest_edge_ = kNoEdge;
+        is_closed_ = true;
         IndexedMesh mesh = std::move(mesh_);
         forget_counts();
         return mesh;
@@ -74,7 +81,11 @@ private:
     friend Repaired repair(TriangleSoup soup);
     friend Proof prove(IndexedMesh mesh);
     ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency, double shortest_edge)
-        : mesh_(std::move(mesh)), adjacency_(std::move(adjacency)), shortest_edge_(shortest_edge)
+        : mesh_(std::move(mesh)),
+          adjacency_(std::move(adjacency)),
+          shortest_edge_(shortest_edge),
+          is_closed_(std::find(adjacency_.opposite.begin(), adjacency_.opposite.end(), kNone) ==
+                     adjacency_.opposite.end())
     {
     }
 
@@ -86,6 +97,7 @@ private:
     IndexedMesh mesh_;
     Adjacency adjacency_;
     double shortest_edge_ = kNoEdge;
+    bool is_closed_ = true;
 };
 
 /// A mesh ready for a back end, or the reason why it can't be cut.

@@ -13,6 +13,7 @@
 #include "viewer/app/painter.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/kerf_glm.h"
 #include "viewer/support/stages.h"
 
 // What cutting and drawing cost, in processor time of the one thread that does it: other programs do not count.
@@ -20,6 +21,8 @@
 namespace kerf::test {
 
 namespace {
+
+using core::CpuStopwatch, core::median;
 
 /// A stroke through a body as the eye sees it, over the next tenth of a second.
 std::vector<sim::InputEvent> stroke_across(const sim::Simulation& simulation, const sim::Body& body, double angle)
@@ -102,8 +105,7 @@ TEST_F(GlTest, ThreeHundredPiecesAreSimulatedAndSubmittedWithinAFrame)
     sim::Simulation simulation(library_of({"box"}, 12), settings);
     app::Painter painter(320, 180);
     // Far enough apart not to touch; kept in the air by moving up.
-    const Box& box = simulation.models().model(0).box;
-    const double radius = 0.5 * double(glm::distance(box.lo, box.hi));
+    const double radius = sim::radius_of(simulation.models().model(0).box);
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {
             const glm::dvec3 centre(-6.4 + 0.85 * column, -3.4 + 0.7 * row, 0.0);

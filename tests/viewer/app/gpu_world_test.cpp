@@ -140,7 +140,7 @@ TEST_P(GpuWorldTest, AGiantComesBitByBitAndIsSeenWhenAllOfItIsThere)
     EXPECT_EQ(share, 1.0);
     EXPECT_FALSE(world.arriving());
     EXPECT_EQ(world.most_bytes_of_throws(), kBudget);
-    const DrawView view = giant.bodies().front()->object().draw_view();
+    const DrawView view = view_of(giant.bodies().front()->object());
     const std::uint64_t whole = view.vertices.size_bytes() + view.indices.size_bytes();
     EXPECT_GT(whole, 2 * kBudget);
     EXPECT_EQ(world.bytes_of_throws(), whole);

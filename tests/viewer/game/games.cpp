@@ -2,37 +2,37 @@
 
 #include <cmath>
 
-#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
+#include "support/public_mesh.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::test {
 namespace {
 
-ProvenMesh repaired(TriangleSoup soup, const glm::vec3& stretch = glm::vec3(1.0f))
+Mesh stretched(core::TriangleSoup soup, const glm::vec3& stretch)
 {
-    for (Vertex& vertex : soup.vertices) vertex.position *= stretch;
-    return std::move(repair(std::move(soup)).mesh);
+    for (core::Vertex& vertex : soup.vertices) vertex.position *= stretch;
+    return mesh_of(soup);
 }
 
-ProvenMesh stand_in(game::FruitKind kind)
+Mesh stand_in(game::FruitKind kind)
 {
     using enum game::FruitKind;
     switch (kind) {
         case coconut:
-            return repaired(shapes::sphere_in_sphere(1.0f, 0.75f, 4));
+            return mesh_of(core::shapes::sphere_in_sphere(1.0f, 0.75f, 4));
         case lemon:
-            return repaired(shapes::icosphere(1.0f, 4), {1.0f, 1.0f, 1.25f});
+            return stretched(core::shapes::icosphere(1.0f, 4), {1.0f, 1.0f, 1.25f});
         case banana:
         case freeze:
         case frenzy:
         case double_points:
-            return repaired(shapes::icosphere(1.0f, 4), {0.3f, 0.3f, 1.0f});
+            return stretched(core::shapes::icosphere(1.0f, 4), {0.3f, 0.3f, 1.0f});
         case pineapple:
-            return repaired(shapes::icosphere(1.0f, 4), {0.5f, 0.5f, 1.0f});
+            return stretched(core::shapes::icosphere(1.0f, 4), {0.5f, 0.5f, 1.0f});
         default:
-            return repaired(shapes::icosphere(1.0f, 4));
+            return mesh_of(core::shapes::icosphere(1.0f, 4));
     }
 }
 

@@ -49,8 +49,11 @@ void play_with_autopilot(sim::Simulation& simulation, sim::Tick ticks)
 void upload_next(const sim::Simulation& simulation)
 {
     for (const std::size_t model : simulation.scene().next_models())
-        if (const auto copy = simulation.models().stocked(model, simulation.backend()))
-            copy->object->mark_uploaded(copy->object->draw_view());
+        if (const auto copy = simulation.models().stocked(model, simulation.backend())) {
+            DrawView view;
+            ASSERT_EQ(copy->object->draw(view), Status::done);
+            copy->object->mark_uploaded(view);
+        }
 }
 
 // Ticks until the giant is there.

@@ -147,7 +147,7 @@ TEST_F(StoredJsonTest, SurvivesKillsInTheMiddleOfWriting)
     constexpr std::size_t kNumbers = 50'000;
     const auto value = [](int n) { return Json(std::vector<int>(kNumbers, n)); };
     ASSERT_EQ(save_json(file_, value(0)), "");
-    kerf::Random random(5);
+    core::Random random(5);
     int last = 0, caught_writing = 0;
     for (int kill = 0; kill < kKills; ++kill) {
         int finished[2];

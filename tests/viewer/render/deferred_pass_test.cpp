@@ -8,12 +8,14 @@
 #include <glm/matrix.hpp>
 
 #include "common/shapes/shapes.h"
-#include "support/backends.h"
-#include "support/fixtures.h"
+#include "support/public_mesh.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/pieces_on_stage.h"
 #include "viewer/render/scene_renderer.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/kerf_glm.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
@@ -33,18 +35,17 @@ constexpr render::ScreenRectangle kMiddle{64, 48, 64, 64};
 /// An asteroid of stone that fills most of the picture's height, in a mesh of any unit.
 std::vector<StagedPiece> asteroid(std::uint64_t triangles, const char* material = "rock", float unit = 1.0f)
 {
-    TriangleSoup soup = shapes::asteroid(triangles, 5);
-    for (Vertex& vertex : soup.vertices) vertex.position *= unit;
-    Material stone;
+    core::TriangleSoup soup = core::shapes::asteroid(triangles, 5);
+    for (core::Vertex& vertex : soup.vertices) vertex.position *= unit;
+    core::Material stone;
     stone.name = material;
     soup.materials = {stone};
-    const std::unique_ptr<Backend> backend = backends().front().make();
     std::vector<StagedPiece> pieces;
-    pieces.push_back({backend->prepare(repaired(std::move(soup))).object, glm::mat4(1.0f), 0.5f, {}, true});
-    const Box box = pieces.front().object->bounds();
-    const float radius = 0.5f * glm::length(box.hi - box.lo);
+    pieces.push_back({object_of(mesh_of(soup), sim::backend_names().back()), glm::mat4(1.0f), 0.5f, {}, true});
+    const Box box = pieces.front().object.bounds();
+    const auto radius = static_cast<float>(sim::radius_of(box));
     pieces.front().model =
-        glm::translate(glm::scale(glm::mat4(1.0f), glm::vec3(1.5f / radius)), -0.5f * (box.lo + box.hi));
+        glm::translate(glm::scale(glm::mat4(1.0f), glm::vec3(1.5f / radius)), -glm::vec3(sim::centre_of(box)));
     pieces.front().pattern_scale = 0.5f / radius;
     return pieces;
 }
@@ -176,7 +177,7 @@ TEST_F(DeferredPass, HidesAndIsHiddenLikeWhatIsShadedWhileDrawing)
 {
     // A cube, which is shaded while it is drawn, stands half in an asteroid, which is not.
     std::vector<StagedPiece> pieces = asteroid(50'000);
-    for (StagedPiece& piece : pieces_of("cube", *backends().front().make(), 0, 0.6f)) {
+    for (StagedPiece& piece : pieces_of("cube", sim::backend_names().back(), 0, 0.6f)) {
         piece.model = glm::translate(glm::mat4(1.0f), glm::vec3(0.6f, 0.3f, 0.5f)) * piece.model;
         pieces.push_back(std::move(piece));
     }
@@ -204,7 +205,7 @@ TEST_F(DeferredPass, KeepsEdgesOfTrianglesOnTheirSurface)
 
 TEST_F(DeferredPass, LeavesFewLargeTrianglesToShadingWhileDrawing)
 {
-    std::vector<StagedPiece> pieces = pieces_of("cube", *backends().front().make(), 1, 0.6f);
+    std::vector<StagedPiece> pieces = pieces_of("cube", sim::backend_names().back(), 1, 0.6f);
     const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
     const std::vector<DrawnObject> objects = drawn(pieces, fragments);
     EXPECT_TRUE(picture_of(objects, {}, false) == picture_of(objects, {}, true));

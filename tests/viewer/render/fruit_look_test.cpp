@@ -1,3 +1,6 @@
+#include <kerf/cut.h>
+#include <kerf/io.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,15 +12,14 @@
 #include <string>
 #include <utility>
 
-#include "common/cutting/back_end_helpers.h"
-#include "common/io/mesh_file.h"
 #include "common/support/random.h"
-#include "support/backends.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/fruit_looks.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/inspection_pass.h"
 #include "viewer/render/pieces_on_stage.h"
+#include "viewer/sim/kerf_glm.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
@@ -32,9 +34,9 @@ using render::PixelFacts;
 const std::vector<std::string> kFruit{"watermelon", "apple",     "orange", "lemon",  "kiwi",   "banana",
                                       "coconut",    "pineapple", "bomb",   "freeze", "frenzy", "double"};
 
-io::LoadedMesh fruit(const std::string& name)
+Mesh fruit(const std::string& name)
 {
-    return io::read_mesh(KERF_DATA_DIR "/fruit/" + name + ".glb");
+    return value_of(read_mesh((KERF_DATA_DIR "/fruit/" + name + ".glb").c_str()));
 }
 
 /// Towards the eye and the light, somewhat aside; and 60 degrees off the eye, away from the light.
@@ -50,29 +52,29 @@ glm::mat4 facing(const glm::vec3& from, const glm::vec3& to = kBright)
 }
 
 /// The pieces behind a plane, their caps turned towards `to`.
-std::vector<StagedPiece> opened(const Backend& backend, io::LoadedMesh loaded, const Plane& plane,
+std::vector<StagedPiece> opened(const std::string& back_end, const Mesh& mesh, const Plane& plane,
                                 const glm::vec3& to = kBright)
 {
-    const bool is_closed = loaded.is_closed();
-    const Box box = loaded.mesh->bounds();
-    const float radius = 0.5f * glm::length(box.hi - box.lo);
-    CutResult result = cut(backend.prepare(std::move(loaded.mesh)).object, plane);
+    const Box box = mesh.bounds();
+    const auto radius = static_cast<float>(sim::radius_of(box));
+    Cut result = cut(object_of(mesh, back_end), plane);
     std::vector<StagedPiece> pieces;
-    glm::mat4 model = glm::scale(facing(glm::vec3(plane.normal), to), glm::vec3(1.0f / radius));
-    model = glm::translate(model, -glm::vec3(box.centre()));
-    for (auto& piece : result.negative) pieces.push_back({std::move(piece), model, 0.5f / radius, plane, is_closed});
+    glm::mat4 model = glm::scale(facing(glm::vec3(plane.normal()), to), glm::vec3(1.0f / radius));
+    model = glm::translate(model, -glm::vec3(sim::centre_of(box)));
+    if (Object* const piece = result.one(Side::negative))
+        pieces.push_back({std::move(*piece), model, 0.5f / radius, plane, mesh.is_closed()});
     return pieces;
 }
 
 /// Through the flesh, near its middle, in any direction.
-Plane any_plane(kerf::Random& random)
+Plane any_plane(core::Random& random)
 {
     const auto number = [&] { return 2.0 * random.unit() - 1.0; };
     for (;;) {
         const glm::dvec3 normal(number(), number(), number());
         const double square = glm::dot(normal, normal);
         if (square > 1.0 || square < 0.01) continue;
-        return *Plane::through(0.12 * glm::dvec3(number(), number(), number()), normal);
+        return plane_through(0.12 * glm::dvec3(number(), number(), number()), normal);
     }
 }
 
@@ -135,7 +137,7 @@ protected:
     render::InspectionPass inspection{kWidth, kHeight};
 };
 
-class FruitCap : public FruitLook, public ::testing::WithParamInterface<NamedBackend>
+class FruitCap : public FruitLook, public ::testing::WithParamInterface<std::string>
 {
 };
 
@@ -143,11 +145,11 @@ class FruitCap : public FruitLook, public ::testing::WithParamInterface<NamedBac
 
 TEST_P(FruitCap, IsNeitherClayNorBlackWhateverThePlane)
 {
-    kerf::Random random(5);
+    core::Random random(5);
     for (const std::string& name : kFruit)
         for (int trial = 0; trial < 6; ++trial) {
             const Plane plane = any_plane(random);
-            const View seen = view(opened(*GetParam().make(), fruit(name), plane));
+            const View seen = view(opened(GetParam(), fruit(name), plane));
             std::set<std::array<std::uint8_t, 3>> colours;
             std::vector<double> light;
             std::size_t black = 0, clipped = 0;
@@ -174,11 +176,11 @@ TEST_P(FruitCap, IsNeitherClayNorBlackWhateverThePlane)
 // A cut that faces away from the light shows the light in the flesh: darker, but of the same colours.
 TEST_P(FruitCap, IsFleshInTheShadeToo)
 {
-    const Plane plane = *Plane::through(glm::dvec3(0.02, 0.03, 0.02), glm::dvec3(0.1, 1.0, 0.15));
+    const Plane plane = plane_through(glm::dvec3(0.02, 0.03, 0.02), glm::dvec3(0.1, 1.0, 0.15));
     for (const std::string& name : kFruit) {
         if (name == "bomb") continue;  // light does not get into powder
-        const SeenCaps shady = caps_of(view(opened(*GetParam().make(), fruit(name), plane, kShady)));
-        const SeenCaps bright = caps_of(view(opened(*GetParam().make(), fruit(name), plane)));
+        const SeenCaps shady = caps_of(view(opened(GetParam(), fruit(name), plane, kShady)));
+        const SeenCaps bright = caps_of(view(opened(GetParam(), fruit(name), plane)));
         SCOPED_TRACE(name);
         ASSERT_GT(shady.pixels, 100u);
         EXPECT_GE(shady.colours.size(), 30u);
@@ -195,13 +197,13 @@ TEST_P(FruitCap, IsFixedToTheFruitHoweverItTumbles)
     DrawOptions options;
     options.lights.sky = options.lights.ground = glm::vec3(0.0f);  // they come from above and below, not with the eye
     options.lights.shadow = 0.0f;
-    const NamedBackend& backend = GetParam();
-    const Plane plane = *Plane::through(glm::dvec3(0.01, 0.03, 0.02), glm::dvec3(0.5, 0.7, 0.4));
+    const std::string& backend = GetParam();
+    const Plane plane = plane_through(glm::dvec3(0.01, 0.03, 0.02), glm::dvec3(0.5, 0.7, 0.4));
     for (const std::string& name : kFruit) {
         const render::Viewpoint straight = near_viewpoint(kWidth, kHeight);
-        const View still = view(opened(*backend.make(), fruit(name), plane), options, straight);
+        const View still = view(opened(backend, fruit(name), plane), options, straight);
         const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), 1.9f, glm::normalize(glm::vec3(0.6f, -0.4f, 0.7f)));
-        std::vector<StagedPiece> turned = opened(*backend.make(), fruit(name), plane);
+        std::vector<StagedPiece> turned = opened(backend, fruit(name), plane);
         for (StagedPiece& piece : turned) piece.model = turn * piece.model;
         render::Viewpoint from_there = straight;
         from_there.eye = glm::vec3(turn * glm::vec4(straight.eye, 1.0f));
@@ -226,18 +228,18 @@ TEST_P(FruitCap, IsFixedToTheFruitHoweverItTumbles)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, FruitCap, ::testing::ValuesIn(one_of_each_kind()),
-                         [](const auto& param) { return param.param.name; });
+INSTANTIATE_TEST_SUITE_P(BackEnds, FruitCap, ::testing::ValuesIn(back_end_of_each_kind()),
+                         [](const auto& param) { return test_name_of(param.param); });
 
 TEST_F(FruitLook, FleshIsTheSameFromBothBackEnds)
 {
-    const std::vector<NamedBackend> both = one_of_each_kind();
+    const std::vector<std::string> both = back_end_of_each_kind();
     if (both.size() < 2) GTEST_SKIP() << "one back end in this build";
-    const Plane plane = *Plane::through(glm::dvec3(0.0, 0.05, 0.02), glm::dvec3(0.3, 0.9, 0.2));
+    const Plane plane = plane_through(glm::dvec3(0.0, 0.05, 0.02), glm::dvec3(0.3, 0.9, 0.2));
     // Convex sections: a fan covers them as a triangulation does.
     for (const char* name : {"watermelon", "orange", "lemon", "kiwi"}) {
-        const View a = view(opened(*both[0].make(), fruit(name), plane));
-        const View b = view(opened(*both[1].make(), fruit(name), plane));
+        const View a = view(opened(both[0], fruit(name), plane));
+        const View b = view(opened(both[1], fruit(name), plane));
         std::size_t caps = 0, different = 0;
         for (std::size_t i = 0; i < a.facts.size(); ++i) {
             if (!a.facts[i].is_cap() || !b.facts[i].is_cap()) continue;
@@ -256,12 +258,11 @@ TEST_F(FruitLook, FleshIsTheSameFromBothBackEnds)
 TEST_F(FruitLook, ShowsTheSkinOnlyAtTheEdgeOfACut)
 {
     // The shaders repeat the outlines that the meshes have: were they different, the rind would be too wide or missing.
-    const Plane across = *Plane::through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
-    const NamedBackend backend = one_of_each_kind().front();
-    const View seen = view(opened(*backend.make(), fruit("watermelon"), across));
+    const Plane across = plane_through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+    const std::string backend = back_end_of_each_kind().front();
+    const View seen = view(opened(backend, fruit("watermelon"), across));
     // pattern_scale is 1 / diagonal: back to metres.
-    const Box box = fruit("watermelon").mesh->bounds();
-    const float size = glm::length(box.hi - box.lo);
+    const auto size = static_cast<float>(2.0 * sim::radius_of(fruit("watermelon").bounds()));
     std::size_t rim = 0, green_rim = 0, inner = 0, red_inner = 0;
     for (std::size_t i = 0; i < seen.facts.size(); ++i) {
         if (!seen.facts[i].is_cap()) continue;
@@ -288,12 +289,12 @@ TEST_F(FruitLook, HasNoDashedRimWhereACutIsSeenEdgeOn)
     DrawOptions options;
     options.lights.sky = options.lights.ground = glm::vec3(1.0f);
     options.lights.shadow = 0.0f;
-    const Plane across = *Plane::through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+    const Plane across = plane_through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
     for (const float lift : {0.06f, 0.1f, 0.14f}) {
-        std::vector<StagedPiece> pieces = opened(*one_of_each_kind().front().make(), fruit("lemon"), across);
+        std::vector<StagedPiece> pieces = opened(back_end_of_each_kind().front(), fruit("lemon"), across);
         // The half stands upright, its button out of sight.
         const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), lift, glm::vec3(1.0f, 0.0f, 0.0f)) *
-                                  glm::mat4(glm::transpose(glm::mat3(facing(glm::vec3(across.normal)))));
+                                  glm::mat4(glm::transpose(glm::mat3(facing(glm::vec3(across.normal())))));
         for (StagedPiece& piece : pieces) piece.model = upright * piece.model;
         const View seen = view(std::move(pieces), options, near_viewpoint(kWidth, kHeight));
         std::size_t bright = 0, brown = 0;
@@ -316,15 +317,22 @@ TEST_F(FruitLook, EveryPatternHasAProgram)
 
 TEST_F(FruitLook, AllFruitTogetherLeaveRoomInTheTableOfLooks)
 {
+    const Plane across = plane_through(glm::dvec3(0.0, 0.02, 0.0), glm::dvec3(0.0, 1.0, 0.0));
     std::uint32_t most = 0;
     for (const std::string& name : kFruit) {
-        IndexedMesh mesh = *fruit(name).mesh;
-        const std::uint32_t cap = add_cap_material(mesh.materials);
-        for (std::uint32_t m = 0; m < mesh.materials.size(); ++m)
+        const Mesh mesh = fruit(name);
+        const std::vector<StagedPiece> pieces = opened(back_end_of_each_kind().front(), mesh, across);
+        ASSERT_EQ(pieces.size(), 1u) << name;
+        const Object& half = pieces.front().object;
+        std::vector<Material> materials;
+        for (std::size_t m = 0; m < half.material_count(); ++m) materials.push_back(half.material(m));
+        const auto cap = static_cast<std::uint32_t>(mesh.material_count());
+        ASSERT_EQ(materials.size(), cap + 1u) << "the cut adds one";
+        for (std::uint32_t m = 0; m < materials.size(); ++m)
             for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap})
-                most = std::max(most, looks.index_of(mesh.materials, m, kind));
+                most = std::max(most, looks.index_of(materials, m, kind));
         // A cap has the look of this fruit's flesh, not the clay of unknown objects.
-        const render::SurfaceLook inside = render::look_of(mesh.materials, cap, TriangleKind::cap);
+        const render::SurfaceLook inside = render::look_of(materials, cap, TriangleKind::cap);
         EXPECT_TRUE(std::any_of(render::fruit_flesh().begin(), render::fruit_flesh().end(), [&](const auto& flesh) {
             return flesh.first == name && flesh.second == inside;
         })) << name;

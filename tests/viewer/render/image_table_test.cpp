@@ -1,5 +1,7 @@
 #include "viewer/render/image_table.h"
 
+#include <kerf/io.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,13 +9,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/io/mesh_file.h"
-#include "support/backends.h"
 #include "support/temporary_folder.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/inspection_pass.h"
 #include "viewer/render/pieces_on_stage.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
@@ -84,11 +86,11 @@ protected:
 /// Whole or cut, however it is turned: what is seen at a place of the surface is the image's colour there.
 TEST_F(ImageTest, StaysWhereItsUvSay)
 {
-    for (const NamedBackend& backend : one_of_each_kind()) {
+    for (const std::string& backend : back_end_of_each_kind()) {
         for (const int cuts : {0, 2})
             for (const float turn : {0.4f, 2.1f}) {
-                SCOPED_TRACE(backend.name + ", " + std::to_string(cuts) + " cuts, turned by " + std::to_string(turn));
-                std::vector<StagedPiece> pieces = pieces_of("sphere", *backend.make(), cuts, turn, checker());
+                SCOPED_TRACE(backend + ", " + std::to_string(cuts) + " cuts, turned by " + std::to_string(turn));
+                std::vector<StagedPiece> pieces = pieces_of("sphere", backend, cuts, turn, checker());
                 const std::vector<render::DrawnFragment> fragments = uploaded(store, pieces);
                 const auto objects = drawn(pieces, fragments);
                 const auto seen = inspection.draw(near_viewpoint(kSheetWidth, kSheetHeight), objects);
@@ -128,13 +130,15 @@ TEST_F(ImageTest, IsDecodedFromSrgb)
     const std::string grey = image("grey.png", 1, [](int, int) { return Rgb{188, 188, 188}; });
     std::vector<Picture> pictures;
     for (const bool by_image : {true, false}) {
-        IndexedMesh mesh = *io::read_mesh(KERF_DATA_DIR "/models/sphere.obj").mesh;
-        for (Material& material : mesh.materials) {
-            material = {"a colour", glm::vec4(by_image ? 1.0f : linear), by_image ? grey : ""};
-            material.colour.a = 1.0f;
-        }
-        const std::unique_ptr<Cuttable> object = std::move(backends().front().make()->prepare(mesh).object);
-        const render::DrawnFragment fragment = store.add(*object);
+        const Mesh sphere = value_of(read_mesh(KERF_DATA_DIR "/models/sphere.obj"));
+        const float light = by_image ? 1.0f : linear;
+        const Material colour{"a colour", {light, light, light, 1.0f}, by_image ? grey.c_str() : ""};
+        const std::vector<Material> materials(sphere.material_count(), colour);
+        MeshInput input = input_of(sphere);
+        input.triangle_materials = sphere.arrays().triangle_materials.data();
+        input.materials = materials;
+        Object object = object_of(value_of(Mesh::make(input)), sim::backend_names().back());
+        const render::DrawnFragment fragment = store.add(object);
         pictures.push_back(picture_of({{1, &fragment, glm::mat4(1.0f), 1.0f}}));
     }
     int most = 0, lit = 0;
@@ -155,7 +159,7 @@ TEST_F(ImageTest, IsAveragedFromFarAway)
             return is_red_cell(column, row) ? Rgb{255, 255, 255} : Rgb{0, 0, 0};
         },
         1);
-    std::vector<StagedPiece> pieces = pieces_of("sphere", *backends().front().make(), 0, 0.4f, fine);
+    std::vector<StagedPiece> pieces = pieces_of("sphere", sim::backend_names().back(), 0, 0.4f, fine);
     const std::vector<render::DrawnFragment> fragments = uploaded(store, pieces);
     const Picture picture = picture_of(drawn(pieces, fragments));
     int jumps = 0, compared = 0;
@@ -180,7 +184,7 @@ TEST_F(ImageTest, ThatCannotBeReadIsSaidOnceAndTheColourIsDrawn)
     const std::uint32_t expected = looks.index_of(plain, 0, TriangleKind::surface);
     for (const std::string& path : {missing, broken, half, folder.path().string()}) {
         std::vector<Material> materials = plain;
-        materials[0].texture = path;
+        materials[0].base_colour_image = path.c_str();
         EXPECT_EQ(looks.index_of(materials, 0, TriangleKind::surface), expected) << path;
         const std::vector<std::string> messages = looks.take_messages();
         ASSERT_EQ(messages.size(), 1u) << path;

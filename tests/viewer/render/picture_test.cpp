@@ -11,7 +11,7 @@
 #include <stb_image.h>
 #pragma GCC diagnostic pop
 
-#include "common/io/mesh_file.h"
+#include "common/files/file_error.h"
 
 namespace kerf::test {
 
@@ -74,7 +74,7 @@ TEST(Picture, LosesLittleAsJpeg)
 TEST(Picture, ThatCannotBeWrittenLeavesNothing)
 {
     const std::filesystem::path folder = empty_folder();
-    EXPECT_THROW(render::write_png(folder / "nowhere" / "picture.png", some_picture()), io::FileError);
+    EXPECT_THROW(render::write_png(folder / "nowhere" / "picture.png", some_picture()), core::io::FileError);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 

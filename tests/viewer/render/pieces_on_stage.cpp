@@ -1,5 +1,8 @@
 #include "viewer/render/pieces_on_stage.h"
 
+#include <kerf/cut.h>
+#include <kerf/io.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
@@ -7,43 +10,55 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/io/mesh_file.h"
+#include "viewer/sim/back_ends.h"
+#include "viewer/sim/kerf_glm.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
-std::vector<StagedPiece> pieces_of(const std::string& model, const Backend& backend, int cuts, float turn,
+std::vector<std::string> back_end_of_each_kind()
+{
+    std::vector<std::string> chosen{"baseline/hash"};
+    if (!sim::known_back_end("halfedge").empty()) chosen.emplace_back("halfedge");
+    return chosen;
+}
+
+std::string test_name_of(std::string back_end)
+{
+    std::replace(back_end.begin(), back_end.end(), '/', '_');
+    return back_end;
+}
+
+std::vector<StagedPiece> pieces_of(const std::string& model, const std::string& back_end, int cuts, float turn,
                                    const std::string& image)
 {
-    io::LoadedMesh loaded = io::read_mesh(std::string(KERF_DATA_DIR "/models/") + model + ".obj");
-    const bool is_closed = loaded.is_closed();
-    IndexedMesh mesh = *std::move(loaded.mesh);
-    for (Material& material : mesh.materials) material.texture = image;
+    const Mesh mesh = value_of(read_mesh((std::string(KERF_DATA_DIR "/models/") + model + ".obj").c_str()));
+    const bool is_closed = mesh.is_closed();
+    const std::vector<std::string> images(mesh.material_count(), image);
     const Box box = mesh.bounds();
-    const glm::vec3 centre = 0.5f * (box.lo + box.hi);
-    const float radius = 0.5f * glm::length(box.hi - box.lo);
+    const glm::vec3 centre(sim::centre_of(box));
+    const auto radius = static_cast<float>(sim::radius_of(box));
     glm::mat4 stand = glm::rotate(glm::mat4(1.0f), turn, glm::normalize(glm::vec3(0.3f, 1.0f, 0.2f)));
     stand = glm::translate(glm::scale(stand, glm::vec3(1.0f / radius)), -centre);
 
     std::vector<StagedPiece> pieces;
-    PrepareResult prepared = backend.prepare(std::move(mesh));
-    if (!prepared.object) throw std::runtime_error(model + ": " + prepared.reason);
-    pieces.push_back({std::move(prepared.object), stand, 1.0f / radius, {}, is_closed});
+    pieces.push_back({object_of(mesh, back_end), stand, 1.0f / radius, {}, is_closed, images});
     for (int i = 0; i < cuts; ++i) {
         const auto largest = std::max_element(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) {
-            return a.object->mass_properties().volume < b.object->mass_properties().volume;
+            return a.object.mass_properties().volume < b.object.mass_properties().volume;
         });
         StagedPiece whole = std::move(*largest);
         pieces.erase(largest);
         const glm::dvec3 normal(0.4 + 0.3 * i, 0.8 - 0.5 * i, 0.5);
-        const Plane plane = *Plane::through(whole.object->mass_properties().centre, normal);
-        CutResult result = cut(std::move(whole.object), plane);
+        const Plane plane = plane_through(glm::dvec3(whole.object.mass_properties().centre), normal);
+        Cut result = cut(std::move(whole.object), plane);
         if (result.status != Status::done) throw std::runtime_error(model + ": the cut missed");
-        const auto keep = [&](std::unique_ptr<Cuttable>& piece, float side) {
-            const glm::mat4 apart = glm::translate(whole.model, side * 0.12f * radius * glm::vec3(plane.normal));
-            pieces.push_back({std::move(piece), apart, 1.0f / radius, plane, is_closed});
+        const auto keep = [&](Object& piece, float side) {
+            const glm::mat4 apart = glm::translate(whole.model, side * 0.12f * radius * glm::vec3(plane.normal()));
+            pieces.push_back({std::move(piece), apart, 1.0f / radius, plane, is_closed, images});
         };
-        for (auto& piece : result.positive) keep(piece, 1.0f);
-        for (auto& piece : result.negative) keep(piece, -1.0f);
+        if (Object* const piece = result.one(Side::positive)) keep(*piece, 1.0f);
+        if (Object* const piece = result.one(Side::negative)) keep(*piece, -1.0f);
     }
     return pieces;
 }
@@ -61,7 +76,7 @@ render::Viewpoint near_viewpoint(int width, int height)
 std::vector<render::DrawnFragment> uploaded(render::FragmentStore& store, std::vector<StagedPiece>& pieces)
 {
     std::vector<render::DrawnFragment> fragments;
-    for (StagedPiece& piece : pieces) fragments.push_back(store.add(*piece.object));
+    for (StagedPiece& piece : pieces) fragments.push_back(store.add(piece.object, piece.images));
     return fragments;
 }
 

@@ -7,15 +7,13 @@
 #include <limits>
 #include <utility>
 
-#include "back_ends/back_ends.h"
-#include "baseline/baseline.h"
 #include "common/mesh/plane_frame.h"
 #include "common/support/median.h"
-#include "support/backends.h"
 #include "viewer/render/frame_target.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/inspection_pass.h"
 #include "viewer/render/pieces_on_stage.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
@@ -30,7 +28,7 @@ using render::Lighting;
 using render::Picture;
 using render::PixelFacts;
 
-class SceneRendererTest : public GlTest, public ::testing::WithParamInterface<NamedBackend>
+class SceneRendererTest : public GlTest, public ::testing::WithParamInterface<std::string>
 {
 protected:
     Picture picture_of(const std::vector<DrawnObject>& objects, const DrawOptions& options)
@@ -54,15 +52,16 @@ public:
     explicit RayReferee(const std::vector<StagedPiece>& pieces)
     {
         for (const StagedPiece& piece : pieces) {
-            const IndexedMesh mesh = piece.object->to_indexed_mesh();
-            for (const TriangleGroup& group : mesh.groups)
-                for (std::uint32_t t = group.first; t < group.first + group.count; ++t) {
-                    std::array<glm::dvec3, 3> corners;
-                    for (std::size_t c = 0; c < 3; ++c)
-                        corners[c] =
-                            glm::dvec3(piece.model * glm::vec4(mesh.vertices[mesh.triangles[t][c]].position, 1.0f));
-                    triangles_.push_back({corners, group.kind == TriangleKind::cap ? 2 : 1});
+            const Mesh mesh = value_of(piece.object.mesh());
+            const MeshArrays arrays = mesh.arrays();
+            for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+                std::array<glm::dvec3, 3> corners;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const glm::vec3 position(arrays.positions[arrays.indices[3 * t + c]]);
+                    corners[c] = glm::dvec3(piece.model * glm::vec4(position, 1.0f));
                 }
+                triangles_.push_back({corners, arrays.kinds[t] == TriangleKind::cap ? 2 : 1});
+            }
         }
     }
 
@@ -127,12 +126,12 @@ bool is_inner(const std::vector<int>& kinds, int x, int y)
 TEST_P(SceneRendererTest, RangesOfSharedBuffersLookLikeCopiesPixelForPixel)
 {
     for (const char* model : {"monkey", "car"}) {
-        std::vector<StagedPiece> pieces = pieces_of(model, *GetParam().make(), 3, 0.7f);
+        std::vector<StagedPiece> pieces = pieces_of(model, GetParam(), 3, 0.7f);
         const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
         std::vector<StagedPiece> copies;
         for (const StagedPiece& piece : pieces)
-            copies.push_back({baseline::make_back_end()->prepare(piece.object->to_indexed_mesh()).object, piece.model,
-                              piece.pattern_scale, piece.plane, piece.is_closed});
+            copies.push_back({object_of(value_of(piece.object.mesh()), "baseline/hash"), piece.model,
+                              piece.pattern_scale, piece.plane, piece.is_closed, piece.images});
         const std::vector<DrawnFragment> fragments_of_copies = uploaded(store, copies);
         for (const Lighting lighting : {Lighting::lambert, Lighting::textured}) {
             DrawOptions options;
@@ -149,7 +148,7 @@ TEST_P(SceneRendererTest, ShowsSurfacesAndCapsWhereRaysMeetThem)
 {
     InspectionPass inspection(kWidth, kHeight);
     for (const char* model : {"rook", "sphere"}) {
-        std::vector<StagedPiece> pieces = pieces_of(model, *GetParam().make(), 2, 0.4f);
+        std::vector<StagedPiece> pieces = pieces_of(model, GetParam(), 2, 0.4f);
         const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
         const auto seen = inspection.draw(near_viewpoint(kWidth, kHeight), drawn(pieces, fragments));
         const std::vector<int> expected = kinds_by_rays(pieces);
@@ -171,7 +170,7 @@ TEST_P(SceneRendererTest, LightsCapsInEveryPose)
     InspectionPass inspection(kWidth, kHeight);
     for (const Lighting lighting : {Lighting::lambert, Lighting::textured})
         for (const float turn : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f}) {
-            std::vector<StagedPiece> pieces = pieces_of("rook", *GetParam().make(), 1, turn);
+            std::vector<StagedPiece> pieces = pieces_of("rook", GetParam(), 1, turn);
             const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
             const auto objects = drawn(pieces, fragments);
             const auto seen = inspection.draw(near_viewpoint(kWidth, kHeight), objects);
@@ -182,7 +181,7 @@ TEST_P(SceneRendererTest, LightsCapsInEveryPose)
             for (std::size_t i = 0; i < seen.size(); ++i)
                 if (seen[i].is_cap()) lit.push_back(luminance(picture.rgba.data() + 4 * i));
             ASSERT_GT(lit.size(), 50u) << "turn " << turn;
-            const double middle = median(std::move(lit));
+            const double middle = core::median(std::move(lit));
             EXPECT_GE(middle, 0.15) << "turn " << turn;
             EXPECT_LE(middle, 0.9) << "turn " << turn;
         }
@@ -193,13 +192,13 @@ TEST_P(SceneRendererTest, CapUvStayWhereTheyAreOnATumblingObject)
     InspectionPass inspection(kWidth, kHeight);
     std::size_t compared = 0;
     for (const float turn : {0.0f, 0.9f, 2.1f, 4.0f}) {
-        std::vector<StagedPiece> pieces = pieces_of("rook", *GetParam().make(), 1, turn);
+        std::vector<StagedPiece> pieces = pieces_of("rook", GetParam(), 1, turn);
         const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
         const auto seen = inspection.draw(near_viewpoint(kWidth, kHeight), drawn(pieces, fragments));
         for (const PixelFacts& pixel : seen) {
             if (!pixel.is_cap()) continue;
             const StagedPiece& piece = pieces[pixel.object - 1];
-            const PlaneFrame frame = PlaneFrame::of(piece.plane.normal);
+            const core::PlaneFrame frame = core::PlaneFrame::of(glm::dvec3(piece.plane->normal()));
             const glm::dvec3 place = glm::dvec3(pixel.place) / double(piece.pattern_scale);
             const glm::dvec2 expected(glm::dot(frame.u, place), glm::dot(frame.v, place));
             // A hundredth of a pixel's size on the object.
@@ -214,7 +213,7 @@ TEST_P(SceneRendererTest, CapUvStayWhereTheyAreOnATumblingObject)
 
 TEST_P(SceneRendererTest, LightingsAndEdgesDiffer)
 {
-    std::vector<StagedPiece> pieces = pieces_of("barrel", *GetParam().make(), 1, 0.5f);
+    std::vector<StagedPiece> pieces = pieces_of("barrel", GetParam(), 1, 0.5f);
     const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
     DrawOptions lambert, textured, wired;
     lambert.lighting = Lighting::lambert;
@@ -228,7 +227,7 @@ TEST_P(SceneRendererTest, LightingsAndEdgesDiffer)
 
 TEST_P(SceneRendererTest, DrawsOnlyIntoItsArea)
 {
-    std::vector<StagedPiece> pieces = pieces_of("cube", *GetParam().make(), 1, 0.5f);
+    std::vector<StagedPiece> pieces = pieces_of("cube", GetParam(), 1, 0.5f);
     const std::vector<DrawnFragment> fragments = uploaded(store, pieces);
     const auto objects = drawn(pieces, fragments);
     const render::Viewpoint viewpoint = near_viewpoint(kWidth / 2, kHeight);
@@ -248,7 +247,7 @@ TEST_P(SceneRendererTest, DrawsOnlyIntoItsArea)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, SceneRendererTest, ::testing::ValuesIn(one_of_each_kind()),
-                         [](const auto& param) { return param.param.name; });
+INSTANTIATE_TEST_SUITE_P(BackEnds, SceneRendererTest, ::testing::ValuesIn(back_end_of_each_kind()),
+                         [](const auto& param) { return test_name_of(param.param); });
 
 }  // namespace kerf::test

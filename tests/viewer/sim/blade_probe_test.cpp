@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
+#include "support/public_mesh.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/camera.h"
 
@@ -16,14 +16,14 @@ namespace {
 
 const glm::dvec3 kEye = Camera::eye();
 
-IndexedMesh brick()
+Mesh probed_brick()
 {
-    return *repair(shapes::box({2, 2, 2}, {1, 1, 1})).mesh;
+    return test::mesh_of(core::shapes::box({2, 2, 2}, {1, 1, 1}));
 }
 
 TEST(BladeProbe, HitsWhatTheStrokeCrosses)
 {
-    const auto body = test::body_of(brick(), 1, {0, 0, 0});
+    const auto body = test::body_of(probed_brick(), 1, {0, 0, 0});
     EXPECT_TRUE(blade_hits(kEye, {-3, 0}, {3, 0}, *body));
     EXPECT_TRUE(blade_hits(kEye, {-3, 0.5}, {0, 0.5}, *body)) << "ends inside";
     EXPECT_TRUE(blade_hits(kEye, {0, 0.5}, {3, 0.5}, *body)) << "starts inside";
@@ -37,14 +37,14 @@ TEST(BladeProbe, HitsWhatTheStrokeCrosses)
 TEST(BladeProbe, JudgesDepthAsThePlayerSeesIt)
 {
     // Half way to the eye a brick at x = 1 looks as if it were at x = 2.
-    const auto body = test::body_of(*repair(shapes::box({0.5f, 0.5f, 0.5f}, {1, 1, 1})).mesh, 1, {1, 0, 5});
+    const auto body = test::body_of(test::mesh_of(core::shapes::box({0.5f, 0.5f, 0.5f}, {1, 1, 1})), 1, {1, 0, 5});
     EXPECT_TRUE(blade_hits(kEye, {2, -1}, {2, 1}, *body));
     EXPECT_FALSE(blade_hits(kEye, {1, -1}, {1, 1}, *body));
 }
 
 TEST(BladeProbe, ABallIsHitOnItsWholeRadius)
 {
-    const auto body = test::body_of(*test::shape("uv_sphere"), 1, {0, 0, 0}, {}, ProxyKind::sphere);
+    const auto body = test::body_of(test::shape("uv_sphere"), 1, {0, 0, 0}, {}, ProxyKind::sphere);
     const double r = 0.97 * body->proxy().proxy().radius;
     EXPECT_TRUE(blade_hits(kEye, {-3, r}, {3, r}, *body));
     EXPECT_FALSE(blade_hits(kEye, {-3, 1.1 * r}, {3, 1.1 * r}, *body));
@@ -53,10 +53,10 @@ TEST(BladeProbe, ABallIsHitOnItsWholeRadius)
 // The referee: points of the proxy's surface and of the swept segment, by brute force over corners of a cube.
 RC_GTEST_PROP(BladeProbe, AgreesWithAProjectionOfTheBrick, ())
 {
-    kerf::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+    core::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
     const auto between = [&](double lo, double hi) { return lo + (hi - lo) * random.unit(); };
     const glm::dvec3 centre(between(-3, 3), between(-2, 2), between(-2, 2));
-    const auto body = test::body_of(brick(), 1, centre);
+    const auto body = test::body_of(probed_brick(), 1, centre);
     const glm::dvec2 from(between(-6, 6), between(-4, 4)), to(between(-6, 6), between(-4, 4));
 
     // Seen from the eye a brick is the convex hull of its corners on the stage: the stroke crosses it when some corner

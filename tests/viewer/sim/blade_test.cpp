@@ -68,7 +68,7 @@ double speed_by_hand(const std::vector<InputEvent>& events)
 
 TEST(Blade, SpeedIsThatOfTheLastMomentsHoweverLongTheSwipe)
 {
-    kerf::Random random(5);
+    core::Random random(5);
     for (int swipe = 0; swipe < 50; ++swipe) {
         Blade blade;
         std::vector<InputEvent> events;

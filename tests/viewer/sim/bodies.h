@@ -5,29 +5,28 @@
 
 #include <utility>
 
-#include "back_ends/back_ends.h"
-#include "common/proxy/collision_proxy.h"
-#include "viewer/sim/back_ends.h"
 #include "viewer/sim/body.h"
+#include "viewer/sim/kerf_glm.h"
 #include "viewer/sim/world.h"
 #include "viewer/support/stages.h"
 
 namespace kerf::test {
 
 /// A body out of a mesh, one metre a unit, with its box's centre at `centre`.
-inline std::unique_ptr<sim::Body> body_of(IndexedMesh mesh, sim::ObjectId id, const glm::dvec3& centre,
-                                          const sim::Motion& motion = {}, ProxyKind proxy = ProxyKind::full_hull,
+inline std::unique_ptr<sim::Body> body_of(const Mesh& mesh, sim::ObjectId id, const glm::dvec3& centre,
+                                          const sim::Motion& motion = {},
+                                          sim::ProxyKind proxy = sim::ProxyKind::full_hull,
                                           const std::string& backend = "baseline/remap")
 {
-    const glm::dvec3 middle = mesh.bounds().centre();
-    std::unique_ptr<Cuttable> object = std::move(make_back_end(backend)->prepare(std::move(mesh)).object);
+    const glm::dvec3 middle = sim::centre_of(mesh.bounds());
+    Object object = object_of(mesh, backend);
     sim::Identity identity;
     identity.id = id;
     identity.origin.backend = backend;
     identity.origin.centre = middle;
     sim::MeshPose pose;
     pose.translation = centre - middle;
-    const sim::Solid solid = sim::solid_of(object->mass_properties(), object->bounds(), 1.0);
+    const sim::Solid solid = sim::solid_of(object.mass_properties(), object.bounds(), 1.0);
     return std::make_unique<sim::Body>(std::move(identity), std::move(object), solid, pose, motion, proxy);
 }
 

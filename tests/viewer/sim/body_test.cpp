@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "back_ends/back_ends.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/world.h"
 
@@ -14,16 +13,14 @@ namespace {
 
 TEST(Body, StandsWhereItWasPut)
 {
-    const IndexedMesh mesh = *test::shape("l_step");
-    const auto model = make_back_end("baseline/remap");
     Identity identity;
     identity.id = 1;
     MeshPose pose;
     pose.scale = identity.origin.scale = 0.3;
     pose.rotation = glm::mat3_cast(glm::normalize(glm::dquat(0.3, -0.5, 0.7, 0.1)));
     pose.translation = {1, 2, -3};
-    std::unique_ptr<Cuttable> object = std::move(model->prepare(mesh).object);
-    const Solid solid = solid_of(object->mass_properties(), object->bounds(), pose.scale);
+    Object object = test::object_of(test::shape("l_step"));
+    const Solid solid = solid_of(object.mass_properties(), object.bounds(), pose.scale);
     const Body body(identity, std::move(object), solid, pose, {{1, 2, 3}, {4, 5, 6}}, ProxyKind::full_hull);
     for (const glm::dvec3 p : {glm::dvec3{0, 0, 0}, {1, 1, 1}, {-3, 2, 5}}) {
         EXPECT_NEAR(glm::distance(body.pose().to_world(p), pose.to_world(p)), 0.0, 2e-6);
@@ -38,7 +35,7 @@ TEST(Body, StandsWhereItWasPut)
 TEST(Body, IsDrawnBetweenTheLastTickAndThisOne)
 {
     World world(0.0);
-    Body& body = world.add(test::body_of(*test::shape("box"), 1, {0, 0, 0}, {{1.2, 0, 0}, {0, 0, 1.2}}));
+    Body& body = world.add(test::body_of(test::shape("box"), 1, {0, 0, 0}, {{1.2, 0, 0}, {0, 0, 1.2}}));
     world.step();
     world.step();
     EXPECT_NEAR(body.pose_at(0.0).translation.x, 0.01, 1e-6);
@@ -52,7 +49,7 @@ TEST(Body, AFreeBodyKeepsItsMomentumAndSpinsAboutItsCentreOfMass)
 {
     World world(0.0);
     const glm::dvec3 spin(0.4, 1.1, -0.7);
-    Body& body = world.add(test::body_of(*test::shape("two_legs"), 1, {0, 0, 0}, {{0.5, 0.2, 0}, spin}));
+    Body& body = world.add(test::body_of(test::shape("two_legs"), 1, {0, 0, 0}, {{0.5, 0.2, 0}, spin}));
     const glm::dvec3 start = body.centre(), momentum = body.momentum();
     const glm::dvec3 angular = body.angular_momentum(start);
     for (int i = 0; i < 120; ++i) world.step();

@@ -24,21 +24,24 @@ struct Cost
     std::uint64_t new_bytes = 0;            // that the pieces want to upload
 };
 
-std::uint64_t bytes_to_upload(Cuttable& object)
+std::uint64_t bytes_to_upload(const Object& object)
 {
-    std::uint64_t bytes = 0;
-    const DrawView view = object.draw_view();
-    for (const ByteRange& range : view.new_vertex_bytes) bytes += range.size;
-    for (const ByteRange& range : view.new_index_bytes) bytes += range.size;
-    return bytes;
+    const DrawView view = test::view_of(object);
+    return view.vertices.subspan(view.new_vertices_from).size_bytes() +
+           view.indices.subspan(view.new_indices_from).size_bytes();
+}
+
+void mark_all_uploaded(Object& object)
+{
+    object.mark_uploaded(test::view_of(object));
 }
 
 Cost cut_asteroid(std::uint64_t triangles)
 {
     World world(0.0);
-    Body& body = world.add(test::body_of(*test::shape("asteroid", triangles), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
+    Body& body = world.add(test::body_of(test::shape("asteroid", triangles), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
                                          ProxyKind::bounded_hull, "halfedge"));
-    body.object().mark_uploaded(body.object().draw_view());
+    mark_all_uploaded(body.object());
     Cost cost;
     cost.record.number = 1;
     cost.record.swipe = 1;
@@ -52,7 +55,7 @@ Cost cut_asteroid(std::uint64_t triangles)
     // The pieces share their buffers: what one has uploaded the others need not.
     for (const auto& piece : world.bodies()) {
         cost.new_bytes += bytes_to_upload(piece->object());
-        piece->object().mark_uploaded(piece->object().draw_view());
+        mark_all_uploaded(piece->object());
     }
     return cost;
 }
@@ -105,9 +108,9 @@ const std::map<std::string, Limit> kLimits{{"halfedge", {2.0, 167132}}, {"baseli
 std::vector<Price> prices_of_three_strokes(const std::string& backend)
 {
     World world(0.0);
-    world.add(test::body_of(*test::shape("asteroid", 5000), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
+    world.add(test::body_of(test::shape("asteroid", 5000), 1, {0.1, 0.2, 0}, {{1, 2, 0}, {0, 1, 2}},
                             ProxyKind::bounded_hull, backend));
-    world.find(1)->object().mark_uploaded(world.find(1)->object().draw_view());
+    mark_all_uploaded(world.find(1)->object());
     ObjectId last_id = 1;
     std::vector<Price> prices;
     for (std::uint32_t swipe = 1; swipe <= 3; ++swipe) {
@@ -125,7 +128,7 @@ std::vector<Price> prices_of_three_strokes(const std::string& backend)
             std::uint64_t uploaded = 0;
             for (const auto& piece : world.bodies()) {
                 uploaded += bytes_to_upload(piece->object());
-                piece->object().mark_uploaded(piece->object().draw_view());
+                mark_all_uploaded(piece->object());
             }
             EXPECT_EQ(uploaded, record.statistics.bytes_to_upload);
             prices.push_back({allocations, uploaded, record.statistics.crossing_triangles});

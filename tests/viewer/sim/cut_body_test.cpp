@@ -6,22 +6,25 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "common/repair/repair.h"
+#include "common/mesh/triangle_soup.h"
 #include "common/support/random.h"
+#include "support/public_mesh.h"
+#include "viewer/sim/back_ends.h"
 #include "viewer/sim/bodies.h"
 
 namespace kerf::sim {
 namespace {
 
-struct Cut
+/// A body that was cut.
+struct CutRun
 {
     World world{0.0};
     CutRecord record;
     ObjectId last_id = 1;
 
-    Cut(IndexedMesh mesh, const WorldPlane& plane, const std::string& backend, const Motion& motion = {})
+    CutRun(const Mesh& mesh, const WorldPlane& plane, const std::string& backend, const Motion& motion = {})
     {
-        Body& body = world.add(test::body_of(std::move(mesh), 1, {0, 0, 0}, motion, ProxyKind::bounded_hull, backend));
+        Body& body = world.add(test::body_of(mesh, 1, {0, 0, 0}, motion, ProxyKind::bounded_hull, backend));
         before = body.momentum();
         mass = body.mass();
         record.number = 1;
@@ -44,7 +47,7 @@ TEST_P(CutBody, PiecesStandWhereTheyWereAndPartAlongTheNormal)
 {
     const WorldPlane plane{glm::normalize(glm::dvec3(0.2, 1, 0.1)), {0, 0.05, 0}};
     const Motion motion{{1, 4, 0}, {0.3, -0.2, 1.0}};
-    Cut cut(*test::shape("asteroid"), plane, GetParam(), motion);
+    CutRun cut(test::shape("asteroid"), plane, GetParam(), motion);
     ASSERT_EQ(cut.record.status, Status::done);
     ASSERT_EQ(cut.record.pieces.size(), 2u);
     EXPECT_GT(glm::dot(cut.record.normal, plane.normal), 1.0 - 1e-6);
@@ -65,7 +68,7 @@ TEST_P(CutBody, PiecesStandWhereTheyWereAndPartAlongTheNormal)
 
 TEST_P(CutBody, HeirsKnowTheirParentTheirSwipeAndTheirSiblings)
 {
-    Cut cut(*test::shape("asteroid"), {{0, 1, 0}, {0, 0.05, 0}}, GetParam());
+    CutRun cut(test::shape("asteroid"), {{0, 1, 0}, {0, 0.05, 0}}, GetParam());
     const Body &a = *cut.world.bodies()[0], &b = *cut.world.bodies()[1];
     EXPECT_EQ(cut.last_id, 3u);
     for (const Body* piece : {&a, &b}) {
@@ -81,7 +84,7 @@ TEST_P(CutBody, HeirsKnowTheirParentTheirSwipeAndTheirSiblings)
 
 TEST_P(CutBody, APlaneThatMissesLeavesTheBodyAsItWas)
 {
-    Cut cut(*test::shape("asteroid"), {{0, 1, 0}, {0, 9, 0}}, GetParam());
+    CutRun cut(test::shape("asteroid"), {{0, 1, 0}, {0, 9, 0}}, GetParam());
     EXPECT_EQ(cut.record.status, Status::missed);
     ASSERT_EQ(cut.world.bodies().size(), 1u);
     EXPECT_EQ(cut.world.bodies()[0]->missed_swipe(), 3u);
@@ -95,10 +98,10 @@ TEST(CutBodyOfAComb, ThousandsOfPiecesDoNotFreezeTheWorld)
     // (The report's fan reaches from each tooth to the middle of all: its pieces are a crowd in one place.)
     if (backend_names().front() != "halfedge") GTEST_SKIP() << "caps that stay in their teeth need halfedge";
     // 2500 teeth, and a plane through the middle of them.
-    const IndexedMesh comb = *test::shape("comb", 60'000);
+    const Mesh comb = test::shape("comb", 60'000);
     const Box box = comb.bounds();
     const double tip = 0.5 * double(box.hi.y - box.lo.y);
-    Cut cut(comb, {{0, 1, 0}, {0, 0.6 * tip, 0}}, backend_names().front());
+    CutRun cut(comb, {{0, 1, 0}, {0, 0.6 * tip, 0}}, backend_names().front());
     ASSERT_EQ(cut.record.status, Status::done);
     EXPECT_GT(cut.record.dropped, 500u);
     EXPECT_EQ(cut.world.bodies().size(), kMostBodies);
@@ -110,24 +113,24 @@ TEST(CutBodyOfAComb, ThousandsOfPiecesDoNotFreezeTheWorld)
 }
 
 /// Triangles through one another, none of which hangs together with another.
-IndexedMesh soup(std::uint32_t triangles)
+Mesh loose_triangles(std::uint32_t triangles)
 {
-    kerf::Random random(3);
-    TriangleSoup soup;
+    core::Random random(3);
+    core::TriangleSoup soup;
     for (std::uint32_t i = 0; i < triangles; ++i) {
         for (int corner = 0; corner < 3; ++corner) {
-            Vertex vertex;
+            core::Vertex vertex{};
             for (int axis = 0; axis < 3; ++axis) vertex.position[axis] = 1e-6f * float(random.below(2'000'000)) - 1.0f;
             soup.vertices.push_back(vertex);
         }
         soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    return *repair(std::move(soup)).mesh;
+    return test::mesh_of(soup);
 }
 
 TEST(CutBodyOfASoup, PiecesInOnePlaceAreNotMoreThanPhysicsCanTake)
 {
-    Cut cut(soup(800), {{0, 1, 0}, {0, 0.1, 0}}, backend_names().front());
+    CutRun cut(loose_triangles(800), {{0, 1, 0}, {0, 0.1, 0}}, backend_names().front());
     ASSERT_NE(cut.record.status, Status::missed);
     EXPECT_GT(cut.record.dropped, 500u);
     EXPECT_EQ(cut.record.crowded, cut.record.dropped) << "none for want of room elsewhere";

@@ -1,15 +1,16 @@
 #include "viewer/sim/model_library.h"
-#include "common/proxy/collision_proxy.h"
+
+#include <kerf/io.h>
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 
-#include "back_ends/back_ends.h"
-#include "common/io/mesh_file.h"
+#include "common/files/file_error.h"
 #include "support/temporary_folder.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/kerf_glm.h"
 #include "viewer/sim/surface_hash.h"
 #include "viewer/support/stages.h"
 
@@ -22,26 +23,25 @@ TEST(ModelLibrary, HoldsTheReportsFifteenModelsInItsOrder)
     ASSERT_EQ(library->size(), 15u);
     EXPECT_EQ(library->model(0).name, "car");
     EXPECT_EQ(library->model(14).name, "monkey");
-    EXPECT_EQ(library->model(2).folder, KERF_DATA_DIR "/models");
+    EXPECT_EQ(library->model(2).files.front(), KERF_DATA_DIR "/models/rook.obj");
 }
 
 TEST(ModelLibrary, AFileThatIsNoMeshIsAnErrorAndLeavesTheLibraryAsItWas)
 {
     ModelLibrary library;
-    EXPECT_THROW(library.add_file("/nowhere/at/all.obj"), io::FileError);
+    EXPECT_THROW(library.add_file("/nowhere/at/all.obj"), core::io::FileError);
     EXPECT_TRUE(library.empty());
 }
 
 TEST(ModelLibrary, KnowsWhichFilesHaveABoundary)
 {
-    IndexedMesh lidless = *test::shape("box");
-    lidless.triangles.pop_back();
-    --lidless.groups.back().count;
-    if (!lidless.sources.empty()) lidless.sources.pop_back();
+    const Mesh box = test::shape("box");
+    MeshInput lidless = test::input_of(box);
+    --lidless.triangle_count;
     const test::TemporaryFolder folder;
     const std::filesystem::path closed = folder.file("closed.ply"), open = folder.file("open.ply");
-    io::write_mesh(closed, *test::shape("box"));
-    io::write_mesh(open, lidless);
+    ASSERT_TRUE(write_mesh(box, closed.c_str()));
+    ASSERT_TRUE(write_mesh(test::value_of(Mesh::make(lidless)), open.c_str()));
     ModelLibrary library;
     EXPECT_TRUE(library.model(library.add_file(closed)).is_closed);
     EXPECT_FALSE(library.model(library.add_file(open)).is_closed);
@@ -52,19 +52,19 @@ TEST(ModelLibrary, PreparesOnceAndHandsOutIndependentCopies)
     const auto library = test::library_of({"asteroid"});
     for (const std::string& backend : backend_names()) {
         EXPECT_FALSE(library->is_prepared(0, backend));
-        const auto one = library->make(0, backend), two = library->make(0, backend);
+        const Object one = library->make(0, backend), two = library->make(0, backend);
         EXPECT_TRUE(library->is_prepared(0, backend));
         ASSERT_TRUE(one && two);
-        EXPECT_NE(one->draw_view().buffers, two->draw_view().buffers);
-        EXPECT_EQ(one->triangle_count(), two->triangle_count());
+        EXPECT_NE(test::view_of(one).buffers, test::view_of(two).buffers);
+        EXPECT_EQ(one.triangle_count(), two.triangle_count());
     }
 }
 
 TEST(ModelLibrary, SaysWhyAMeshCannotBePrepared)
 {
     ModelLibrary library;
-    library.add("broken", ProvenMesh());
-    EXPECT_EQ(library.make(0, backend_names().front()), nullptr);
+    library.add("broken", Mesh());
+    EXPECT_TRUE(library.make(0, backend_names().front()).is_empty());
     EXPECT_NE(library.prepare(0, backend_names().front()).find("broken can't be prepared: "), std::string::npos);
     EXPECT_NE(library.prepare(0, "axe"), "");
 }
@@ -73,11 +73,11 @@ TEST(ModelLibrary, SeveralThreadsMayAskAtOnce)
 {
     const auto library = test::library_of({"asteroid", "torus"});
     std::vector<std::thread> threads;
-    std::vector<std::unique_ptr<Cuttable>> made(4);
+    std::vector<Object> made(4);
     for (std::size_t i = 0; i < made.size(); ++i)
         threads.emplace_back([&, i] { made[i] = library->make(i % 2, backend_names().front()); });
     for (std::thread& thread : threads) thread.join();
-    for (const auto& object : made) EXPECT_TRUE(object);
+    for (const Object& object : made) EXPECT_TRUE(object);
 }
 
 TEST(ModelLibrary, WhatIsStockedIsHandedOutOnceAndEqualsACopy)
@@ -86,10 +86,10 @@ TEST(ModelLibrary, WhatIsStockedIsHandedOutOnceAndEqualsACopy)
     const std::string& backend = backend_names().front();
     library->stock(0, backend);
     library->stock(0, backend);
-    const auto stocked = library->make(0, backend), copy = library->make(0, backend);
+    const Object stocked = library->make(0, backend), copy = library->make(0, backend);
     ASSERT_TRUE(stocked && copy);
-    EXPECT_NE(stocked->draw_view().buffers, copy->draw_view().buffers);
-    EXPECT_EQ(surface_hash(*stocked), surface_hash(*copy));
+    EXPECT_NE(test::view_of(stocked).buffers, test::view_of(copy).buffers);
+    EXPECT_EQ(surface_hash(stocked), surface_hash(copy));
 }
 
 TEST(ModelLibrary, HandsOutACopyWithItsMeasures)
@@ -99,13 +99,13 @@ TEST(ModelLibrary, HandsOutACopyWithItsMeasures)
         for (const ProxyKind kind : {ProxyKind::bounded_hull, ProxyKind::box}) {
             const Throwable taken = library->take(0, backend, kind);
             ASSERT_TRUE(taken.object);
-            const MassProperties mass = taken.object->mass_properties();
+            const MassProperties mass = taken.object.mass_properties();
             EXPECT_EQ(taken.mass.volume, mass.volume);
             EXPECT_EQ(taken.mass.centre, mass.centre);
-            EXPECT_EQ(taken.mass.inertia, mass.inertia);
-            EXPECT_EQ(taken.bounds.lo, taken.object->bounds().lo);
-            EXPECT_EQ(taken.bounds.hi, taken.object->bounds().hi);
-            const CollisionProxy proxy = collision_proxy(*taken.object, kind);
+            EXPECT_EQ(to_glm(taken.mass.inertia), to_glm(mass.inertia));
+            EXPECT_EQ(taken.bounds.lo, taken.object.bounds().lo);
+            EXPECT_EQ(taken.bounds.hi, taken.object.bounds().hi);
+            const CollisionProxy proxy = body_proxy(taken.object, kind);
             EXPECT_EQ(taken.proxy->kind, kind);
             EXPECT_EQ(taken.proxy->points, proxy.points);
             EXPECT_EQ(taken.proxy->faces, proxy.faces);
@@ -140,7 +140,7 @@ TEST(ModelLibrary, CountsWhatHadToBeDoneWhenItWasTaken)
 TEST(ModelLibrary, WhatCannotBePreparedNeedsNoStock)
 {
     ModelLibrary library;
-    library.add("broken", ProvenMesh());
+    library.add("broken", Mesh());
     library.stock(0, backend_names().front());
     EXPECT_TRUE(library.is_stocked(0, backend_names().front()));
     EXPECT_FALSE(library.stocked(0, backend_names().front()));
@@ -155,7 +155,7 @@ TEST(ModelLibrary, AModelMayBeEmptiedWhileItIsBeingStocked)
     std::thread worker([&] { library->stock(0, backend); });
     library->empty_model(0);
     worker.join();
-    EXPECT_EQ(library->model(0).mesh->triangles.size(), 0u);
+    EXPECT_EQ(library->model(0).mesh.triangle_count(), 0u);
 }
 
 TEST(ModelLibrary, PreparingABigMeshHoldsUpNobodyWhoWantsAnother)
@@ -182,10 +182,11 @@ TEST(ModelLibrary, PreparingABigMeshHoldsUpNobodyWhoWantsAnother)
 
 TEST(BackEnds, AreFoundByName)
 {
-    for (const std::string& name : backend_names()) EXPECT_EQ(make_back_end(name)->name(), name);
+    for (const std::string& name : backend_names())
+        EXPECT_EQ(test::object_of(test::shape("box"), name).back_end_name(), name);
     EXPECT_EQ(known_back_end("baseline"), "baseline/hash");
     EXPECT_EQ(known_back_end("axe"), "");
-    EXPECT_EQ(make_back_end("axe"), nullptr);
+    EXPECT_EQ(prepare(test::shape("box"), "axe").status(), Status::invalid_argument);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ struct Scatter
 
 Scatter scatter(std::uint64_t seed)
 {
-    kerf::Random random(seed);
+    core::Random random(seed);
     const auto vector = [&](double size) {
         return size * glm::dvec3(2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1);
     };

@@ -8,9 +8,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "baseline/report_proxy/every_vertex.h"
-#include "common/proxy/collision_proxy.h"
-#include "common/shapes/shapes.h"
 #include "viewer/sim/body_proxies.h"
 #include "viewer/sim/bullet_glm.h"
 #include "viewer/sim/solid.h"
@@ -26,12 +23,12 @@ struct Built
     std::unique_ptr<ProxyShape> shape;
 };
 
-Built build(const IndexedMesh& mesh, ProxyKind kind, double scale = 1.0)
+Built build(const Mesh& mesh, ProxyKind kind, double scale = 1.0)
 {
     Built built;
-    built.solid = solid_of(mass_properties(mesh), mesh.bounds(), scale);
-    built.proxy =
-        kind == ProxyKind::points ? baseline::every_vertex(mesh.vertices) : collision_proxy(kind, mesh.vertices);
+    const Object object = test::object_of(mesh);
+    built.solid = solid_of(object.mass_properties(), object.bounds(), scale);
+    built.proxy = body_proxy(object, kind);
     built.shape = std::make_unique<ProxyShape>(built.proxy, built.solid.centre, built.solid.axes, scale);
     return built;
 }
@@ -43,18 +40,18 @@ double reach(const Built& built, const glm::dvec3& direction)
     return double(local.dot(built.shape->shape().localGetSupportingVertex(local)));
 }
 
-double reach_of_mesh(const Built& built, const IndexedMesh& mesh, const glm::dvec3& direction, double scale)
+double reach_of_mesh(const Built& built, const Mesh& mesh, const glm::dvec3& direction, double scale)
 {
     double far = -1e300;
-    for (const Vertex& v : mesh.vertices)
-        far = std::max(far, scale * glm::dot(direction, glm::dvec3(v.position) - built.solid.centre));
+    for (const Vec3f& p : mesh.arrays().positions)
+        far = std::max(far, scale * glm::dot(direction, glm::dvec3(glm::vec3(p)) - built.solid.centre));
     return far;
 }
 
 TEST(ProxyShape, HullsReachAsFarAsTheMeshFromItsCentreOfMass)
 {
     for (const char* name : {"asteroid", "l_step", "two_legs", "cone"}) {
-        const IndexedMesh mesh = *test::shape(name);
+        const Mesh mesh = test::shape(name);
         for (const ProxyKind kind : {ProxyKind::full_hull, ProxyKind::points}) {
             const double scale = 0.7;
             const Built built = build(mesh, kind, scale);
@@ -69,7 +66,7 @@ TEST(ProxyShape, HullsReachAsFarAsTheMeshFromItsCentreOfMass)
 
 TEST(ProxyShape, BoxAndBallHoldTheMeshAndTheBoundedHullLiesInside)
 {
-    const IndexedMesh mesh = *test::shape("asteroid");
+    const Mesh mesh = test::shape("asteroid");
     for (const glm::dvec3 d : {glm::dvec3{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0.6, 0.64, -0.48}}) {
         const Built box = build(mesh, ProxyKind::box), ball = build(mesh, ProxyKind::sphere);
         const Built bounded = build(mesh, ProxyKind::bounded_hull);
@@ -81,7 +78,7 @@ TEST(ProxyShape, BoxAndBallHoldTheMeshAndTheBoundedHullLiesInside)
 
 TEST(ProxyShape, RadiusHoldsTheShape)
 {
-    const IndexedMesh mesh = *test::shape("l_step");
+    const Mesh mesh = test::shape("l_step");
     for (const ProxyKind kind : kProxyKinds) {
         const Built built = build(mesh, kind);
         for (const glm::dvec3 d : {glm::dvec3{1, 0, 0}, {0, -1, 0}, {-1, -1, 1}, {0.6, 0.64, -0.48}})
@@ -93,15 +90,14 @@ TEST(ProxyShape, FlatAndTinyPiecesGetABoxThatBulletCanHandle)
 {
     CollisionProxy flat;
     flat.kind = ProxyKind::full_hull;
-    for (const glm::vec3 p : {glm::vec3{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}) {
-        flat.points.push_back(p);
-        flat.box.add(p);
-    }
+    for (const glm::vec3 p : {glm::vec3{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}) flat.points.push_back(p);
+    flat.box = {{0, 0, 0}, {1, 1, 0}};
     CollisionProxy nothing;
     nothing.kind = ProxyKind::full_hull;
+    nothing.box = Object().bounds();
+    ASSERT_TRUE(nothing.box.is_empty());
     CollisionProxy speck;
     speck.kind = ProxyKind::sphere;
-    speck.box.add(glm::vec3(0.0f));
     for (const CollisionProxy& proxy : {flat, nothing, speck}) {
         const ProxyShape shape(proxy, {0.5, 0.5, 0.0}, glm::dmat3(1.0), 1.0);
         btVector3 lo, hi;

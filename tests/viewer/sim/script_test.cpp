@@ -11,6 +11,7 @@
 #include <functional>
 #include <sstream>
 
+#include "common/files/file_error.h"
 #include "common/support/random.h"
 #include "support/temporary_folder.h"
 
@@ -27,7 +28,7 @@ std::string complaint(const std::string& text)
 {
     try {
         parse(text);
-    } catch (const io::FileError& error) {
+    } catch (const core::io::FileError& error) {
         return error.what();
     }
     return "";
@@ -50,7 +51,7 @@ TEST(Script, ReadsWhatItsDocumentationShows)
 
 RC_GTEST_PROP(Script, WhatIsWrittenReadsBackBitForBit, ())
 {
-    kerf::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
+    core::Random random(*rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
     Script script;
     script.scene = "report";
     script.seed = random.next();
@@ -107,9 +108,9 @@ TEST(Script, EveryMistakeIsNamedWithFileAndLine)
 
 TEST(Script, AFileThatIsNoneIsSaidToBe)
 {
-    EXPECT_THROW(read_script(std::filesystem::path("/nowhere/at/all.script")), io::FileError);
-    EXPECT_THROW(read_script(std::filesystem::temp_directory_path()), io::FileError);
-    EXPECT_THROW(write_script(std::filesystem::path("/nowhere/at/all.script"), Script{}), io::FileError);
+    EXPECT_THROW(read_script(std::filesystem::path("/nowhere/at/all.script")), core::io::FileError);
+    EXPECT_THROW(read_script(std::filesystem::temp_directory_path()), core::io::FileError);
+    EXPECT_THROW(write_script(std::filesystem::path("/nowhere/at/all.script"), Script{}), core::io::FileError);
 }
 
 TEST(Script, WhatIsNoRegularFileIsRefusedBeforeItIsOpened)
@@ -118,8 +119,8 @@ TEST(Script, WhatIsNoRegularFileIsRefusedBeforeItIsOpened)
     const test::TemporaryFolder folder;
     const std::filesystem::path pipe = folder.file("pipe.script");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_THROW(read_script(pipe), io::FileError);
-    EXPECT_THROW(read_script(std::filesystem::path("/dev/zero")), io::FileError);
+    EXPECT_THROW(read_script(pipe), core::io::FileError);
+    EXPECT_THROW(read_script(std::filesystem::path("/dev/zero")), core::io::FileError);
 }
 
 /// A script of moves at these times.

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "common/repair/repair.h"
 #include "common/support/cpu_stopwatch.h"
 #include "common/support/random.h"
 #include "viewer/sim/back_ends.h"
@@ -135,7 +134,7 @@ TEST_P(OnEachBackEnd, TellsWhatItsChecksCostApartFromItsCuts)
         settings.hash_surfaces = checks;
         Simulation simulation(models, settings);
         simulation.push(stroke_through_first(models, 7));
-        CpuStopwatch watch;
+        core::CpuStopwatch watch;
         simulation.advance(120);
         const double whole = 1e3 * watch.lap();
         ASSERT_FALSE(simulation.cuts().empty());
@@ -275,7 +274,7 @@ TEST(Simulation, BackEndsThatDoNotCutFlyAlikeBitForBit)
 // Frames.
 
 // A swipe that wanders over the stage: a random walk with momentum.
-std::vector<InputEvent> wandering_swipe(kerf::Random& random, Microseconds start)
+std::vector<InputEvent> wandering_swipe(core::Random& random, Microseconds start)
 {
     glm::dvec2 p(6 * random.unit() - 3, 4 * random.unit() - 3), v(0.0);
     std::vector<InputEvent> events{{start, InputKind::press, p, {}}};
@@ -293,7 +292,7 @@ RC_GTEST_PROP(Frames, TheSameSwipeCutsTheSameObjectsAt10And30And120FramesPerSeco
 {
     static const auto models = library_of({"asteroid", "icosphere", "box"}, 200);
     const std::uint64_t seed = *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>());
-    kerf::Random random(seed);
+    core::Random random(seed);
     std::vector<InputEvent> events;
     for (int i = 0; i < 4; ++i) events.push_back({i + 1, InputKind::command, {}, "throw"});
     append(events, wandering_swipe(random, 400'000));
@@ -419,7 +418,7 @@ TEST(Simulation, AGrazingSwipeIsLoggedAsMissedOnceAndTheObjectFliesOn)
         ++missed;
         EXPECT_TRUE(run.cuts()[0].pieces.empty());
         ASSERT_EQ(run.bodies().size(), 1u);
-        EXPECT_EQ(run.bodies()[0]->object().triangle_count(), models->model(0).mesh->triangles.size());
+        EXPECT_EQ(run.bodies()[0]->object().triangle_count(), models->model(0).mesh.triangle_count());
     }
     EXPECT_EQ(missed, 1u);
 }
@@ -445,12 +444,11 @@ TEST(Simulation, PiecesThatFallApartBecomeBodiesOfTheirOwn)
 
 TEST(Simulation, AnOpenMeshIsCutAndSaysSo)
 {
-    IndexedMesh open = *test::shape("icosphere", 500);
-    TriangleSoup soup;
-    soup.vertices = open.vertices;
-    soup.triangles.assign(open.triangles.begin(), open.triangles.end() - 80);
+    const Mesh sphere = test::shape("icosphere", 500);
+    MeshInput open = test::input_of(sphere);
+    open.triangle_count -= 80;
     auto models = std::make_shared<ModelLibrary>();
-    models->add("open", repair(std::move(soup)).mesh);
+    models->add("open", test::value_of(Mesh::make(open)));
     std::size_t open_sections = 0;
     for (int i = 0; i < 12; ++i) {
         Simulation run(models, with_backend(backend_names().front()));
@@ -569,7 +567,7 @@ TEST(Simulation, RefusesWhatItDoesNotKnowWithASentence)
 TEST(Simulation, AModelThatCannotBePreparedIsSaidAndTheRestAreThrown)
 {
     auto models = std::make_shared<ModelLibrary>();
-    models->add("broken", ProvenMesh());
+    models->add("broken", Mesh());
     models->add("ball", test::shape("icosphere"));
     Simulation run(models, with_backend(backend_names().front()));
     run.advance(1);

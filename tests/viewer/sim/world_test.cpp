@@ -4,30 +4,28 @@
 
 #include <glm/geometric.hpp>
 
-#include "back_ends/back_ends.h"
-#include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
+#include "support/public_mesh.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::sim {
 namespace {
 
-IndexedMesh unit_box()
+Mesh unit_box()
 {
-    return *repair(shapes::box({1, 1, 1}, {1, 1, 1})).mesh;
+    return test::mesh_of(core::shapes::box({1, 1, 1}, {1, 1, 1}));
 }
 
 std::unique_ptr<Body> sibling(ObjectId id, const glm::dvec3& centre, std::uint64_t cut, Tick until)
 {
-    const auto model = make_back_end("baseline/remap");
     Identity identity;
     identity.id = id;
     if (cut > 0) identity.recent_cuts.push_back({cut, until});
-    std::unique_ptr<Cuttable> object = std::move(model->prepare(unit_box()).object);
+    Object object = test::object_of(unit_box());
     MeshPose pose;
     pose.translation = centre;
-    const Solid solid = solid_of(object->mass_properties(), object->bounds(), 1.0);
+    const Solid solid = solid_of(object.mass_properties(), object.bounds(), 1.0);
     return std::make_unique<Body>(identity, std::move(object), solid, pose, Motion{}, ProxyKind::full_hull);
 }
 
@@ -113,7 +111,7 @@ TEST(World, ACollisionKeepsMomentum)
 {
     World world(0.0);
     world.add(test::body_of(unit_box(), 1, {-2, 0, 0}, {{4, 0.3, 0}, {0, 1, 0}}));
-    world.add(test::body_of(*test::shape("asteroid"), 2, {2, 0.4, 0}, {{-3, 0, 0.1}, {1, 0, 0}}));
+    world.add(test::body_of(test::shape("asteroid"), 2, {2, 0.4, 0}, {{-3, 0, 0.1}, {1, 0, 0}}));
     const auto total = [&] {
         glm::dvec3 sum(0.0);
         for (const auto& body : world.bodies()) sum += body->momentum();

@@ -1,18 +1,48 @@
 #include "viewer/support/stages.h"
 
-#include <glm/common.hpp>
-#include <stdexcept>
+#include <kerf/shapes.h>
 
-#include "common/repair/repair.h"
-#include "common/shapes/shapes.h"
+#include <glm/common.hpp>
+
+#include "viewer/sim/back_ends.h"
 
 namespace kerf::test {
 
-ProvenMesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t seed)
+Mesh shape(const std::string& name, std::uint64_t triangles, std::uint64_t seed)
 {
-    Repaired repaired = repair(shapes::make(name, triangles, seed).value());
-    if (!repaired.error.empty()) throw std::runtime_error(repaired.error);
-    return std::move(repaired.mesh);
+    ShapeOptions options;
+    options.seed = seed;
+    return value_of(make_shape(name.c_str(), triangles, options));
+}
+
+MeshInput input_of(const Mesh& mesh)
+{
+    const MeshArrays arrays = mesh.arrays();
+    MeshInput input;
+    input.positions = &arrays.positions.front().x;
+    input.vertex_count = arrays.positions.size();
+    input.indices = arrays.indices.data();
+    input.triangle_count = arrays.indices.size() / 3;
+    input.normals = &arrays.normals.front().x;
+    input.uvs = &arrays.uvs.front().x;
+    return input;
+}
+
+Object object_of(const Mesh& mesh, const std::string& backend)
+{
+    return value_of(sim::prepare(mesh, backend));
+}
+
+DrawView view_of(const Object& object)
+{
+    DrawView view;
+    if (const Status status = object.draw(view); !ok(status)) throw std::runtime_error(text(status));
+    return view;
+}
+
+Plane plane_through(const glm::dvec3& point, const glm::dvec3& normal)
+{
+    return Plane::at(Point(point), Normal(normal)).value();
 }
 
 std::shared_ptr<sim::ModelLibrary> library_of(const std::vector<std::string>& shapes, std::uint64_t triangles)

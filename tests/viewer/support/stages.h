@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kerf/object.h>
+
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viewer/sim/model_library.h"
@@ -9,8 +13,28 @@
 
 namespace kerf::test {
 
+/// What a call of the library gives. @throws std::runtime_error  it gives none
+template <class T>
+T value_of(Result<T> result)
+{
+    if (!result) throw std::runtime_error(result.reason());
+    return *std::move(result);
+}
+
 /// A mesh out of a generated shape.
-ProvenMesh shape(const std::string& name, std::uint64_t triangles = 1000, std::uint64_t seed = 1);
+Mesh shape(const std::string& name, std::uint64_t triangles = 1000, std::uint64_t seed = 1);
+
+/// The arrays of a mesh, to be changed and made into another one; without materials. They live as long as the mesh.
+MeshInput input_of(const Mesh& mesh);
+
+/// A mesh, ready to be cut.
+Object object_of(const Mesh& mesh, const std::string& backend = "baseline/remap");
+
+/// What there is to draw of an object.
+DrawView view_of(const Object& object);
+
+/// Through a point, with the positive side where the normal points to.
+Plane plane_through(const glm::dvec3& point, const glm::dvec3& normal);
 
 /// A library with generated shapes of so many triangles.
 std::shared_ptr<sim::ModelLibrary> library_of(const std::vector<std::string>& shapes, std::uint64_t triangles = 1000);

@@ -47,7 +47,7 @@ std::size_t add_boulder(sim::ModelLibrary& models, std::int64_t triangles)
 
 /// Boulder and fruit in turn, prepared for both. @param steps  counts DuelView::kSteps
 std::vector<duel::TimetableScene::Item> prepare_all(sim::ModelLibrary& models, std::int64_t triangles,
-                                                    const std::array<std::string, 2>& opponents, ProxyKind proxy,
+                                                    const std::array<std::string, 2>& opponents, sim::ProxyKind proxy,
                                                     std::atomic<int>& steps)
 {
     const std::size_t boulder = add_boulder(models, triangles);

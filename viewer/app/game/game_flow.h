@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/proxy/collision_proxy.h"
 #include "viewer/app/frame_statistics.h"
 #include "viewer/app/game/duel_view.h"
 #include "viewer/app/game/game_models.h"
@@ -35,7 +34,7 @@ struct GameSetup
     std::string scene = "menu";
     std::string backend;                     ///< empty: the stored one
     std::vector<std::string> duelists = {};  ///< back ends of a duel; as DuelView takes them
-    ProxyKind proxy = ProxyKind::bounded_hull;
+    sim::ProxyKind proxy = sim::ProxyKind::bounded_hull;
     std::uint64_t seed = 1;
     bool record = false;      ///< keep what is pushed, for Simulation::recording()
     bool fixed_step = false;  ///< every frame is two ticks, nothing depends on the time of day or on a thread's speed
@@ -49,7 +48,7 @@ struct GameSetup
 class GameFlow
 {
 public:
-    /// @throws io::FileError  the fruit cannot be read
+    /// @throws core::io::FileError  the fruit cannot be read
     GameFlow(const GameSetup& setup, Painter& painter, sound::Speaker& speaker);
     /// A game under way counts as far as it got.
     ~GameFlow();

@@ -14,7 +14,7 @@ namespace kerf::app {
 class GameModels
 {
 public:
-    /// Reads the fruit. @throws io::FileError
+    /// Reads the fruit. @throws core::io::FileError
     explicit GameModels(const std::filesystem::path& data_folder);
 
     const std::shared_ptr<sim::ModelLibrary>& library() const { return library_; }

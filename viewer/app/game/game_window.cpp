@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "common/io/mesh_file.h"
+#include "common/files/file_error.h"
 #include "viewer/app/picture_name.h"
 #include "viewer/app/run_report.h"
 #include "viewer/game/user_folder.h"
@@ -151,7 +151,7 @@ void GameWindow::save_picture()
     try {
         render::write_png(name, painter_.target().read());
         flow_.tell("Saved " + std::filesystem::absolute(name, ignored).string());
-    } catch (const io::FileError& error) {
+    } catch (const core::io::FileError& error) {
         flow_.tell(error.what());
     }
 }

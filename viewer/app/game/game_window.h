@@ -14,7 +14,7 @@ class GameWindow : public Program
 public:
     /// @param user_folder  for scores and settings; empty: nothing is stored
     /// @param window       outlives it
-    /// @throws render::RenderError, io::FileError
+    /// @throws render::RenderError, core::io::FileError
     GameWindow(const Options& options, const std::filesystem::path& user_folder, Window& window);
 
     bool has_ended() const override { return flow_.has_ended(); }
@@ -46,7 +46,7 @@ private:
 };
 
 /// Opens the window and plays until it is closed. Gives the exit status.
-/// @throws render::RenderError, io::FileError
+/// @throws render::RenderError, core::io::FileError
 int run_game(const Options& options);
 
 }  // namespace kerf::app

@@ -1,21 +1,21 @@
 #pragma once
 
-#include <utility>
+#include <kerf/shapes.h>
 
-#include "common/repair/repair.h"
-#include "common/shapes/shapes.h"
+#include <new>
 
 namespace kerf::app {
 
-/// A boulder of so many triangles.
-inline ProvenMesh stone_asteroid(std::uint64_t triangles, std::uint64_t seed)
+/// A boulder of so many triangles. @throws std::bad_alloc
+inline Mesh stone_asteroid(std::uint64_t triangles, std::uint64_t seed)
 {
-    TriangleSoup soup = shapes::asteroid(triangles, seed);
-    Material rock;
-    rock.name = "rock";
-    rock.colour = {0.30f, 0.26f, 0.225f, 1.0f};
-    soup.materials = {rock};
-    return repair(std::move(soup)).mesh;
+    const Material rock{"rock", {0.30f, 0.26f, 0.225f, 1.0f}};
+    ShapeOptions options;
+    options.seed = seed;
+    options.material = &rock;
+    Result<Mesh> boulder = make_shape("asteroid", triangles, options);
+    if (!boulder) throw std::bad_alloc();
+    return *std::move(boulder);
 }
 
 }  // namespace kerf::app

@@ -19,7 +19,7 @@ void Inspection::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& ev
     preparer_.want(simulation_.scene().next_models(), simulation_.backend(), simulation_.proxy());
     if (waits) preparer_.finish();
     const double checks = simulation_.check_cpu_ms();
-    CpuStopwatch watch;
+    core::CpuStopwatch watch;
     if (ticks > 0) {
         if (autopilot_) simulation_.push(autopilot_->play(simulation_));
         simulation_.push(events);
@@ -31,7 +31,7 @@ void Inspection::advance(sim::Tick ticks, const std::vector<sim::InputEvent>& ev
 
 void Inspection::paint(const ViewSettings& view, bool shows_effects, double fraction)
 {
-    CpuStopwatch submit;
+    core::CpuStopwatch submit;
     sync();
     painter_.paint(simulation_, view, fraction, shows_effects ? &effects_ : nullptr);
     times_.submit_cpu_ms.push_back(1e3 * submit.lap());

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <utility>
 
+#include "common/files/file_error.h"
 #include "viewer/app/picture_name.h"
 #include "viewer/app/run_report.h"
 #include "viewer/sim/camera.h"
@@ -172,7 +173,7 @@ void InspectionWindow::save_picture()
     try {
         render::write_png(path, painter_.target().read());
         say("saved " + path.string());
-    } catch (const io::FileError& error) {
+    } catch (const core::io::FileError& error) {
         say(error.what());
     }
 }

@@ -76,7 +76,7 @@ private:
 
 /// Opens the window and plays until it is closed, or for so many frames; then a report goes to standard output. Gives
 /// the exit status.
-/// @throws render::RenderError, io::FileError, std::invalid_argument
+/// @throws render::RenderError, core::io::FileError, std::invalid_argument
 int run_inspection(const Options& options);
 
 }  // namespace kerf::app

@@ -76,10 +76,10 @@ void show_choices(PanelState& state)
         ImGui::EndCombo();
     }
     ImGui::SetNextItemWidth(wide);
-    const ProxyKind proxy = state.simulation.proxy_to_come();
+    const sim::ProxyKind proxy = state.simulation.proxy_to_come();
     const std::string shown(sim::proxy_name(proxy));
     if (ImGui::BeginCombo("proxy", shown.c_str())) {
-        for (const ProxyKind kind : sim::kProxyKinds) {
+        for (const sim::ProxyKind kind : sim::kProxyKinds) {
             const std::string name(sim::proxy_name(kind));
             if (ImGui::Selectable(name.c_str(), kind == proxy)) state.commands.push_back("proxy " + name);
         }
@@ -96,19 +96,18 @@ void show_choices(PanelState& state)
 
 void show_phases(const sim::CutRecord& cut)
 {
-    const double total = std::max(cut.statistics.phases.total(), 1e-6);
+    const double total = std::max(cut.statistics.milliseconds(), 1e-6);
     const ImVec2 bar(9.0f * ImGui::GetFontSize(), 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8.0f, 3.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(8.0f, 0.0f));
     for (std::size_t i = 0; i < kPhaseCount; ++i) {
-        const double ms = cut.statistics.phases.ms[i];
+        const double ms = cut.statistics.phase_ms[i];
         if (ms < kShownShare * total) continue;
         std::array<char, 48> label{};
         std::snprintf(label.data(), label.size(), "%.3f ms", ms);
         ImGui::ProgressBar(static_cast<float>(ms / total), bar, label.data());
         ImGui::SameLine();
-        const std::string name(name_of(static_cast<Phase>(i)));
-        ImGui::TextUnformatted(name.c_str());
+        ImGui::TextUnformatted(text(static_cast<Phase>(i)));
     }
     ImGui::PopStyleVar(2);
 }
@@ -117,7 +116,7 @@ void show_cut(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mod
 {
     ImGui::Text("%s", models.model(cut.model).name.c_str());
     ImGui::SameLine();
-    ImGui::TextDisabled("%s, %s", cut.backend.c_str(), std::string(outcome_name(cut.status)).c_str());
+    ImGui::TextDisabled("%s, %s", cut.backend.c_str(), outcome_name(cut.status));
     const CutStatistics& s = cut.statistics;
     ImGui::Text("%llu triangles, %llu crossing, %llu %s", static_cast<unsigned long long>(s.triangles),
                 static_cast<unsigned long long>(s.crossing_surface), static_cast<unsigned long long>(s.section_loops),

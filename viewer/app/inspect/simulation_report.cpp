@@ -31,8 +31,7 @@ Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mode
     Json pieces = Json::array(), phases = Json::object();
     for (const sim::PieceRecord& piece : cut.pieces) pieces.push_back(json_of(piece));
     for (std::size_t i = 0; i < kPhaseCount; ++i)
-        if (cut.statistics.phases.ms[i] > 0.0)
-            phases[std::string(name_of(static_cast<Phase>(i)))] = cut.statistics.phases.ms[i];
+        if (cut.statistics.phase_ms[i] > 0.0) phases[text(static_cast<Phase>(i))] = cut.statistics.phase_ms[i];
     return {{"number", cut.number},
             {"frame", cut.frame()},
             {"object", cut.object},

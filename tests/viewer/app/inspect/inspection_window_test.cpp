@@ -298,9 +298,9 @@ TEST_F(InspectionWindowTest, ChoosesAndSaysSoWhilePaused)
     EXPECT_NE(simulation.backend_to_come(), other);
     press("B");
     EXPECT_EQ(simulation.backend_to_come(), first);
-    const ProxyKind proxy = simulation.proxy();
+    const sim::ProxyKind proxy = simulation.proxy();
     press("K");
-    const ProxyKind second = simulation.proxy_to_come();
+    const sim::ProxyKind second = simulation.proxy_to_come();
     EXPECT_NE(second, proxy);
     press("K");
     EXPECT_NE(simulation.proxy_to_come(), second);

@@ -69,8 +69,8 @@ TEST_F(PanelTest, ShowsWhatTheLastCutCost)
                                       std::string("uploaded"), std::string("swipe to upload"), cut.backend})
         EXPECT_NE(text.find(wanted), std::string::npos) << wanted << " in\n" << text;
     for (const Phase phase : {Phase::find, Phase::split, Phase::cap, Phase::rebuild})
-        if (s.phases[phase] > 0.02 * s.phases.total()) {
-            EXPECT_NE(text.find(name_of(phase)), std::string::npos) << name_of(phase) << " in\n" << text;
+        if (s.phase_ms[std::size_t(phase)] > 0.02 * s.milliseconds()) {
+            EXPECT_NE(text.find(kerf::text(phase)), std::string::npos) << kerf::text(phase) << " in\n" << text;
         }
 }
 

@@ -1,4 +1,4 @@
-#include "common/io/unfinished_files.h"
+#include "common/files/unfinished_files.h"
 
 #include <unistd.h>
 

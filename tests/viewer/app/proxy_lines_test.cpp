@@ -1,21 +1,26 @@
-#include "viewer/render/proxy_lines.h"
-#include "common/proxy/collision_proxy.h"
+#include "viewer/app/proxy_lines.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/ext/matrix_transform.hpp>
 
-#include "support/fixtures.h"
+#include "viewer/support/stages.h"
 
 namespace kerf::test {
 
+using sim::CollisionProxy, sim::ProxyKind;
+
 namespace {
+
+CollisionProxy proxy_of_ball(ProxyKind kind)
+{
+    return sim::body_proxy(object_of(shape("icosphere", 320)), kind);
+}
 
 std::vector<glm::vec3> lines_of(ProxyKind kind, const glm::mat4& model = glm::mat4(1.0f))
 {
-    const IndexedMesh& mesh = closed_shape("icosphere");
     std::vector<glm::vec3> lines;
-    render::append_proxy_lines(collision_proxy(kind, mesh.vertices), model, lines);
+    app::append_proxy_lines(proxy_of_ball(kind), model, lines);
     return lines;
 }
 
@@ -33,7 +38,7 @@ TEST(ProxyLines, BoxHasTwelveEdgesAlongTheAxes)
 
 TEST(ProxyLines, SphereIsThreeCirclesOfItsRadius)
 {
-    const CollisionProxy proxy = collision_proxy(ProxyKind::sphere, closed_shape("icosphere").vertices);
+    const CollisionProxy proxy = proxy_of_ball(ProxyKind::sphere);
     const std::vector<glm::vec3> lines = lines_of(ProxyKind::sphere);
     ASSERT_FALSE(lines.empty());
     for (const glm::vec3& p : lines) EXPECT_NEAR(glm::distance(p, proxy.centre), proxy.radius, 1e-5f);
@@ -42,7 +47,7 @@ TEST(ProxyLines, SphereIsThreeCirclesOfItsRadius)
 TEST(ProxyLines, HullShowsEachEdgeOnce)
 {
     for (const ProxyKind kind : {ProxyKind::bounded_hull, ProxyKind::full_hull}) {
-        const CollisionProxy proxy = collision_proxy(kind, closed_shape("icosphere").vertices);
+        const CollisionProxy proxy = proxy_of_ball(kind);
         // Euler: a closed hull of f triangles has 3 f / 2 edges.
         EXPECT_EQ(lines_of(kind).size(), 2 * (3 * proxy.faces.size() / 2));
     }
@@ -50,11 +55,11 @@ TEST(ProxyLines, HullShowsEachEdgeOnce)
 
 TEST(ProxyLines, HullWithoutFacesShowsItsPoints)
 {
-    CollisionProxy proxy = collision_proxy(ProxyKind::full_hull, closed_shape("icosphere").vertices);
+    CollisionProxy proxy = proxy_of_ball(ProxyKind::full_hull);
     proxy.kind = ProxyKind::points;
     proxy.faces.clear();
     std::vector<glm::vec3> lines;
-    render::append_proxy_lines(proxy, glm::mat4(1.0f), lines);
+    app::append_proxy_lines(proxy, glm::mat4(1.0f), lines);
     EXPECT_EQ(lines.size(), 6 * proxy.points.size());
 }
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "common/io/byte_sink.h"
-#include "common/io/unfinished_files.h"
+#include "common/files/byte_sink.h"
+#include "common/files/file_error.h"
+#include "common/files/unfinished_files.h"
 
 // A written file appears complete or not at all.
 

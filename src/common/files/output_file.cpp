@@ -1,4 +1,4 @@
-#include "common/io/output_file.h"
+#include "common/files/output_file.h"
 
 #include <unistd.h>
 
@@ -7,8 +7,6 @@
 #include <cstring>
 #include <system_error>
 #include <utility>
-
-#include "common/io/read_formats.h"
 
 namespace kerf::core::io {
 

@@ -1,4 +1,4 @@
-#include "common/io/output_file.h"
+#include "common/files/output_file.h"
 
 #include <sys/resource.h>
 
@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "common/files/unfinished_files.h"
 #include "common/io/test_files.h"
-#include "common/io/unfinished_files.h"
 
 namespace kerf::core::io {
 namespace {

@@ -1,10 +1,10 @@
-#include "viewer/render/proxy_lines.h"
+#include "viewer/app/proxy_lines.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/vec4.hpp>
 
-namespace kerf::render {
+namespace kerf::app {
 
 namespace {
 
@@ -56,15 +56,15 @@ void add_sphere(const glm::vec3& centre, float radius, Lines& lines)
     add_circle(centre, z, x, lines);
 }
 
-void add_hull(const CollisionProxy& proxy, Lines& lines)
+void add_hull(const sim::CollisionProxy& proxy, Lines& lines)
 {
-    for (const Triangle& face : proxy.faces)
+    for (const auto& face : proxy.faces)
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t a = face[i], b = face[(i + 1) % 3];
             if (a < b) lines.add(proxy.points[a], proxy.points[b]);  // each edge has two faces
         }
     if (!proxy.faces.empty()) return;
-    const glm::vec3 extent = proxy.box.hi - proxy.box.lo;
+    const glm::vec3 extent = glm::vec3(proxy.box.hi) - glm::vec3(proxy.box.lo);
     const float size = 0.01f * glm::max(extent.x, glm::max(extent.y, extent.z));
     for (const glm::vec3& p : proxy.points)
         for (const glm::vec3& axis : {glm::vec3(size, 0, 0), glm::vec3(0, size, 0), glm::vec3(0, 0, size)})
@@ -73,22 +73,22 @@ void add_hull(const CollisionProxy& proxy, Lines& lines)
 
 }  // namespace
 
-void append_proxy_lines(const CollisionProxy& proxy, const glm::mat4& model, std::vector<glm::vec3>& out)
+void append_proxy_lines(const sim::CollisionProxy& proxy, const glm::mat4& model, std::vector<glm::vec3>& out)
 {
     Lines lines(model, out);
     switch (proxy.kind) {
-        case ProxyKind::box:
+        case sim::ProxyKind::box:
             add_box(proxy.box, lines);
             break;
-        case ProxyKind::sphere:
+        case sim::ProxyKind::sphere:
             add_sphere(proxy.centre, proxy.radius, lines);
             break;
-        case ProxyKind::bounded_hull:
-        case ProxyKind::full_hull:
-        case ProxyKind::points:
+        case sim::ProxyKind::bounded_hull:
+        case sim::ProxyKind::full_hull:
+        case sim::ProxyKind::points:
             add_hull(proxy, lines);
             break;
     }
 }
 
-}  // namespace kerf::render
+}  // namespace kerf::app
