@@ -137,11 +137,10 @@ void build_proxies(benchmark::State& state, const TimedBackEnd& back_end, ProxyK
     std::vector<const Object*> pieces;
     for (Cut& cut : cuts)
         for (const Side side : {Side::positive, Side::negative}) pieces.push_back(cut.one(side));
-    const std::vector<DrawView> views = views_of(cuts);
     double volume = 0.0, full_volume = 0.0;
 
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Proxy proxy = make_proxy(kind, *pieces[i], views[i].vertices);
+        const Proxy proxy = make_proxy(kind, *pieces[i]);
         const Hull full = value_of(full_hull(*pieces[i]));
         const std::string error = check_proxy(proxy, *pieces[i], full);
         if (!error.empty()) return state.SkipWithError(error.c_str());
@@ -155,7 +154,7 @@ void build_proxies(benchmark::State& state, const TimedBackEnd& back_end, ProxyK
         points = 0;
         core::CpuStopwatch watch;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const Proxy proxy = make_proxy(kind, *pieces[i], views[i].vertices);
+            const Proxy proxy = make_proxy(kind, *pieces[i]);
             benchmark::DoNotOptimize(proxy.corners().data());
             points += proxy.corners().size();
         }

@@ -1,13 +1,12 @@
 #include "bench/proxies.h"
 
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <tuple>
 
+#include "baseline/report_back_ends.h"
 #include "bench/checked_cut.h"
 #include "bench/objects.h"
 
@@ -29,21 +28,6 @@ Box box_around(Positions positions)
     Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
     for (const Vec3f& p : positions) add(box, p);
     return box;
-}
-
-void add_every_vertex(Proxy& proxy, std::span<const DrawVertex> vertices)
-{
-    proxy.box = box_around({});
-    btConvexHullShape shape;
-    for (const DrawVertex& v : vertices) {
-        add(proxy.box, v.position);
-        shape.addPoint(btVector3(v.position.x, v.position.y, v.position.z));
-    }
-    proxy.points.reserve(vertices.size());
-    for (int i = 0; i < shape.getNumPoints(); ++i) {
-        const btVector3& p = shape.getUnscaledPoints()[i];
-        proxy.points.emplace_back(float(p.x()), float(p.y()), float(p.z()));
-    }
 }
 
 /// A face of a hull, as a plane with the hull below it.
@@ -160,7 +144,7 @@ std::string name_of(ProxyKind kind)
     return "unknown";
 }
 
-Proxy make_proxy(ProxyKind kind, const Object& object, std::span<const DrawVertex> vertices)
+Proxy make_proxy(ProxyKind kind, const Object& object)
 {
     Proxy proxy;
     proxy.kind = kind;
@@ -178,7 +162,8 @@ Proxy make_proxy(ProxyKind kind, const Object& object, std::span<const DrawVerte
             proxy.hull = value_of(full_hull(object));
             break;
         case ProxyKind::every_vertex:
-            add_every_vertex(proxy, vertices);
+            proxy.box = object.bounds();
+            proxy.points = report_collision_points(object);
             break;
     }
     return proxy;

@@ -42,8 +42,8 @@ struct Proxy
     std::span<const Vec3f> corners() const { return kind == ProxyKind::every_vertex ? points : hull.points(); }
 };
 
-/// What is timed. `vertices` are those of the object, each once; only `every_vertex` looks at them.
-Proxy make_proxy(ProxyKind kind, const Object& object, std::span<const DrawVertex> vertices);
+/// What is timed.
+Proxy make_proxy(ProxyKind kind, const Object& object);
 
 /// Mesh units cubed. O(n).
 double volume_of(const Hull& hull);

@@ -124,8 +124,9 @@ void register_sim_benchmarks()
                 ->Unit(benchmark::kMillisecond);
         }
     for (const bool heap : {false, true})
-        benchmark::RegisterBenchmark(heap ? "Pieces/heap" : "Pieces/spread",
-                                     [=](benchmark::State& state) { pieces(state, heap, sim::ProxyKind::bounded_hull); })
+        benchmark::RegisterBenchmark(
+            heap ? "Pieces/heap" : "Pieces/spread",
+            [=](benchmark::State& state) { pieces(state, heap, sim::ProxyKind::bounded_hull); })
             ->Arg(300)
             ->UseManualTime()
             ->Iterations(20)

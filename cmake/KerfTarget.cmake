@@ -42,14 +42,22 @@ macro(kerf_compile_as_one)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 0)
 endmacro()
 
-# kerf_library(NAME SOURCES...): a static library kerf_NAME with the alias kerf::NAME; includes are written from src/.
+# kerf_library(NAME SOURCES...): a static library kerf_NAME with the alias kerf::NAME. Its own files write includes of the
+# library from src/; what users of it see is up to the caller.
 function(kerf_library name)
   add_library(kerf_${name} STATIC ${ARGN})
   add_library(kerf::${name} ALIAS kerf_${name})
-  target_include_directories(kerf_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
-  # Users of the library need C++20 and the same rounding, not our warnings.
   target_compile_features(kerf_${name} PUBLIC cxx_std_20)
-  target_compile_options(kerf_${name} INTERFACE ${KERF_ROUNDING_OPTIONS})
+  target_include_directories(kerf_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(kerf_${name} PRIVATE $<BUILD_INTERFACE:kerf_flags>)
   kerf_precompile(kerf_${name})
+endfunction()
+
+# kerf_core_library(NAME SOURCES...): a part of the library's own code, kerf_core_NAME with the alias kerf::core::NAME. What
+# links it sees its headers, and must round as they do.
+function(kerf_core_library name)
+  kerf_library(core_${name} ${ARGN})
+  add_library(kerf::core::${name} ALIAS kerf_core_${name})
+  target_include_directories(kerf_core_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_compile_options(kerf_core_${name} INTERFACE ${KERF_ROUNDING_OPTIONS})
 endfunction()

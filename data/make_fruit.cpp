@@ -19,11 +19,11 @@ int main(int argc, char** argv)
     int failures = 0;
     for (const auto& fruit : kerf::maker::kFruit) {
         try {
-            const kerf::Repaired made = kerf::repair(kerf::maker::soup_of(fruit.make()));
+            const kerf::core::Repaired made = kerf::core::repair(kerf::maker::soup_of(fruit.make()));
             if (!made.error.empty()) throw std::logic_error(made.error);
             if (!made.repairs.none()) throw std::logic_error(made.repairs.describe());
             const std::string path = std::string(argv[1]) + '/' + std::string(fruit.name) + ".glb";
-            kerf::io::write_mesh(path, made.mesh);
+            kerf::core::io::write_mesh(path, made.mesh);
             std::cout << path << ": " << made.mesh->triangles.size() << " triangles\n";
         } catch (const std::exception& error) {
             std::cerr << fruit.name << ": " << error.what() << '\n';

@@ -201,7 +201,7 @@ std::string tally_text(const std::string& name, const Tally& tally)
     text += "; open edges " + pair_text(tally.baseline_open_edges, tally.halfedge_open_edges) + "; equal corners " +
             pair_text(tally.baseline_degenerate, tally.halfedge_degenerate);
     text += formatted("; volume error %.1e/%.1e", tally.baseline_volume_error, tally.halfedge_volume_error);
-    text += formatted("; median ms %.4g/%.4g", median(tally.baseline_ms), median(tally.halfedge_ms));
+    text += formatted("; median ms %.4g/%.4g", core::median(tally.baseline_ms), core::median(tally.halfedge_ms));
     if (tally.failed > 0) return text + "; " + counted(tally.failed, "row") + " FAILED\n";
     if (tally.rows == 0) return text + "; nothing was compared\n";
     return text + (tally.crossed_sections + tally.unjudged_sections > 0 ? "; agree where judged\n" : "; agree\n");
@@ -291,7 +291,8 @@ Json tally_json(const Tally& tally)
             {"open_edges", {{"baseline", tally.baseline_open_edges}, {"halfedge", tally.halfedge_open_edges}}},
             {"equal_corners", {{"baseline", tally.baseline_degenerate}, {"halfedge", tally.halfedge_degenerate}}},
             {"volume_error", {{"baseline", tally.baseline_volume_error}, {"halfedge", tally.halfedge_volume_error}}},
-            {"median_cut_ms", {{"baseline", median(tally.baseline_ms)}, {"halfedge", median(tally.halfedge_ms)}}}};
+            {"median_cut_ms",
+             {{"baseline", core::median(tally.baseline_ms)}, {"halfedge", core::median(tally.halfedge_ms)}}}};
 }
 
 void run(const CompareCommandOptions& options)

@@ -130,7 +130,7 @@ private:
         CutOptions options;
         options.cap_material = first_cap_ + static_cast<std::uint32_t>(row.piece.size());
         Halves halves;
-        Stopwatch watch;
+        core::Stopwatch watch;
         halves.result = cut(std::move(object), row.plane.plane, options);
         facts.ms = watch.lap();
         facts.status = halves.result.status;
@@ -395,7 +395,7 @@ Object prepared(const std::string& back_end, const Mesh& mesh, std::uint64_t cap
 {
     PrepareOptions options;
     options.back_end_name = back_end.c_str();
-    Stopwatch watch;
+    core::Stopwatch watch;
     Result<Object> object = prepare(mesh, options);
     ms = watch.lap();
     if (!object) throw std::runtime_error(back_end + ": " + object.reason());

@@ -10,7 +10,7 @@ namespace kerf::tools {
 
 namespace {
 
-/// Random numbers that are the same with every C++ library.
+/// core::Random numbers that are the same with every C++ library.
 class Dice
 {
 public:

@@ -113,7 +113,7 @@ CutReport perform(const CutCommandOptions& options)
         if (entry.name == options.backend) report.closes_with_fan = entry.closes_with_fan;
     report.has_coarse_coordinates = loaded.mesh.has_coarse_coordinates();
 
-    Stopwatch watch;
+    core::Stopwatch watch;
     PrepareOptions prepare_options;
     prepare_options.back_end_name = report.backend.c_str();
     Result<Object> prepared = prepare(std::move(loaded.mesh), prepare_options);

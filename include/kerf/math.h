@@ -95,10 +95,10 @@ struct Mat4d
     }
 };
 
-/// A box along the axes. An empty one has lo > hi.
+/// A box along the axes. An empty one has lo > hi; a default one is empty.
 struct Box
 {
-    Vec3f lo, hi;
+    Vec3f lo{1.0f, 1.0f, 1.0f}, hi{-1.0f, -1.0f, -1.0f};
 
     constexpr bool is_empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
 };

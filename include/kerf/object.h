@@ -118,8 +118,9 @@ private:
 };
 
 /// Makes an object of a mesh. O(n). The half-edge back end copies what it keeps of the mesh; the linear one keeps its
-/// arrays, and copies them only if there are other copies of the mesh: give it yours by std::move(). Status: `invalid_mesh` for an empty mesh, `invalid_argument` for a back end that this
-/// build lacks, `cancelled`, `out_of_memory`.
+/// arrays, and copies them only if there are other copies of the mesh: give it yours by std::move(). Status:
+/// `invalid_mesh` for an empty mesh, `invalid_argument` for a back end that this build lacks, `cancelled`,
+/// `out_of_memory`.
 KERF_API Result<Object> prepare(Mesh mesh, const PrepareOptions& options = {}) noexcept;
 
 }  // namespace kerf

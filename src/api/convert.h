@@ -90,7 +90,7 @@ inline Side to_public(core::Side side)
 }
 inline Box to_public(const core::Box& box)
 {
-    if (box.empty()) return {{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}};
+    if (box.empty()) return {};
     return {to_public(box.lo), to_public(box.hi)};
 }
 

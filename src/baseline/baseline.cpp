@@ -2,7 +2,6 @@
 
 #include "baseline/report_costs.h"
 #include "baseline/slice.h"
-#include "common/support/stopwatch.h"
 #include "linear/fragment_object.h"
 
 namespace kerf::core::baseline {
@@ -24,17 +23,12 @@ std::string_view name_of(VertexLookup lookup)
 
 namespace {
 
-struct Method
-{
-    VertexLookup lookup;
-    bool rewrite_pivots;
-};
-
 class BaselineCuttable final : public linear::FragmentObject
 {
 public:
-    BaselineCuttable(Fragment&& fragment, const BufferListener& listener, Method method, const ReportCosts& costs = {})
-        : FragmentObject(std::move(fragment), listener), method_(method), costs_(costs)
+    BaselineCuttable(Fragment&& fragment, const BufferListener& listener, VertexLookup lookup,
+                     const ReportCosts& costs = {})
+        : FragmentObject(std::move(fragment), listener), lookup_(lookup), costs_(costs)
     {
     }
 
@@ -43,49 +37,37 @@ public:
 
     std::unique_ptr<Cuttable> clone() const override
     {
-        return std::make_unique<BaselineCuttable>(Fragment(fragment()), listener(), method_);
+        return std::make_unique<BaselineCuttable>(Fragment(fragment()), listener(), lookup_);
     }
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override
     {
-        Slices slices = slice(fragment(), plane, options, method_.lookup);
-        ReportCosts costs{slices.vertex_comparisons, 0.0};
-        if (method_.rewrite_pivots) costs.pivot_ms = rewrite_all(slices.positive) + rewrite_all(slices.negative);
+        Slices slices = slice(fragment(), plane, options, lookup_);
+        const ReportCosts costs{slices.vertex_comparisons};
         return linear::to_result(std::move(slices), [&](Fragment&& part) {
-            return std::make_unique<BaselineCuttable>(std::move(part), listener(), method_, costs);
+            return std::make_unique<BaselineCuttable>(std::move(part), listener(), lookup_, costs);
         });
     }
 
-    /// Runs the report's loop over the vertices of all fragments; what it writes is thrown away. Milliseconds.
-    static double rewrite_all(const std::vector<Fragment>& fragments)
-    {
-        Stopwatch watch;
-        for (const Fragment& fragment : fragments) {
-            Buffer<Vertex> scratch;
-            rewrite_around_pivot(fragment.mesh, scratch);
-        }
-        return watch.lap();
-    }
-
-    Method method_;
+    VertexLookup lookup_;
     ReportCosts costs_;
 };
 
 class BaselineBackend final : public Backend
 {
 public:
-    explicit BaselineBackend(Method method) : method_(method) {}
+    explicit BaselineBackend(VertexLookup lookup) : lookup_(lookup) {}
 
-    std::string name() const override { return "baseline/" + std::string(name_of(method_.lookup)); }
+    std::string name() const override { return "baseline/" + std::string(name_of(lookup_)); }
 
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
-        return std::make_unique<BaselineCuttable>(linear::fragment_of(std::move(mesh)), options.listener, method_);
+        return std::make_unique<BaselineCuttable>(linear::fragment_of(std::move(mesh)), options.listener, lookup_);
     }
 
-    Method method_;
+    VertexLookup lookup_;
 };
 
 }  // namespace
@@ -102,10 +84,10 @@ ReportCosts report_costs(const Cuttable& fragment)
     return own != nullptr ? own->costs() : ReportCosts{};
 }
 
-std::unique_ptr<Backend> make_back_end(VertexLookup lookup, bool rewrite_pivots)
+std::unique_ptr<Backend> make_back_end(VertexLookup lookup)
 {
     if (lookup > VertexLookup::remap) lookup = VertexLookup::hash;
-    return std::make_unique<BaselineBackend>(Method{lookup, rewrite_pivots});
+    return std::make_unique<BaselineBackend>(lookup);
 }
 
 }  // namespace kerf::core::baseline

@@ -21,9 +21,9 @@ enum class VertexLookup : std::uint8_t
 std::string_view name_of(VertexLookup lookup);
 
 /// The report's method (section 3): a loop over every triangle of an indexed mesh and a fan over the section's mean
-/// point. `rewrite_pivots`: also run the report's loop that rewrites every vertex around the fragment's new pivot; its
-/// result goes to scratch memory, because coordinates never change (a fragment's pivot belongs in its transform). A
-/// lookup that does not exist means `hash`.
-std::unique_ptr<Backend> make_back_end(VertexLookup lookup = VertexLookup::hash, bool rewrite_pivots = false);
+/// point. A lookup that does not exist means `hash`. The report also rewrites every vertex around its fragment's new
+/// pivot; here coordinates never change, because a pivot belongs in the fragment's transform, and only the benchmark
+/// runs that loop.
+std::unique_ptr<Backend> make_back_end(VertexLookup lookup = VertexLookup::hash);
 
 }  // namespace kerf::core::baseline

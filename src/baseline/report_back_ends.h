@@ -21,7 +21,6 @@ void add_report_back_ends();
 struct ReportCosts
 {
     std::uint64_t vertex_comparisons = 0;  ///< vertices compared while looking for duplicates; exact
-    double pivot_ms = 0.0;                 ///< wall-clock time of the report's loop over new pivots, if it was run
 };
 
 /// The costs of a cut by one of them; zeros of a miss, and of a cut by another back end. Its pieces carry them: ask

@@ -10,7 +10,6 @@ namespace kerf::core::baseline {
 struct ReportCosts
 {
     std::uint64_t vertex_comparisons = 0;  ///< vertices compared while looking for duplicates; exact
-    double pivot_ms = 0.0;                 ///< wall-clock time of rewrite_around_pivot() for all fragments
 };
 
 /// The costs of a cut by one of the baseline's back ends; zeros of a miss, and of a cut by another back end. Its

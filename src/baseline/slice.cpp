@@ -67,17 +67,4 @@ Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& option
     return {};
 }
 
-glm::vec3 rewrite_around_pivot(const IndexedMesh& mesh, Buffer<Vertex>& scratch)
-{
-    glm::dvec3 sum{0.0};
-    for (const Vertex& v : mesh.vertices) sum += glm::dvec3(v.position);
-    const glm::vec3 pivot(sum / std::max<double>(1.0, double(mesh.vertices.size())));
-    scratch.resize(mesh.vertices.size());
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        scratch[i] = mesh.vertices[i];
-        scratch[i].position -= pivot;
-    }
-    return pivot;
-}
-
 }  // namespace kerf::core::baseline

@@ -13,9 +13,4 @@ using linear::Slices;
 /// unchanged. O(n); with the quadratic lookups O(n^2).
 Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& options, VertexLookup lookup);
 
-/// The report's loop over all vertices of a fragment (section 3.2.4): writes each vertex relative to their mean, the
-/// new pivot, into `scratch`, and returns the pivot. Nothing else changes: a pivot belongs in the fragment's transform.
-/// O(n).
-glm::vec3 rewrite_around_pivot(const IndexedMesh& mesh, Buffer<Vertex>& scratch);
-
 }  // namespace kerf::core::baseline

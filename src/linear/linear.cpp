@@ -15,7 +15,10 @@ class LinearObject final : public FragmentObject
 public:
     using FragmentObject::FragmentObject;
 
-    std::unique_ptr<Cuttable> clone() const override { return std::make_unique<LinearObject>(Fragment(fragment()), listener()); }
+    std::unique_ptr<Cuttable> clone() const override
+    {
+        return std::make_unique<LinearObject>(Fragment(fragment()), listener());
+    }
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override

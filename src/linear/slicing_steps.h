@@ -181,10 +181,10 @@ protected:
                               piece_at(Side::positive, path.edges.front()) != kNoPart;
         for (const SectionPath& path : paths) ++(path.closed ? statistics.section_loops : statistics.open_chains);
         slices_.section_area = area_of(section_, paths, plane_);
-        const ClosedSides closed = closing_.close(builders_, crossings_,
-                                                  {section_, paths, tags, plane_, slices_.section_area,
-                                                   whole_.noise / kNoiseInUnits, material,
-                                                   options_.cap_uv_scale, options_.build_caps});
+        const ClosedSides closed =
+            closing_.close(builders_, crossings_,
+                           {section_, paths, tags, plane_, slices_.section_area, whole_.noise / kNoiseInUnits, material,
+                            options_.cap_uv_scale, options_.build_caps});
         slices_.caps_exceed_section = closed.caps_exceed_section;
         statistics.cap_steps = closed.steps;
         statistics.phases[Phase::cap] += watch.lap();

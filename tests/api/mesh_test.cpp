@@ -34,6 +34,17 @@ TEST(Mesh, OfArraysHasTheirTrianglesAndPlaces)
     EXPECT_TRUE(describe(report.repairs).is_empty());
 }
 
+TEST(Mesh, CloneHasTheSameArraysAndSharesNothing)
+{
+    const Mesh mesh = test::shape("torus");
+    const Result<Mesh> copy = mesh.clone();
+    ASSERT_TRUE(copy) << copy.reason();
+    EXPECT_EQ(test::bytes_of(*copy), test::bytes_of(mesh));
+    EXPECT_NE(copy->arrays().positions.data(), mesh.arrays().positions.data());
+    EXPECT_EQ(Mesh(mesh).arrays().positions.data(), mesh.arrays().positions.data()) << "copies share";
+    EXPECT_EQ(Mesh().clone().status(), Status::invalid_mesh);
+}
+
 TEST(Mesh, ReadsAnyStride)
 {
     struct GameVertex

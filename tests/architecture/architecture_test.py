@@ -24,8 +24,7 @@ def files():
 def includes(text):
     """What a file includes of the project, as paths from the project's folder."""
     names = re.findall(r'^\s*#\s*include "([^"]+)"', text, re.M)
-    # core_names.h says where names are: it belongs to no room.
-    return ["src/" + name if (SOURCE / name).exists() else name for name in names if not name.endswith("/core_names.h")]
+    return ["src/" + name if (SOURCE / name).exists() else name for name in names]
 
 
 def room_of(path, rooms):
@@ -88,6 +87,20 @@ class Architecture(unittest.TestCase):
         self.assertEqual(1, len(other_back_end))
         program = wrong_arrows("src/common/io/mesh_file.h", '#include "tools/text.h"\n', rooms)
         self.assertEqual(1, len(program))
+
+    def test_programs_see_what_other_programs_see(self):
+        """The public interface, the report's back ends, and helpers that know nothing of meshes."""
+        allowed = ("src/baseline/report_back_ends.h", "src/common/support/", "src/common/files/", "src/command_line/")
+        looked_at, wrong = 0, []
+        for folder in ("tools", "viewer", "bench"):
+            for path in sorted((ROOT / folder).rglob("*")):
+                if path.suffix not in {".h", ".cpp"}:
+                    continue
+                looked_at += 1
+                wrong += [f"{path.relative_to(ROOT)} includes {name}" for name in includes(path.read_text())
+                          if name.startswith("src/") and not name.startswith(allowed)]
+        self.assertGreater(looked_at, 200)
+        self.assertEqual([], wrong)
 
     def test_irregular_sections_are_behind_one_door(self):
         """What only they need has one header for the rest of the back end."""

@@ -27,7 +27,7 @@
 #include "support/referee.h"
 #include "support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
@@ -366,4 +366,4 @@ TEST(AnyMesh, IsWrittenOrRefused)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

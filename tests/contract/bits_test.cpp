@@ -22,7 +22,7 @@
 #include "support/referee.h"
 #include "support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST_F(BitsTest, AreThoseThatAreRecordedForTheirVersion)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

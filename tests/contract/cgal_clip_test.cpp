@@ -14,7 +14,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::CgalMesh;
@@ -133,4 +133,4 @@ TEST(CgalClip, AgreesWithEveryBackEndOnModels)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

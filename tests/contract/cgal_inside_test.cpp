@@ -17,7 +17,7 @@
 #include "support/fixtures.h"
 #include "support/ray_winding.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::CgalKernel;
@@ -300,4 +300,4 @@ TEST(CgalInside, SeesAPlaneThatIsALittleOff)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

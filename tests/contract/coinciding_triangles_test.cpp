@@ -21,7 +21,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 class CoincidingTriangles : public testing::TestWithParam<test::NamedBackend>
@@ -230,4 +230,4 @@ INSTANTIATE_TEST_SUITE_P(All, CoincidingTriangles, testing::ValuesIn(test::backe
                          [](const auto& back_end) { return back_end.param.name; });
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -13,7 +13,7 @@
 #include "support/backends.h"
 #include "support/fixtures.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using baseline::VertexLookup;
@@ -78,4 +78,4 @@ TEST(Counters, OfVertexComparisonsTellTheLookUpsApart)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -17,7 +17,7 @@
 #include "support/referee.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::Random;
@@ -375,4 +375,4 @@ TEST_P(CrossingSections, SimpleSectionsAreCoveredOnceOrTheResultSaysSo)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

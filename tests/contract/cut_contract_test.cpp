@@ -12,7 +12,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::closed_shape;
@@ -610,4 +610,4 @@ TEST_P(CutContract, TwoTrianglesBackToBackHaveNoSection)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

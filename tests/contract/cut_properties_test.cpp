@@ -17,7 +17,7 @@
 #include "support/random_case.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::any_case;
@@ -471,4 +471,4 @@ TEST_P(CutProperties, PiecesAreTheSameForEveryBackEnd)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -17,7 +17,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 constexpr std::uint32_t kGrowth = 16;
@@ -258,4 +258,4 @@ INSTANTIATE_TEST_SUITE_P(All, HardSection, testing::ValuesIn(shapes::hard_sectio
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

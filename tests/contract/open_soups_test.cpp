@@ -26,7 +26,7 @@
 #define KERF_OPEN_SOUP_RUNS 1
 #endif
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Surface = std::vector<referee::SurfaceTriangle>;
@@ -294,4 +294,4 @@ TEST(OpenSoup, PartsOnBothSidesOfATriangleThatShrinksToTwoEdgesAreApart)
 INSTANTIATE_TEST_SUITE_P(All, OpenSoups, testing::Range<std::uint64_t>(0, KERF_OPEN_SOUP_RUNS));
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -19,7 +19,7 @@
 #include "support/prisms.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::FailingAllocation;
@@ -430,4 +430,4 @@ TEST_P(OutOfMemoryOf, WhileCompactingOrDetachingChangesNothing)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -14,7 +14,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST_P(RealMesh, IsCutIntoSidesThatAreClosedAndAddUp)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -14,7 +14,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Bytes = std::vector<std::uint32_t>;
@@ -303,4 +303,4 @@ TEST_P(Relatives, CopiesOfThemAreCutWithTheSameBytes)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

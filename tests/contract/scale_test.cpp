@@ -16,7 +16,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::NamedMesh;
@@ -217,4 +217,4 @@ TEST(CoordinateGrain, MakesEdgesUnderSixteenOfItCoarse)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -24,7 +24,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 std::uint64_t rounds()
@@ -509,4 +509,4 @@ TEST_P(Threads, MayEndTheLastTwoOfAFamilyAtOnce)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

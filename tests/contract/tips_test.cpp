@@ -17,7 +17,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::Random;
@@ -187,4 +187,4 @@ INSTANTIATE_TEST_SUITE_P(Rings, Tips,
                          name_of);
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -12,7 +12,7 @@
 // Closed meshes whose shells touch, overlap and coincide: many points lie in one place, outer loops are alike, cavities
 // lie in several pieces. Pieces must not depend on the order in which a back end finds them.
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 class TouchingSolids : public testing::TestWithParam<test::NamedBackend>
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(All, TouchingSolids, testing::ValuesIn(test::backends()
                          [](const auto& back_end) { return back_end.param.name; });
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

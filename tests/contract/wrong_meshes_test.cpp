@@ -14,7 +14,7 @@
 #include "support/referee.h"
 #include "support/wrong_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::MeshChange;
@@ -159,4 +159,4 @@ TEST(ProvenMesh, IsEmptyOnceItWasMovedAway)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

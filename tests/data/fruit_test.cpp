@@ -18,7 +18,7 @@
 #include "maker/fruit/fruit.h"
 #include "maker/fruit/soup.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 namespace {
 
 std::string path_of(const maker::Fruit& fruit)
@@ -196,4 +196,4 @@ INSTANTIATE_TEST_SUITE_P(All, FruitFile, testing::ValuesIn(maker::kFruit),
                          [](const auto& fruit) { return std::string(fruit.param.name); });
 
 }  // namespace
-}  // namespace kerf::test
+}  // namespace kerf::core::test

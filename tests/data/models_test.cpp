@@ -14,7 +14,7 @@
 #include "maker/models.h"
 #include "maker/obj.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 namespace {
 
 struct Expected
@@ -223,4 +223,4 @@ TEST(MakeModels, WritesTheKeptFilesAgainByteForByte)
 }
 
 }  // namespace
-}  // namespace kerf::test
+}  // namespace kerf::core::test

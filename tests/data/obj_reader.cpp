@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace kerf::test {
+namespace kerf::core::test {
 namespace {
 
 template <std::size_t N>
@@ -80,4 +80,4 @@ std::string read_bytes(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 using Vec2 = std::array<double, 2>;
 using Vec3 = std::array<double, 3>;
@@ -31,4 +31,4 @@ ObjFile read_obj(const std::string& path);
 /// All bytes of a file; throws std::runtime_error.
 std::string read_bytes(const std::string& path);
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

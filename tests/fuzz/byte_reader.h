@@ -6,7 +6,7 @@
 
 #include "fuzz/fuzzer.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 /// Makes numbers out of a fuzzer's bytes, front to back. Zeros follow where the bytes end, so any prefix of an input is
 /// an input, and changing one byte changes one number.
@@ -51,4 +51,4 @@ private:
     std::size_t at_ = 0;
 };
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -16,7 +16,7 @@
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 namespace {
 
@@ -214,4 +214,4 @@ void fuzz_cap(Bytes input)
     }
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

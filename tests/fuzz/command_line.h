@@ -7,7 +7,7 @@
 
 #include "fuzz/fuzzer.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 /// A command line from bytes: the program's name, then one argument a line.
 class CommandLine
@@ -58,4 +58,4 @@ private:
     std::streambuf* err_;
 };
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

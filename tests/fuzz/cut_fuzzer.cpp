@@ -20,7 +20,7 @@
 #include "support/check_universe.h"
 #include "support/referee.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 namespace {
 
@@ -284,4 +284,4 @@ void fuzz_cut(Bytes input)
     }
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
@@ -24,4 +24,4 @@ std::span<const Fuzzer> fuzzers();
 /// Null when there is none of this name.
 const Fuzzer* find_fuzzer(std::string_view name);
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

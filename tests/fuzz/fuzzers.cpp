@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 std::span<const Fuzzer> fuzzers()
 {
@@ -38,4 +38,4 @@ const Fuzzer* find_fuzzer(std::string_view name)
     return found != all.end() ? &*found : nullptr;
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

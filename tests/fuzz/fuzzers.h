@@ -4,7 +4,7 @@
 
 // One function a fuzzer; the files are named like them.
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 void fuzz_cap(Bytes bytes);
 void fuzz_cut(Bytes bytes);
@@ -20,4 +20,4 @@ void fuzz_repair(Bytes bytes);
 void fuzz_script(Bytes bytes);
 void fuzz_viewer_options(Bytes bytes);
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

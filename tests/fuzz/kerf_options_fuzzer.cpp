@@ -7,7 +7,7 @@
 #include "fuzz/require.h"
 #include "tools/commands.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 void fuzz_kerf_options(Bytes bytes)
 {
@@ -29,4 +29,4 @@ void fuzz_kerf_options(Bytes bytes)
     }
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -10,7 +10,7 @@
 #include "common/shapes/shapes.h"
 #include "support/open_soups.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 namespace {
 
@@ -205,4 +205,4 @@ bool is_manifold(const IndexedMesh& mesh)
     return true;
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

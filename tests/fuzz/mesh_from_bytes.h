@@ -4,7 +4,7 @@
 #include "common/mesh/triangle_soup.h"
 #include "fuzz/byte_reader.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 /// At most some two hundred triangles: a generated shape whose vertices are moved about, any triangles over a few
 /// points, or an open mesh that touches itself. Coordinates are finite and indices in range; nothing else is promised.
@@ -19,4 +19,4 @@ Plane plane_from(ByteReader& bytes, const IndexedMesh& mesh);
 /// not look at.
 bool is_manifold(const IndexedMesh& mesh);
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -13,7 +13,7 @@
 #include "fuzz/fuzzer.h"
 #include "support/fixtures.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ TEST_P(FuzzMutations, KeepThePromise)
 }
 
 }  // namespace
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

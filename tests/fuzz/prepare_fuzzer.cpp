@@ -16,7 +16,7 @@
 #include "support/mesh_trial.h"
 #include "support/wrong_meshes.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 namespace {
 
@@ -109,4 +109,4 @@ void fuzz_prepare(Bytes input)
     require(fault.empty(), "the half-edge mesh is consistent (" + fault + ")");
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -14,7 +14,7 @@
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 namespace {
 
@@ -120,4 +120,4 @@ void fuzz_read_stl(Bytes bytes)
     read(io::read_stl, "a.stl", bytes);
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

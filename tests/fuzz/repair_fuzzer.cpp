@@ -19,7 +19,7 @@
 #include "support/check_universe.h"
 #include "support/referee.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 namespace {
 
@@ -99,4 +99,4 @@ void fuzz_repair(Bytes input)
     }
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -12,7 +12,7 @@
 
 #include "fuzz/fuzzer.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST_P(FuzzSeeds, KeepTheirPromise)
 }
 
 }  // namespace
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 /// What a fuzzer has found: a sentence that should be true and is not. libFuzzer takes the uncaught exception for a
 /// crash and keeps the input; a replay reports it as a failed test.
@@ -18,4 +18,4 @@ inline void require(bool condition, const std::string& promise)
     if (!condition) throw BrokenPromise("broken promise: " + promise);
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

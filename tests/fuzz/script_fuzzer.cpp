@@ -4,11 +4,12 @@
 #include <sstream>
 #include <string>
 
+#include "common/files/file_error.h"
 #include "fuzz/fuzzers.h"
 #include "fuzz/require.h"
 #include "viewer/sim/script.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 void fuzz_script(Bytes bytes)
 {
@@ -29,4 +30,4 @@ void fuzz_script(Bytes bytes)
     require(sim::read_script(copy, "copy") == script, "a script reads back as it was written");
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

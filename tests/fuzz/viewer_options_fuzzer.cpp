@@ -8,7 +8,7 @@
 #include "viewer/app/exit_status.h"
 #include "viewer/app/options.h"
 
-namespace kerf::fuzz {
+namespace kerf::core::fuzz {
 
 void fuzz_viewer_options(Bytes bytes)
 {
@@ -28,4 +28,4 @@ void fuzz_viewer_options(Bytes bytes)
             "the place to enlarge is a place");
 }
 
-}  // namespace kerf::fuzz
+}  // namespace kerf::core::fuzz

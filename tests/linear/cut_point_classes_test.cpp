@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 TEST(CutPointClasses, JoinWhatIsMergedDirectlyOrThroughOthers)
@@ -43,4 +43,4 @@ TEST(CutPointClasses, MakeExistingPointsOneThatOneCutPointLiesOn)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

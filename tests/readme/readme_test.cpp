@@ -11,7 +11,7 @@
 
 // The program that the README shows, run where its paths are right.
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST_F(Readme, TheListingSaysThatItCannotWrite)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -17,7 +17,7 @@
 
 namespace {
 
-using namespace kerf;
+using namespace kerf::core;
 
 struct Tally
 {

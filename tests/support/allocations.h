@@ -38,3 +38,7 @@ public:
 };
 
 }  // namespace kerf::test
+
+namespace kerf::core::test {
+using namespace kerf::test;
+}

@@ -5,7 +5,7 @@
 #include "back_ends/back_ends.h"
 #include "baseline/report_back_ends.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 const std::vector<NamedBackend>& backends()
 {
@@ -34,4 +34,4 @@ std::vector<NamedBackend> one_of_each_kind()
     return chosen;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

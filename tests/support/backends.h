@@ -8,7 +8,7 @@
 
 #include "common/cutting/cut.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// A back end under test.
 struct NamedBackend
@@ -32,4 +32,4 @@ const std::vector<NamedBackend>& backends();
 /// which are equal bit for bit.
 std::vector<NamedBackend> one_of_each_kind();
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

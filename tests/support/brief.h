@@ -11,3 +11,7 @@ inline constexpr bool kBrief = false;
 #endif
 
 }  // namespace kerf::test
+
+namespace kerf::core::test {
+using namespace kerf::test;
+}

@@ -4,7 +4,7 @@
 
 #include <exception>
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 CgalMesh to_cgal(const IndexedMesh& mesh)
 {
@@ -42,4 +42,4 @@ std::vector<NamedBackend> fast_backends()
     return result;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

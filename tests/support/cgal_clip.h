@@ -12,7 +12,7 @@
 
 // CGAL's own clip as a referee of the cut: another method, exact predicates, other people's code.
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<CgalKernel::Point_3>;
@@ -26,4 +26,4 @@ std::optional<CgalMesh> cgal_clipped(CgalMesh mesh, const Plane& plane);
 /// Back ends that are not slow on purpose.
 std::vector<NamedBackend> fast_backends();
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

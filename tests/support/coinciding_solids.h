@@ -9,7 +9,7 @@
 
 #include "support/small_meshes.h"
 
-namespace kerf::small_meshes {
+namespace kerf::core::small_meshes {
 
 /// Solids on a small lattice: copies, their insides out, such that collapse, tetrahedra on triangles of others, and
 /// triangles with their backs. Closed: along each edge as many triangles run one way as the other.
@@ -81,4 +81,4 @@ inline bool turn_some_over(TriangleSoup& mesh, std::mt19937& random)
     });
 }
 
-}  // namespace kerf::small_meshes
+}  // namespace kerf::core::small_meshes

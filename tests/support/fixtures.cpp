@@ -6,7 +6,7 @@
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 IndexedMesh repaired(TriangleSoup soup)
 {
@@ -168,4 +168,4 @@ std::vector<NamedPlane> planes_for(const IndexedMesh& mesh, std::uint32_t count,
     return planes;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

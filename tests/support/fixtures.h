@@ -9,7 +9,7 @@
 #include "common/repair/repair.h"
 #include "common/support/random.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// A mesh with a name for failure messages.
 struct NamedMesh
@@ -33,7 +33,7 @@ const IndexedMesh& closed_shape(const std::string& name);
 /// Two triangles' worth of trouble each: meshes with boundary.
 const std::vector<NamedMesh>& open_shapes();
 
-/// kerf::Random with what tests draw from it.
+/// core::Random with what tests draw from it.
 class Random
 {
 public:
@@ -44,7 +44,7 @@ public:
     glm::dvec3 direction();  ///< uniform on the sphere
 
 private:
-    kerf::Random numbers_;
+    core::Random numbers_;
 };
 
 /// A plane with a name for failure messages.
@@ -58,4 +58,4 @@ struct NamedPlane
 /// through three vertices, in the plane of a face; and the axis planes through the centre of the bounds.
 std::vector<NamedPlane> planes_for(const IndexedMesh& mesh, std::uint32_t count, std::uint64_t seed);
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -12,7 +12,7 @@
 #include "support/referee.h"
 #include "support/surface_referee.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 namespace {
 
@@ -227,4 +227,4 @@ MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Back
     return trial;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -10,7 +10,7 @@
 
 // Any mesh at all through prepare(), cut() and all queries of every back end.
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// What became of a mesh.
 struct MeshTrial
@@ -28,4 +28,4 @@ struct MeshTrial
 ///                           referee; what was closed is not; a query names what is not there; sides differ ...
 MeshTrial try_mesh(const IndexedMesh& mesh, std::span<const std::unique_ptr<Backend>> backends, Random& random);
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -5,7 +5,7 @@
 
 #include "common/shapes/shapes.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 namespace {
 
@@ -213,4 +213,4 @@ Plane plane_across(const IndexedMesh& mesh, std::uint64_t seed)
     return planes[random.below(static_cast<std::uint32_t>(planes.size()))].plane;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -10,7 +10,7 @@
 // Open meshes that touch themselves: what a cut finds there begins and ends in many places, several of them at one
 // point.
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// A soup with a name for failure messages.
 struct NamedSoup
@@ -33,4 +33,4 @@ TriangleSoup sieve(std::uint64_t seed, std::uint32_t triangles, double left_out,
 /// planes_for() has them.
 Plane plane_across(const IndexedMesh& mesh, std::uint64_t seed);
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -5,7 +5,7 @@
 
 #include "support/fixtures.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 IndexedMesh prism_over(const Polygon& polygon)
 {
@@ -39,4 +39,4 @@ Polygon star(std::uint32_t points, std::uint32_t turns)
     return polygon;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

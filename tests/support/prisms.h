@@ -6,7 +6,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 using Polygon = std::vector<glm::dvec2>;
 
@@ -16,4 +16,4 @@ IndexedMesh prism_over(const Polygon& polygon);
 /// The star polygon {points / turns}, which winds around its middle that many times.
 Polygon star(std::uint32_t points, std::uint32_t turns);
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -4,7 +4,7 @@
 
 #include "common/shapes/shapes.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 std::uint32_t below(std::uint32_t bound)
 {
@@ -71,4 +71,4 @@ Case any_case()
     return make_case(name, repaired(*shapes::make(name, 12 + below(200), seed)), seed);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

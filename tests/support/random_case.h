@@ -10,7 +10,7 @@
 
 // What RapidCheck's properties of cut() are tried on.
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// A mesh somewhere in space and a plane worth cutting it by.
 struct Case
@@ -49,4 +49,4 @@ Case make_case(std::string name, IndexedMesh mesh, std::uint64_t seed);
 /// A fixture, or a generated shape with a random number of triangles.
 Case any_case();
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

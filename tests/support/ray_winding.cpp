@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 namespace {
 
@@ -94,4 +94,4 @@ void RayWinding::for_each_cell(const std::array<glm::dvec3, 3>& triangle, Visit 
         for (std::size_t x = cell(x0, 0); x <= cell(x1, 0); ++x) visit(y * cells_ + x);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -9,7 +9,7 @@
 
 #include "common/mesh/indexed_mesh.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// How often closed surfaces wind around a point: signed crossings of a ray towards larger z, decided by CGAL's exact
 /// orientation predicates. Asks nothing of the surfaces but that they are closed: neither that CGAL can store them nor
@@ -39,4 +39,4 @@ private:
     std::vector<std::uint32_t> in_cell_;
 };
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace kerf::referee {
+namespace kerf::core::referee {
 
 namespace {
 
@@ -320,4 +320,4 @@ std::vector<std::uint32_t> bytes_of(const IndexedMesh& mesh)
     return bytes;
 }
 
-}  // namespace kerf::referee
+}  // namespace kerf::core::referee

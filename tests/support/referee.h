@@ -13,7 +13,7 @@
 
 // Judges of cut results. They read positions, indices and ids, and share no code with what they judge.
 
-namespace kerf::referee {
+namespace kerf::core::referee {
 
 /// What IndexedMesh promises about sizes, indices, ids, groups and numbers, promise by promise as its comment has them.
 bool is_well_formed(const IndexedMesh& mesh);
@@ -75,4 +75,4 @@ std::vector<SurfaceTriangle> canonical_surface(const std::vector<std::unique_ptr
 /// The surface of each fragment, in order: what a side fell into, whichever came first.
 std::vector<std::vector<SurfaceTriangle>> canonical_pieces(const std::vector<std::unique_ptr<Cuttable>>& fragments);
 
-}  // namespace kerf::referee
+}  // namespace kerf::core::referee

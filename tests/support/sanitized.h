@@ -13,3 +13,7 @@ inline constexpr bool kAddressSanitized = false;
 #endif
 
 }  // namespace kerf::test
+
+namespace kerf::core::test {
+using namespace kerf::test;
+}

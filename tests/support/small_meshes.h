@@ -8,7 +8,7 @@
 
 // Tiny named meshes, so that a test reads in one line. Positions only; normals are left to repair().
 
-namespace kerf::small_meshes {
+namespace kerf::core::small_meshes {
 
 inline TriangleSoup soup(std::initializer_list<glm::vec3> positions, std::initializer_list<Triangle> triangles)
 {
@@ -97,4 +97,4 @@ inline TriangleSoup klein_bottle(std::uint32_t rows, std::uint32_t columns)
     });
 }
 
-}  // namespace kerf::small_meshes
+}  // namespace kerf::core::small_meshes

@@ -15,7 +15,7 @@
 
 // A referee over triangles as they come: welds by position and counts edges and fans. Shares no code with the library.
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 struct SurfaceFacts
 {
@@ -117,4 +117,4 @@ inline SurfaceFacts surface_facts(const TriangleSoup& soup)
     return facts;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -11,7 +11,7 @@
 // What IndexedMesh promises about edges and points, checked with maps and sets: slow, and without a line of the code
 // that it judges.
 
-namespace kerf::surface_referee {
+namespace kerf::core::surface_referee {
 
 struct Surface
 {
@@ -59,4 +59,4 @@ inline Surface judge(const IndexedMesh& mesh)
     return surface;
 }
 
-}  // namespace kerf::surface_referee
+}  // namespace kerf::core::surface_referee

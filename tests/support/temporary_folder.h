@@ -76,3 +76,7 @@ class FolderTest : public ::testing::Test, protected TemporaryFolder
 };
 
 }  // namespace kerf::test
+
+namespace kerf::core::test {
+using namespace kerf::test;
+}

@@ -16,3 +16,7 @@ bool forget_touched_memory();
 std::optional<std::size_t> touched_memory();
 
 }  // namespace kerf::test
+
+namespace kerf::core::test {
+using namespace kerf::test;
+}

@@ -8,7 +8,7 @@
 
 #include "common/shapes/shapes.h"
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 namespace {
 
@@ -655,4 +655,4 @@ IndexedMesh small_mesh(Random& random)
     return repaired(std::move(soup));
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

@@ -8,7 +8,7 @@
 
 // Meshes as a program may hand them over: each promise of IndexedMesh broken on purpose, and what is unusual but kept.
 
-namespace kerf::test {
+namespace kerf::core::test {
 
 /// What prepare() must say to a mesh that was changed in some way.
 enum class Verdict
@@ -33,4 +33,4 @@ std::span<const MeshChange> mesh_changes();
 /// materials and a stream now and then.
 IndexedMesh small_mesh(Random& random);
 
-}  // namespace kerf::test
+}  // namespace kerf::core::test

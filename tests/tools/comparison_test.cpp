@@ -153,8 +153,8 @@ Compared compare_with(const Spoil& spoil, const core::TriangleSoup& soup, std::u
     options.planes = 12;
     options.depth = depth;
     Compared outcome;
-    outcome.mesh =
-        compare_mesh(test::mesh_of(soup), honest(), add_liar(spoil), options, [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
+    outcome.mesh = compare_mesh(test::mesh_of(soup), honest(), add_liar(spoil), options,
+                                [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
     return outcome;
 }
 
@@ -189,10 +189,11 @@ TEST(Comparison, FindsNothingWhereThereIsNothing)
 
 TEST(Comparison, FindsOneBitOfOneAttribute)
 {
-    for (const Spoil& spoil : {Spoil([](core::IndexedMesh& m) { flip_last_bit(m.vertices[m.triangles[0][0]].uv.x); }),
-                               Spoil([](core::IndexedMesh& m) { flip_last_bit(m.vertices[m.triangles[0][1]].normal.y); }),
-                               Spoil([](core::IndexedMesh& m) { flip_last_bit(m.vertices[m.triangles[0][2]].position.z); }),
-                               Spoil([](core::IndexedMesh& m) { m.sources[0] += 1; })}) {
+    for (const Spoil& spoil :
+         {Spoil([](core::IndexedMesh& m) { flip_last_bit(m.vertices[m.triangles[0][0]].uv.x); }),
+          Spoil([](core::IndexedMesh& m) { flip_last_bit(m.vertices[m.triangles[0][1]].normal.y); }),
+          Spoil([](core::IndexedMesh& m) { flip_last_bit(m.vertices[m.triangles[0][2]].position.z); }),
+          Spoil([](core::IndexedMesh& m) { m.sources[0] += 1; })}) {
         const Compared outcome = compare_with(spoil, ball());
         EXPECT_EQ(outcome.rows_that_say("surface differs, positive side"), outcome.cuts());
         EXPECT_EQ(outcome.rows_that_say("surface differs, negative side"), outcome.cuts());
@@ -268,7 +269,8 @@ TEST(Comparison, FindsEqualCornersWrongSidesAndWrongVolumes)
         [](core::IndexedMesh& m) { m.vertices[m.triangles[0][0]].position = m.vertices[m.triangles[0][1]].position; },
         ball());
     EXPECT_EQ(equal.rows_that_say("with equal corners"), equal.cuts());
-    const Compared far = compare_with([](core::IndexedMesh& m) { m.vertices[m.triangles[0][0]].position *= -3.0f; }, ball());
+    const Compared far =
+        compare_with([](core::IndexedMesh& m) { m.vertices[m.triangles[0][0]].position *= -3.0f; }, ball());
     EXPECT_GT(far.rows_that_say("is on the wrong side by"), 0u);
     const Compared volume = compare_with(
         [](core::IndexedMesh& m) {
@@ -338,10 +340,8 @@ TEST(SectionFacts, TellWhatWindsBackwardsOrTwice)
 {
     const glm::dvec3 up{0, 0, 1};
     const Outline square = loop({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), hole = loop({{1, 1}, {1, 2}, {2, 2}, {2, 1}}),
-                      shifted = loop({{3, 3}, {7, 3}, {7, 7}, {3, 7}}), bow = loop({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
-    const auto facts = [&](const std::vector<Outline>& loops) {
-        return measure_winding(steps_of(loops), up).value();
-    };
+                  shifted = loop({{3, 3}, {7, 3}, {7, 7}, {3, 7}}), bow = loop({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+    const auto facts = [&](const std::vector<Outline>& loops) { return measure_winding(steps_of(loops), up).value(); };
     EXPECT_NEAR(facts({square, hole}).backward, 0.0, 1e-12);
     EXPECT_NEAR(facts({square, hole}).multiple, 0.0, 1e-12);
     EXPECT_NEAR(facts({hole}).backward, 1.0, 1e-12);
@@ -474,8 +474,8 @@ TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
     ComparisonOptions options;
     options.planes = 12;
     Compared outcome;
-    const ComparedMesh compared = compare_mesh(mesh, honest(), honest(), options,
-                                               [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
+    const ComparedMesh compared =
+        compare_mesh(mesh, honest(), honest(), options, [&](const ComparisonRow& row) { outcome.rows.push_back(row); });
     EXPECT_GT(outcome.cuts(), 8u);
     EXPECT_EQ(outcome.rows_that_say("volume error"), 0u);
     EXPECT_TRUE(compared.closed);
@@ -503,7 +503,9 @@ TEST(Comparison, FindsAWarningThatIsMissing)
 {
     // The fan's centre outside the section, and nothing said of it.
     const Compared outcome = compare_with(
-        [](core::IndexedMesh& m) { m.vertices[m.triangles[cap_of(m).first][0]].position += glm::vec3(9.0f, 9.0f, 9.0f); },
+        [](core::IndexedMesh& m) {
+            m.vertices[m.triangles[cap_of(m).first][0]].position += glm::vec3(9.0f, 9.0f, 9.0f);
+        },
         ball());
     EXPECT_GT(outcome.rows_that_say("halfedge does not say that its caps exceed the section by"), 0u);
 }

@@ -31,7 +31,7 @@ protected:
     }
 
     /// Cuts by a plane and reads both files again.
-    void check_cut(const std::filesystem::path& file, const io::LoadedMesh& whole, const glm::dvec3& point,
+    void check_cut(const std::filesystem::path& file, const core::io::LoadedMesh& whole, const glm::dvec3& point,
                    const glm::dvec3& normal)
     {
         const auto text = [](const glm::dvec3& v) { return Json({v.x, v.y, v.z}).dump(); };
@@ -41,15 +41,16 @@ protected:
                                    bare(text(normal)) + " --format ply --out half");
         if (cut["status"] == "missed") return;
         ++cuts_;
-        const MeshFacts before = measure(whole.mesh);
-        const Plane plane = *Plane::through(point, normal);
-        const double noise = plane_noise(before.bounds.largest_coordinate());
+        const core::MeshFacts before = core::measure(whole.mesh);
+        const core::Plane plane = *core::Plane::through(point, normal);
+        const double noise = core::plane_noise(before.bounds.largest_coordinate());
         double volume = 0.0, surface = 0.0;
         for (const char* side : {"positive", "negative"}) {
-            const io::LoadedMesh half = io::read_mesh(folder_ / ("half." + std::string(side) + ".ply"));
+            const core::io::LoadedMesh half = core::io::read_mesh(folder_ / ("half." + std::string(side) + ".ply"));
             EXPECT_EQ(half.facts.degenerate_triangles, 0u);
             const double sign = side[0] == 'p' ? 1.0 : -1.0;
-            for (const Vertex& v : half.mesh->vertices) ASSERT_GE(sign * plane.signed_distance(v.position), -noise);
+            for (const core::Vertex& v : half.mesh->vertices)
+                ASSERT_GE(sign * plane.signed_distance(v.position), -noise);
             volume += cut[side]["volume"].get<double>();
             surface += cut[side]["surface_area"].get<double>();
             if (!before.closed()) continue;
@@ -69,7 +70,7 @@ protected:
         std::mt19937 random(1);
         std::uniform_real_distribution<double> between(-1.0, 1.0);
         for (const std::filesystem::path& file : files) {
-            const io::LoadedMesh whole = io::read_mesh(file);
+            const core::io::LoadedMesh whole = core::io::read_mesh(file);
             const glm::dvec3 centre = whole.mesh->bounds().centre();
             const auto any_direction = [&] { return glm::dvec3(between(random), between(random), between(random)); };
             check_cut(file, whole, centre, any_direction());
@@ -81,7 +82,7 @@ protected:
             };
             check_cut(file, whole, vertex(0), any_direction());
             // In a face.
-            const Triangle& t = whole.mesh->triangles[whole.mesh->triangles.size() / 2];
+            const core::Triangle& t = whole.mesh->triangles[whole.mesh->triangles.size() / 2];
             const auto p = [&](std::size_t i) { return glm::dvec3(whole.mesh->vertices[t[i]].position); };
             check_cut(file, whole, p(0), glm::cross(p(1) - p(0), p(2) - p(0)));
         }

@@ -324,8 +324,8 @@ TEST_F(KerfCut, GivesTheSameBytesOnEveryRunAndWithEveryLookup)
         const Json cut = kerf_json("cut in.ply --normal 1,1,0 --out again --lookup " + lookup);
         EXPECT_NE(cut["backend"].get<std::string>().find(lookup), std::string::npos);
         for (const std::string side : {".positive.obj", ".negative.obj"}) {
-            const io::LoadedMesh a = io::read_mesh(folder_ / ("first" + side)),
-                                 b = io::read_mesh(folder_ / ("again" + side));
+            const core::io::LoadedMesh a = core::io::read_mesh(folder_ / ("first" + side)),
+                                       b = core::io::read_mesh(folder_ / ("again" + side));
             EXPECT_EQ(a.facts.triangles, b.facts.triangles);
             EXPECT_EQ(a.facts.volume, b.facts.volume) << lookup;
             if (lookup == "hash") {

@@ -15,7 +15,7 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
     const std::vector<std::string> before = names_in_folder();
     const std::string cut =
         "cut comb.ply --backend baseline --normal 0,1,0 --point 0,0.2,0 --components --format stl --out q";
-    Stopwatch watch;
+    core::Stopwatch watch;
     ASSERT_EQ(kerf(cut).status, 0);
     double ms = watch.lap();
     const std::vector<std::string> all = names_in_folder();

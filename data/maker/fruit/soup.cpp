@@ -13,12 +13,12 @@
 namespace kerf::maker {
 namespace {
 
-Material material_named(std::string_view name)
+core::Material material_named(std::string_view name)
 {
     const auto found = std::find_if(kFruitMaterials.begin(), kFruitMaterials.end(),
                                     [&](const FruitMaterial& m) { return m.name == name; });
     if (found == kFruitMaterials.end()) throw std::logic_error("there is no material '" + std::string(name) + "'");
-    Material material;
+    core::Material material;
     material.name = name;
     material.colour = glm::vec4(found->colour, 1.0f);
     return material;
@@ -30,7 +30,7 @@ class SoupMaker
 public:
     explicit SoupMaker(const PolyMesh& source) : mesh_(with_rounded_points(source)), normals_(corner_normals(mesh_)) {}
 
-    TriangleSoup make()
+    core::TriangleSoup make()
     {
         for (std::size_t f = 0; f < mesh_.facets.size(); ++f) add(f);
         return std::move(soup_);
@@ -76,12 +76,12 @@ private:
     const PolyMesh mesh_;
     const std::vector<std::vector<glm::dvec3>> normals_;
     std::map<std::array<float, 8>, std::uint32_t> vertices_;
-    TriangleSoup soup_;
+    core::TriangleSoup soup_;
 };
 
 }  // namespace
 
-TriangleSoup soup_of(const PolyMesh& mesh)
+core::TriangleSoup soup_of(const PolyMesh& mesh)
 {
     return SoupMaker(mesh).make();
 }

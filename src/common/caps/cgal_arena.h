@@ -4,8 +4,6 @@
 #include <new>
 #include <utility>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Memory of one cap's triangulation, freed as a whole. CGAL's containers lose a block if the next allocation fails

@@ -6,8 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "common/support/core_names.h"
-
 // A tree of boxes along the edges of a loop, to find those that a box meets.
 
 namespace kerf::core {

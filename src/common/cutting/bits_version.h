@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// The version of the results' bits. "The same object and the same plane give the same bytes" holds as long as this

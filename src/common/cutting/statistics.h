@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "common/support/core_names.h"
-
 // The cost of a cut: exact counters, and times.
 
 namespace kerf::core {

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::io {
 
 /// Where a writer puts its bytes.

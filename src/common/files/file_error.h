@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::io {
 
 /// A file that cannot be read or written. what() is one sentence that names the file and the reason.

@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "common/support/core_names.h"
-
 // Temporary files are removed if a signal ends the program.
 
 namespace kerf::core::io {

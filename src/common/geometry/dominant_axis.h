@@ -3,8 +3,6 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// The axis along which a vector is longest: 0, 1 or 2. Dropping the dominant axis of a plane's normal projects the

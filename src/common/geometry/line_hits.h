@@ -5,8 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// A place on a line at which it goes through a closed outline or surface.

@@ -4,7 +4,6 @@
 #include <glm/vec2.hpp>
 
 #include "common/mesh/float_rules.h"
-#include "common/support/core_names.h"
 
 // The exact sign of a turn: on which side of a directed line a point of the plane lies.
 

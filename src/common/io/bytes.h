@@ -7,8 +7,6 @@
 #include <cstring>
 #include <string>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::io {
 
 enum class Endian : std::uint8_t

@@ -5,8 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::io {
 
 /// Something in a file that says nothing about the surface and that a reader put right or passed over.

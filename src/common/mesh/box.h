@@ -4,8 +4,6 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Axis-aligned box lo <= p <= hi. A default box is empty: it contains nothing and grows from there.

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Allocator that leaves trivial elements uninitialised on resize(): a linear cutter that zeroes 30 MB before it writes

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstring>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Four floats: what every x86-64 and every 64-bit ARM computes in one step.

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// The number of a vertex, a point, a triangle or the like, counted from 0.

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Whether all coordinates are.

@@ -2,8 +2,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// True if `a` comes before `b` in the order by x, then y, then z.

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/support/core_names.h"
-
 // The two sides of a plane.
 
 namespace kerf::core {

@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Number of directions of the bounded hull, hence the bound on its points.

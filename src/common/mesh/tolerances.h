@@ -6,8 +6,6 @@
 
 #include <cstddef>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Units in the last place of the prepared mesh's largest coordinate, as plane_noise(): how far from the plane a side

@@ -2,8 +2,6 @@
 
 #include <ctime>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Time that the calling thread has spent on a processor, its page faults included, in seconds since construction or

@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// The middle value; the upper one of an even number, 0 of none. O(n).

@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", 2014). The distributions of the

@@ -4,8 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "common/support/core_names.h"
-
 // Phrases for the sentences that tell the fault of an input.
 
 namespace kerf::core {

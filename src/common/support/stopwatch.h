@@ -2,8 +2,6 @@
 
 #include <chrono>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core {
 
 /// Wall-clock time in milliseconds since construction or the last lap().

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::halfedge {
 
 /// A vector whose elements are used again and again without being made anew: add() returns one as it was left.

@@ -3,8 +3,6 @@
 #include <mutex>
 #include <shared_mutex>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::halfedge {
 
 /// A std::shared_mutex (many readers or one writer) that takes turns: readers that come after a waiting writer wait for

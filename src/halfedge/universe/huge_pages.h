@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::halfedge {
 
 /// Asks the operating system to back a large block by large pages, before it is touched: a cut reads a little

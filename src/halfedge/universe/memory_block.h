@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "common/support/core_names.h"
-
 namespace kerf::core::halfedge {
 
 /// A run of memory that can grow where it stands. A large block has addresses for many times its size: they are

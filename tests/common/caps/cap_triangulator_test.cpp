@@ -13,7 +13,7 @@
 #include "support/fixtures.h"
 #include "support/referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 std::unique_ptr<CapTriangulator> make_untangling()
@@ -520,4 +520,4 @@ TEST(TopologicalTriangulator, ClosesAnythingWithTheRightSignedArea)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include "common/caps/constrained_triangulator.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Edges = std::vector<std::array<Index, 2>>;
@@ -80,4 +80,4 @@ TEST(RouteFinder, RefusesPlacesInOneLine)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -9,7 +9,7 @@
 
 #include "common/support/random.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 const Plane kGround{{0, 0, 1}, 0.0};
@@ -123,4 +123,4 @@ TEST(Holes, OneThatLiesInNoLoopStaysAlone)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -10,7 +10,7 @@
 
 #include "support/fixtures.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::Random;
@@ -112,4 +112,4 @@ TEST(NearPlaces, AreFoundWithoutLookingAtAllOfThem)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

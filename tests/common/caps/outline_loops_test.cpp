@@ -11,7 +11,7 @@
 
 #include "common/caps/section_area.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
@@ -255,4 +255,4 @@ TEST(SectionArea, IsPositiveCounterClockwiseSeenFromThePositiveSideAndHasTheSame
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 
 #include "common/cutting/back_end_helpers.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 /// Materials of these names.
@@ -77,4 +77,4 @@ TEST(CapMaterial, IsFoundAtOnceAmongManyThousandsOfItsKind)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Corners = std::array<glm::vec3, 3>;
@@ -173,4 +173,4 @@ TEST(CoplanarSide, IsBehindTheTriangleWhicheverCornerComesFirst)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

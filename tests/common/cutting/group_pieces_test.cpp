@@ -11,7 +11,7 @@
 #include "common/mesh/plane_frame.h"
 #include "common/shapes/shapes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 void no_crossings(std::span<const AxisRay>, const std::vector<bool>&, const AddCrossing&)
@@ -451,4 +451,4 @@ RC_GTEST_PROP(Pieces, DoNotDependOnTheOrderOfEdgesAndPoints, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

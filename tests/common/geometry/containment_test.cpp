@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -142,4 +142,4 @@ TEST(WindingNumbers, WithAsManySamplesInAsOutItLiesOutside)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 TEST(DisjointSets, EachElementIsItsOwnSetAtFirst)
@@ -78,4 +78,4 @@ RC_GTEST_PROP(DisjointSets, AreTheSetsThatColouringGivesInWhateverOrder, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

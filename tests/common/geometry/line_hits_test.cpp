@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 std::optional<double> middle(std::vector<LineHit> hits)
@@ -65,4 +65,4 @@ RC_GTEST_PROP(LineHits, TheMiddleIsInside, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 TEST(PairTable, KnowsNothingAtFirst)
@@ -59,4 +59,4 @@ RC_GTEST_PROP(PairTable, HoldsWhatAMapHoldsHoweverLittleRoomWasAskedFor, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 /// A point of a small lattice: rays meet corners, edges and planes of triangles.
@@ -47,4 +47,4 @@ TEST(ParallelRays, MissABoxThatAllOfThemPass)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 int number(int below)
@@ -49,4 +49,4 @@ RC_GTEST_PROP(PointTree, FindsWhatALoopFindsWhileWhatWasFoundIsRemoved, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 constexpr std::array<std::pair<int, bool>, 6> kDirections{
@@ -70,4 +70,4 @@ TEST(RayCrossing, IsNegativeInsideASurfaceThatIsInsideOut)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

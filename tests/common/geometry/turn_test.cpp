@@ -13,7 +13,7 @@
 #include <limits>
 #include <random>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -161,4 +161,4 @@ TEST(Turn, SeesWhatIsTooSmallToChangeADifference)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 /// Hides a value from the optimiser.
@@ -33,4 +33,4 @@ TEST(FloatRules, ProductsAreRoundedBeforeTheyAreAdded)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

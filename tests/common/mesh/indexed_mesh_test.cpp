@@ -9,7 +9,7 @@
 #include "common/repair/repair.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 /// A sound mesh with a stream, two groups and two materials.
@@ -143,4 +143,4 @@ TEST(Bounds, AreTheSmallestBoxAroundAllVertices)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -11,7 +11,7 @@
 #include "common/mesh/mass_moments.h"
 #include "common/shapes/shapes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 // Generated shapes are whole already: only the fields that mass_properties() reads are filled in.
@@ -196,4 +196,4 @@ RC_GTEST_PROP(MassMoments, OfATetrahedronMatchNumericalIntegration, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 TEST(Plane, SignedDistanceGrowsAlongTheNormal)
@@ -76,4 +76,4 @@ TEST(PlaneFrame, GivesUvThatFloatsCanHold)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

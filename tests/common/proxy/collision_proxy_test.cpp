@@ -14,7 +14,7 @@
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 bool before(const glm::vec3& a, const glm::vec3& b)
@@ -87,7 +87,7 @@ RC_GTEST_PROP(SupportPoints, AreThoseOfASimpleLoopForAnyNumberOfVertices, ())
 {
     // Few different coordinates: ties everywhere.
     const std::size_t count = *rc::gen::inRange<std::size_t>(1, 400);
-    kerf::Random random(*rc::gen::arbitrary<std::uint32_t>());
+    core::Random random(*rc::gen::arbitrary<std::uint32_t>());
     const std::uint32_t values = *rc::gen::inRange(1u, 20u);
     Buffer<Vertex> vertices(count);
     for (Vertex& v : vertices) {
@@ -197,4 +197,4 @@ TEST(BoundedHull, OfOnePointOrAFlatSetHasNoFaces)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -15,7 +15,7 @@
 #include "common/shapes/shapes.h"
 #include "common/support/random.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Points = std::vector<glm::vec3>;
@@ -100,7 +100,7 @@ void expect_hull(const Points& points, const ConvexHull& hull)
 
 Points random_points(std::uint64_t seed, std::size_t count)
 {
-    kerf::Random random(seed);
+    core::Random random(seed);
     Points points;
     for (std::size_t i = 0; i < count; ++i) {
         const double x = random.unit(), y = random.unit(), z = random.unit();
@@ -126,7 +126,7 @@ TEST(ConvexHull, ReachesAsFarAsThePointsInEveryDirection)
         const Points points = random_points(seed, 2000);
         const ConvexHull hull = convex_hull(points);
         expect_hull(points, hull);
-        kerf::Random random(seed);
+        core::Random random(seed);
         for (int k = 0; k < 200; ++k) {
             const double x = random.unit() - 0.5, y = random.unit() - 0.5, z = random.unit() - 0.5;
             const glm::dvec3 d = glm::normalize(glm::dvec3(x, y, z));
@@ -294,4 +294,4 @@ TEST(ConvexHull, SurvivesExtremeCoordinates)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

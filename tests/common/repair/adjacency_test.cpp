@@ -13,7 +13,7 @@
 #include "support/coinciding_solids.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using namespace small_meshes;
@@ -110,4 +110,4 @@ TEST(Adjacency, FollowsTheOrderOfTriangles)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -10,7 +10,7 @@
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
@@ -119,4 +119,4 @@ TEST(CleanSoup, SetsStreamValuesThatAreNotFiniteToZero)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -8,7 +8,7 @@
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using namespace small_meshes;
@@ -47,4 +47,4 @@ TEST(HalfedgesByEdge, SortsTheHubOfALargeFanToo)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

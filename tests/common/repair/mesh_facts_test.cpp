@@ -6,7 +6,7 @@
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using namespace small_meshes;
@@ -123,4 +123,4 @@ TEST(MeshFacts, OfNothingAreZero)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

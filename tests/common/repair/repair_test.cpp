@@ -15,7 +15,7 @@
 #include "support/small_meshes.h"
 #include "support/surface_referee.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using namespace small_meshes;
@@ -566,4 +566,4 @@ RC_GTEST_PROP(Repair, OrientsAnySurfaceWhoseTrianglesWereTurnedAtRandom, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

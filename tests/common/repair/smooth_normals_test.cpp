@@ -8,7 +8,7 @@
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using namespace small_meshes;
@@ -60,4 +60,4 @@ TEST(SmoothNormals, OfTrianglesWithoutAreaAreStillUnit)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -12,7 +12,7 @@
 #include "common/shapes/shapes.h"
 #include "support/small_meshes.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using namespace small_meshes;
@@ -241,4 +241,4 @@ TEST(Solids, ThousandsOfShellsTakeNoQuadraticStep)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

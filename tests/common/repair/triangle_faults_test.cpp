@@ -11,7 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using List = std::vector<TriangleFault>;
@@ -230,4 +230,4 @@ TEST(Duplicates, AreAsManyInWhateverOrderTrianglesAndPointsCome)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

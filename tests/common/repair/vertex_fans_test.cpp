@@ -8,7 +8,7 @@
 
 #include "common/repair/halfedges_by_edge.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 /// `k` leaves of two triangles each, back to back, that hang on one edge: each is the other's neighbour on the outside,
@@ -169,4 +169,4 @@ TEST(FindFans, TakesStepsInProportionToAnEdgeThatManyShare)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

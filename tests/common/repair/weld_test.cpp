@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
@@ -135,4 +135,4 @@ RC_GTEST_PROP(FirstEqualVertices, ComparingAllWithAllGivesTheSame, ())
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

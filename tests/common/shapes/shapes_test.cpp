@@ -9,7 +9,7 @@
 #include "common/mesh/box.h"
 #include "support/surface_facts.h"
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 using test::surface_facts;
@@ -370,4 +370,4 @@ TEST(Shuffled, KeepsTheTrianglesAndLosesTheOrder)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 // The numbers of the authors' program (splitmix64.c) for the seed 1234567.
@@ -34,4 +34,4 @@ TEST(SplitMix, KeepsToItsRanges)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core

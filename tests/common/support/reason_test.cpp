@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kerf {
+namespace kerf::core {
 namespace {
 
 TEST(Reason, QuotesWordsWithoutControlCharacters)
@@ -28,4 +28,4 @@ TEST(Reason, SaysHowManyThereAre)
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::core
