@@ -65,6 +65,7 @@ STYLES = {
     "baseline/two_bucket_hash": Style("purple", "v", "-."),
     "baseline/hash": Style("orange", "s", "--"),
     "baseline/remap": Style("blue", "^", "-"),
+    "linear": Style("green", "<", "-"),
     "halfedge": Style("vermilion", "o", "-"),
     "report": Style("ink", "D", "-"),
     "cgal_clip": Style("green", "P", "--"),
