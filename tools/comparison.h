@@ -110,9 +110,9 @@ struct ComparedMesh
     std::uint64_t rows = 0, failed_rows = 0;
 };
 
-/// Prepares a mesh with both back ends, named as find_back_end() knows them, cuts it by every plane and hands each row to `take_row` as soon as it is known.
-/// A piece that its plane misses is tried with a few other planes; pieces of different surfaces are not cut again.
-/// O(n) for each row.
+/// Prepares a mesh with both back ends, named as find_back_end() knows them, cuts it by every plane and hands each row
+/// to `take_row` as soon as it is known. A piece that its plane misses is tried with a few other planes; pieces of
+/// different surfaces are not cut again. O(n) for each row.
 /// @throws std::runtime_error  the mesh cannot be prepared, or memory runs out; one sentence
 ComparedMesh compare_mesh(const Mesh& mesh, const std::string& baseline, const std::string& halfedge,
                           const ComparisonOptions& options, const std::function<void(const ComparisonRow&)>& take_row);

@@ -5,7 +5,8 @@
 
 namespace kerf::tools {
 
-/// Back ends that a user asks for by one name and a lookup: those of the library and of the report, with "family/lookup" taken apart.
+/// Back ends that a user asks for by one name and a lookup: those of the library and of the report, with
+/// "family/lookup" taken apart.
 struct BackendFamily
 {
     std::string name;

@@ -27,7 +27,8 @@ struct BackEndFacts
     bool is_quadratic = false;     ///< a cut of n triangles costs O(n^2)
 };
 
-/// How many back ends there are: those of the build, the best for many cuts first, and those that the program has added.
+/// How many back ends there are: those of the build, the best for many cuts first, and those that the program has
+/// added.
 KERF_API std::size_t back_end_count() noexcept;
 /// Back end i, or one without a name.
 KERF_API BackEndFacts back_end(std::size_t i) noexcept;

@@ -12,7 +12,8 @@ struct CutOptions
     bool components = false;             ///< each side as its connected pieces, not as one object
     std::uint32_t cap_material = kNone;  ///< of the caps; a number that the object lacks: one named "cap" is added
     double cap_uv_scale = 1.0;           ///< uv of a cap for each unit of length, along two axes of the plane
-    /// Width of the blade, in the mesh's unit: what lies within half of it on either side is taken away. 0 takes nothing.
+    /// Width of the blade, in the mesh's unit: what lies within half of it on either side is taken away. 0 takes
+    /// nothing.
     double gap = 0.0;
 };
 
@@ -34,7 +35,8 @@ struct [[nodiscard]] KERF_API Cut
     std::size_t count(Side side) const noexcept;
     /// Piece i of a side; null beyond the last.
     ///
-    ///     for (std::size_t i = 0; kerf::Object* piece = cut.piece(kerf::Side::positive, i); ++i) keep(std::move(*piece));
+    ///     for (std::size_t i = 0; kerf::Object* piece = cut.piece(kerf::Side::positive, i); ++i)
+    ///         keep(std::move(*piece));
     Object* piece(Side side, std::size_t i) noexcept;
     /// The piece of a side with the most triangles; null if nothing is there. Without CutOptions::components there is
     /// one piece at most.
@@ -61,12 +63,12 @@ private:
 /// What became of a cut in one word, for logs and files: "cut", "missed", "open_section", ... Never null.
 KERF_API const char* outcome_name(Status status) noexcept;
 
-/// Cuts an object by a plane, in the object's own coordinates, and consumes it; it comes back in `Cut::object` if it was
-/// not cut. The same object and plane give the same bytes in every run (kerf/version.h: bits_version()).
+/// Cuts an object by a plane, in the object's own coordinates, and consumes it; it comes back in `Cut::object` if it
+/// was not cut. The same object and plane give the same bytes in every run (kerf/version.h: bits_version()).
 ///
 /// Half-edge back end: O(s log n + k) for a section of k triangles in s leaves of the tree; linear: O(n).
-/// Status: `done`, `open_section`, `missed`, `invalid_argument` (an empty object, a gap or a scale that is not finite, a
-/// gap below 0), `out_of_memory`. All but the first two leave the object as it was.
+/// Status: `done`, `open_section`, `missed`, `invalid_argument` (an empty object, a gap or a scale that is not finite,
+/// a gap below 0), `out_of_memory`. All but the first two leave the object as it was.
 ///
 /// A gap cuts twice: what is above it goes to the positive side, what is below to the negative one, and what is left is
 /// thrown away; that may be all of the object. If memory runs out in the second cut, the status is `out_of_memory` and

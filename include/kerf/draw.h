@@ -29,14 +29,15 @@ struct DrawRange
     TriangleKind kind = TriangleKind::surface;
 };
 
-/// What to draw. Relatives (Object::shares_buffers_with()) have the same buffers: each of their views names all of them,
-/// and ranges of its own. What a view shows stays where and as it is until the object ends or is cut or detached, also
-/// while relatives are cut: buffers only grow, behind what a view shows.
+/// What to draw. Relatives (Object::shares_buffers_with()) have the same buffers: each of their views names all of
+/// them, and ranges of its own. What a view shows stays where and as it is until the object ends or is cut or
+/// detached, also while relatives are cut: buffers only grow, behind what a view shows.
 ///
 /// One view can be filled again and again (Object::draw()), which saves the allocation of its ranges in each frame.
 ///
 ///     object.draw(view);
-///     upload(view.buffers, view.vertices.subspan(view.new_vertices_from), view.indices.subspan(view.new_indices_from));
+///     upload(view.buffers, view.vertices.subspan(view.new_vertices_from),
+///            view.indices.subspan(view.new_indices_from));
 ///     object.mark_uploaded(view);
 ///     for (const kerf::DrawRange& range : view.ranges) draw(view.buffers, range);
 struct KERF_API DrawView

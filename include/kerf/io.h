@@ -9,6 +9,9 @@
 #include <span>
 
 // Mesh files. Component `io`. docs/files.md says what is read and written, format by format.
+//
+// If memory runs out, the status is `out_of_memory`; but glTF and GLB hold a JSON document, and the library that reads it
+// takes some memory to let go of one: if even that is not there, the program ends.
 
 namespace kerf {
 

@@ -11,8 +11,8 @@ struct KERF_API MassProperties
     double volume = 0.0;
     Vec3d centre;   ///< of mass; of the bounds if there is no volume
     Mat3d inertia;  ///< about the centre, along the axes of the mesh
-    /// Whether the surface is known to bound a solid: the mesh was closed, and so is each cut since. Otherwise these are
-    /// sums over a surface that may bound nothing.
+    /// Whether the surface is known to bound a solid: the mesh was closed, and so is each cut since. Otherwise these
+    /// are sums over a surface that may bound nothing.
     bool is_of_solid = false;
 
     /// The same body of another density: its mass, and its inertia.

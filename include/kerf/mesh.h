@@ -77,8 +77,8 @@ struct Repairs
     friend bool operator==(const Repairs&, const Repairs&) = default;
 };
 
-/// One clause for each kind of repair that occurred, for people: "3 degenerate triangles dropped, 2 points split"; empty
-/// if nothing was repaired.
+/// One clause for each kind of repair that occurred, for people: "3 degenerate triangles dropped, 2 points split";
+/// empty if nothing was repaired.
 KERF_API Sentence describe(const Repairs& repairs) noexcept;
 
 /// Facts of a mesh as it was given.
@@ -143,8 +143,8 @@ struct MeshReport
     Repairs repairs;
 };
 
-/// A mesh that can be cut. It can't be changed, and copies share it: they cost O(1). An empty one has no triangles; every
-/// call says `invalid_mesh` to it. Const members may be called from any threads.
+/// A mesh that can be cut. It can't be changed, and copies share it: they cost O(1). An empty one has no triangles;
+/// every call says `invalid_mesh` to it. Const members may be called from any threads.
 class KERF_API Mesh
 {
 public:
@@ -173,8 +173,8 @@ public:
     std::uint64_t vertex_count() const noexcept;
     /// Whether the surface has no boundary, so that it bounds solids. O(n).
     bool is_closed() const noexcept;
-    /// A warning: the shortest edge is so short, and the mesh so far from the origin or so large, that rounding to float
-    /// moves cut points by a considerable part of it. Cuts are closed all the same. O(n).
+    /// A warning: the shortest edge is so short, and the mesh so far from the origin or so large, that rounding to
+    /// float moves cut points by a considerable part of it. Cuts are closed all the same. O(n).
     bool has_coarse_coordinates() const noexcept;
     Box bounds() const noexcept;
 
@@ -209,9 +209,9 @@ struct VertexOrigin
     float weights[3] = {0.0f, 0.0f, 0.0f};
 };
 
-/// For each vertex of `mesh`, which was made of `input` or cut out of what was: where it lies in the input. Weights are
-/// exact for vertices of the input, otherwise rounded. For attributes that Kerf knows nothing of. O(n).
-/// (The weights are those of the nearest point in the source triangle: Ericson, "Real-Time Collision Detection", 5.1.5.)
+/// For each vertex of `mesh`, which was made of `input` or cut out of what was: where it lies in the input. Weights
+/// are exact for vertices of the input, otherwise rounded. For attributes that Kerf knows nothing of. O(n). (The
+/// weights are those of the nearest point in the source triangle: Ericson, "Real-Time Collision Detection", 5.1.5.)
 ///
 /// @param origins  one for each vertex of `mesh`
 /// @return  `invalid_argument`, with nothing written, if there are fewer or more, or if `input` has no triangle that

@@ -40,12 +40,12 @@ struct SectionLoop
     bool is_closed = true;
 };
 
-/// Something that can be cut: made by prepare(), or a piece of a cut. Move-only; its members are hidden, so programs stay
-/// source-compatible within a version. An empty object (made by default, moved from, or spent by a cut) has nothing, and
-/// every call says so.
+/// Something that can be cut: made by prepare(), or a piece of a cut. Move-only; its members are hidden, so programs
+/// stay source-compatible within a version. An empty object (made by default, moved from, or spent by a cut) has
+/// nothing, and every call says so.
 ///
-/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: pieces of one prepare() or clone(). To read
-/// is to call a const member; to change is all else, and the end of an object.
+/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: pieces of one prepare() or clone(). To
+/// read is to call a const member; to change is all else, and the end of an object.
 ///
 /// | one thread                | another thread | same object | relative     | stranger |
 /// |---------------------------|----------------|-------------|--------------|----------|
@@ -75,32 +75,33 @@ public:
     Box bounds() const noexcept;
     /// O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an empty object.
     MassProperties mass_properties() const noexcept;
-    /// A compact copy of the triangles: what to write or to hand on. O(n). Status: `out_of_memory`, `invalid_argument` for
-    /// an empty object.
+    /// A compact copy of the triangles: what to write or to hand on. O(n). Status: `out_of_memory`, `invalid_argument`
+    /// for an empty object.
     Result<Mesh> mesh() const noexcept;
 
     /// The outlines of the cut that made this piece; none before any cut.
     std::size_t loop_count() const noexcept;
     SectionLoop loop(std::size_t i) const noexcept;
 
-    /// Fills a view, new or used: what to draw. Status: `invalid_argument` for an empty object, `out_of_memory`; then the
-    /// view is empty.
+    /// Fills a view, new or used: what to draw. Status: `invalid_argument` for an empty object, `out_of_memory`; then
+    /// the view is empty.
     Status draw(DrawView& view) const noexcept;
     /// What `view` calls new is on the GPU now.
     void mark_uploaded(const DrawView& view) noexcept;
 
     bool shares_buffers_with(const Object& other) const noexcept;
-    /// Gives the object buffers of its own; then it is a stranger to all others. O(n) if it has relatives. Status: `done`
-    /// or `out_of_memory`, and the object is as it was.
+    /// Gives the object buffers of its own; then it is a stranger to all others. O(n) if it has relatives. Status:
+    /// `done` or `out_of_memory`, and the object is as it was.
     Status detach() noexcept;
     /// Whether many cuts have scattered the object over shared buffers, so that it is worth to compact() it.
     bool is_scattered() const noexcept;
-    /// Moves the object into buffers of its own that hold nothing else. Nothing of the object changes but where it lies:
-    /// all of it is to be uploaded again. O(n). Status: `done`, `invalid_argument` for an empty object, or
+    /// Moves the object into buffers of its own that hold nothing else. Nothing of the object changes but where it
+    /// lies: all of it is to be uploaded again. O(n). Status: `done`, `invalid_argument` for an empty object, or
     /// `out_of_memory`, and the object is as it was.
     Status compact() noexcept;
 
-    /// Adds a material, for caps of later cuts. Returns its number, or kNone if there is no memory or the object is empty.
+    /// Adds a material, for caps of later cuts. Returns its number, or kNone if there is no memory or the object is
+    /// empty.
     std::uint32_t add_material(const Material& material) noexcept;
     std::size_t material_count() const noexcept;
     /// Its texts live as long as the object; one without a name if there is none of that number.

@@ -68,9 +68,9 @@ public:
     /// The same places, with the sides exchanged.
     Plane flipped() const noexcept;
 
-    /// This plane of the world as the object sees it that the matrix places there. The sides stay those of the world, so
-    /// a matrix that mirrors or shears is right, too. Nothing if the matrix has no inverse or its last row is not 0, 0,
-    /// 0, 1.
+    /// This plane of the world as the object sees it that the matrix places there. The sides stay those of the world,
+    /// so a matrix that mirrors or shears is right, too. Nothing if the matrix has no inverse or its last row is not
+    /// 0, 0, 0, 1.
     std::optional<Plane> to_local(const Mat4d& object_to_world) const noexcept;
 
     /// Signed distance of a point, in the units of the mesh: positive on the positive side.

@@ -17,9 +17,9 @@ namespace kerf {
 KERF_API const char* version() noexcept;
 
 /// The version of the results' bits. The same object, plane and options give the same bytes as long as this number
-/// stays: with every back end, compiler, optimisation and machine with IEEE floats. A release in which a surface, a cap
-/// or a written file gets other bytes has a higher number. Whoever keeps results beside their inputs (a cache, a replay,
-/// a lockstep game) keeps this number, too.
+/// stays: with every back end, compiler, optimisation and machine with IEEE floats. A release in which a surface, a
+/// cap or a written file gets other bytes has a higher number. Whoever keeps results beside their inputs (a cache, a
+/// replay, a lockstep game) keeps this number, too.
 KERF_API std::uint32_t bits_version() noexcept;
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #include "viewer/app/options.h"
 
+#include <kerf/version.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "viewer/app/run_report.h"
 
+#include <kerf/version.h>
+
 #include <iostream>
 #include <string>
 

@@ -38,12 +38,14 @@ sim::Settings settings_of(const Options& options, const sim::Script& script, con
 
 /// Reads the script and the models that its scene throws, for settings_of() them.
 /// A model that cannot be read is a message as long as there is another one.
-/// @throws core::io::FileError          no model can be read, or the script cannot; or the run would write over one of them
+/// @throws core::io::FileError          no model can be read, or the script cannot; or the run would write over one of
+///                                     them
 /// @throws std::invalid_argument  the script names a collision proxy that there is not
 RunSetup read_run_setup(const Options& options);
 
 /// @param models  what was read
-/// @throws core::io::FileError  a picture or the script that the run is to write would replace what it reads, or another one
+/// @throws core::io::FileError  a picture or the script that the run is to write would replace what it reads, or
+///                             another one
 void refuse_to_replace(const Options& options, const sim::ModelLibrary& models);
 
 }  // namespace kerf::app
