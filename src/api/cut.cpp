@@ -1,20 +1,33 @@
 #include <kerf/cut.h>
 
-#include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "api/convert.h"
-#include "api/no_memory.h"
 #include "api/pieces.h"
 
 namespace kerf {
 
-/// What a Cut hides.
+/// What a Cut hides: the pieces of a cut, and those of further cuts that belong to it, one behind the other. So nothing
+/// has to be allocated to bring together what is there.
 struct Cut::Data
 {
     Pieces positive, negative;
     CutStatistics statistics;
+    Data* next = nullptr;
+
+    Data() = default;
+    Data(const Data&) = delete;
+    Data& operator=(const Data&) = delete;
+    /// One by one: there may be more than a stack has room for.
+    ~Data()
+    {
+        for (Data* behind = std::exchange(next, nullptr); behind != nullptr;) {
+            Data* const gone = std::exchange(behind, std::exchange(behind->next, nullptr));
+            delete gone;
+        }
+    }
 
     Pieces& of(Side side) { return side == Side::positive ? positive : negative; }
 };
@@ -26,6 +39,13 @@ struct CutMaker
     {
         cut.data_ = new (std::nothrow) Cut::Data;
         return cut.data_ != nullptr;
+    }
+
+    /// The pieces of `more` belong to `cut`, too.
+    static void append(Cut& cut, Cut&& more)
+    {
+        Cut::Data* const added = std::exchange(more.data_, nullptr);
+        added->next = std::exchange(cut.data_->next, added);
     }
 };
 
@@ -96,28 +116,29 @@ Cut cut_once(Object&& object, const Plane& plane, const CutOptions& options) noe
     return result;
 }
 
-/// The lower half of a blade with a width: `piece` lies below the upper one. Its pieces below the lower one join those
-/// of `result`. Returns false if memory runs out; the piece is whole then.
-bool cut_below(Object& piece, const Plane& lower, const CutOptions& options, Cut& result)
+/// The lower half of a blade with a width: `piece` lies below the upper one. What of it is below the lower one stays
+/// where it is, or is appended to `result`. Returns false if memory runs out; the piece is whole then.
+bool cut_below(Object& piece, const Plane& lower, const CutOptions& options, Cut& result) noexcept
 {
     Cut below = cut_once(std::move(piece), lower, options);
-    if (below.status == Status::out_of_memory) {
+    if (below.status == Status::missed) {
+        if (below.side_of_object == Side::negative) piece = std::move(below.object);
+        return true;
+    }
+    if (!ok(below.status)) {
         piece = std::move(below.object);
         return false;
     }
-    if (below.status == Status::missed) {
-        if (below.side_of_object == Side::negative) result.data()->negative.gather(std::move(below.object));
-        return true;
-    }
-    for (Object& part : below.data()->negative.all()) result.data()->negative.gather(std::move(part));
     add(result.data()->statistics, below.statistics());
     result.caps_exceed_section |= below.caps_exceed_section;
     if (below.status == Status::open_section) result.status = below.status;
+    below.data()->positive.take({});
+    CutMaker::append(result, std::move(below));
     return true;
 }
 
 /// What lies between the planes is thrown away.
-Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options)
+Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options) noexcept
 {
     const std::optional<Plane> upper = plane.moved(0.5 * options.gap), lower = plane.moved(-0.5 * options.gap);
     if (!upper || !lower) return not_cut(std::move(object), Status::invalid_argument);
@@ -132,16 +153,12 @@ Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options)
         return result;
     }
     if (!ok(result.status)) return result;
-    std::vector<Object> above_lower;
-    for (Object& piece : result.data()->negative.all()) above_lower.push_back(std::move(piece));
-    result.data()->negative.take({});
-    for (Object& piece : above_lower)
+    for (Object& piece : result.data()->negative.all())
         if (!cut_below(piece, *lower, options, result)) {
             result.status = Status::out_of_memory;
-            for (Object& rest : above_lower)
-                if (!rest.is_empty()) result.data()->negative.gather(std::move(rest));
             break;
         }
+    result.data()->negative.drop_empty();
     return result;
 }
 
@@ -156,9 +173,7 @@ Cut cut(Object&& object, const Plane& plane, const CutOptions& options) noexcept
 {
     if (object.is_empty() || !is_valid(options)) return not_cut(std::move(object), Status::invalid_argument);
     if (options.gap == 0.0) return cut_once(std::move(object), plane, options);
-    Cut result;
-    result.status = Status::out_of_memory;
-    return answer_or(std::move(result), [&] { return cut_with_gap(std::move(object), plane, options); });
+    return cut_with_gap(std::move(object), plane, options);
 }
 
 Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options) noexcept
@@ -224,20 +239,28 @@ Cut::~Cut()
 
 std::size_t Cut::count(Side side) const noexcept
 {
-    return data_ == nullptr ? 0 : data_->of(side).all().size();
+    std::size_t count = 0;
+    for (Data* data = data_; data != nullptr; data = data->next) count += data->of(side).all().size();
+    return count;
 }
 
 Object* Cut::piece(Side side, std::size_t i) noexcept
 {
-    return i < count(side) ? &data_->of(side).all()[i] : nullptr;
+    for (Data* data = data_; data != nullptr; data = data->next) {
+        const std::span<Object> pieces = data->of(side).all();
+        if (i < pieces.size()) return &pieces[i];
+        i -= pieces.size();
+    }
+    return nullptr;
 }
 
 Object* Cut::one(Side side) noexcept
 {
-    if (count(side) == 0) return nullptr;
-    const std::span<Object> all = data_->of(side).all();
-    return &*std::max_element(all.begin(), all.end(),
-                              [](const Object& a, const Object& b) { return a.triangle_count() < b.triangle_count(); });
+    Object* most = nullptr;
+    for (Data* data = data_; data != nullptr; data = data->next)
+        for (Object& piece : data->of(side).all())
+            if (most == nullptr || piece.triangle_count() > most->triangle_count()) most = &piece;
+    return most;
 }
 
 const CutStatistics& Cut::statistics() const noexcept

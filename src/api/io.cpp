@@ -27,6 +27,8 @@ Answer answer_of_file(Call&& call) noexcept
 {
     try {
         return call();
+    } catch (const io::NoMemoryForFile& error) {
+        return {Status::out_of_memory, Sentence(error.what())};
     } catch (const io::FileError& error) {
         return {Status::unusable_file, Sentence(error.what())};
     } catch (const std::bad_alloc&) {

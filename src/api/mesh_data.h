@@ -12,7 +12,8 @@
 
 namespace kerf {
 
-/// What copies of a Mesh share: the mesh, proven or as a back end gave it, and its arrays once they have been asked for.
+/// What copies of a Mesh share: the mesh, proven or as a back end gave it, and its arrays once they have been asked
+/// for.
 class Mesh::Data
 {
 public:

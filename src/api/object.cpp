@@ -14,9 +14,9 @@ namespace {
 constexpr const char* kNoMemoryForObject = "there is not enough memory for the object; free some";
 constexpr const char* kEmpty = "the object is empty: it was cut, moved from, or never made";
 
-/// Whether so many cuts pay the half-edge back end's preparing back. A linear cut with all that a game needs costs about
-/// 13 ns a triangle, one of the half-edge back end some 3500 ns times the root of the triangles, preparing 150 ns a
-/// triangle (docs/results.md).
+/// Whether so many cuts pay the half-edge back end's preparing back. A linear cut with all that a game needs costs
+/// about 13 ns a triangle, one of the half-edge back end some 3500 ns times the root of the triangles, preparing 150
+/// ns a triangle (docs/results.md).
 bool pays(std::uint64_t triangles, std::uint32_t cuts)
 {
     constexpr double kLinear = 13.0, kPrepare = 150.0, kSection = 3500.0;

@@ -35,27 +35,32 @@ public:
         }
     }
 
-    /// Pieces of several cuts. May throw std::bad_alloc.
-    void gather(Object&& piece) { gathered_.push_back(std::move(piece)); }
-
     std::span<Object> all() noexcept
     {
-        if (!gathered_.empty()) return gathered_;
         return {std::launder(reinterpret_cast<Object*>(places_.data())), places_.size()};
     }
 
-private:
-    void give_places_back() noexcept
+    /// Leaves out those that are empty; the others keep their order.
+    void drop_empty() noexcept
     {
-        for (std::unique_ptr<core::Cuttable>& place : places_) {
-            std::destroy_at(std::launder(reinterpret_cast<Object*>(&place)));
-            ::new (static_cast<void*>(&place)) std::unique_ptr<core::Cuttable>;
+        std::size_t kept = 0;
+        for (Object& piece : all())
+            if (!piece.is_empty()) all()[kept++] = std::move(piece);
+        give_places_back(kept);
+    }
+
+private:
+    /// From the place of this number on.
+    void give_places_back(std::size_t first = 0) noexcept
+    {
+        for (std::size_t i = first; i < places_.size(); ++i) {
+            std::destroy_at(&all()[i]);
+            ::new (static_cast<void*>(&places_[i])) std::unique_ptr<core::Cuttable>;
         }
-        places_.clear();
+        places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(first), places_.end());
     }
 
     std::vector<std::unique_ptr<core::Cuttable>> places_;  // of Objects
-    std::vector<Object> gathered_;
 };
 
 }  // namespace kerf

@@ -28,8 +28,8 @@ struct ReportCosts
 ReportCosts report_costs(Cut& cut) noexcept;
 
 /// What the report's bodies collide as (section 3.2.4): every vertex, added to the physics engine's hull shape one by
-/// one as its program does. The shape computes its bounds anew with each of them, so this is quadratic; it is here to be
-/// compared with. In the library kerf::report_proxy. O(n^2). Throws std::bad_alloc.
+/// one as its program does. The shape computes its bounds anew with each of them, so this is quadratic; it is here to
+/// be compared with. In the library kerf::report_proxy. O(n^2). Throws std::bad_alloc.
 std::vector<Vec3f> report_collision_points(const Object& object);
 
 }  // namespace kerf

@@ -68,7 +68,21 @@ protected:
     {
         return cut(std::move(backend_->prepare(mesh).object), plane, options);
     }
-    bool triangulates() const { return !GetParam().name.starts_with("baseline"); }
+    bool has_fan() const { return GetParam().name.starts_with("baseline"); }
+    /// Whether caps cover what the section winds around. Without CGAL they cover more, and the result says so.
+    bool triangulates() const
+    {
+#ifdef KERF_HAS_CGAL
+        return !has_fan();
+#else
+        return false;
+#endif
+    }
+    /// A fan does, too.
+    bool covers_stars() const
+    {
+        return triangulates() || has_fan();
+    }
 
     std::unique_ptr<Backend> backend_ = GetParam().make();
 };
@@ -98,8 +112,11 @@ TEST_P(CrossingSections, StarsAreCoveredAsOftenAsTheyWind)
         expect_closed(result.negative);
         const Areas areas = areas_of(result, plane);
         EXPECT_NEAR(areas.wound, result.section_area, 1e-6 * result.section_area);
-        EXPECT_NEAR(areas.cap, result.section_area, 1e-6 * result.section_area) << points;
-        EXPECT_FALSE(result.caps_exceed_section) << points;
+        EXPECT_EQ(result.caps_exceed_section, areas.cap > 1.01 * result.section_area) << points;
+        if (covers_stars()) {
+            EXPECT_FALSE(result.caps_exceed_section) << points;
+            EXPECT_NEAR(areas.cap, result.section_area, 1e-6 * result.section_area) << points;
+        }
         for (const auto* side : {&result.positive, &result.negative})
             EXPECT_EQ(cut(side->front()->clone(), plane).status, Status::missed);
     }
@@ -277,7 +294,10 @@ TEST_P(CrossingSections, ManyMoreCrossingsThanPointsAreSaidOrCovered)
         expect_closed(result.negative);
         const double cap = referee::cap_area_in_plane(result.negative.front()->to_indexed_mesh(), plane.normal);
         EXPECT_EQ(result.caps_exceed_section, cap > 1.01 * result.section_area) << points << " " << cap;
-        EXPECT_EQ(result.caps_exceed_section, triangulates() && points == 701u) << cap << " " << result.section_area;
+        if (covers_stars()) {
+            EXPECT_EQ(result.caps_exceed_section, triangulates() && points == 701u)
+                << cap << " " << result.section_area;
+        }
     }
 }
 

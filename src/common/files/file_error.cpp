@@ -5,13 +5,27 @@
 
 namespace kerf::core::io {
 
-void fail(const std::filesystem::path& path, const std::string& reason)
+namespace {
+
+/// A name may hold line ends and control characters; a message is one line.
+std::string sentence_of(const std::filesystem::path& path, const std::string& reason)
 {
-    // A name may hold line ends and control characters; a message is one line.
     std::string name = path.string();
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-    throw FileError(name + ": " + reason);
+    return name + ": " + reason;
+}
+
+}  // namespace
+
+void fail(const std::filesystem::path& path, const std::string& reason)
+{
+    throw FileError(sentence_of(path, reason));
+}
+
+void fail_without_memory(const std::filesystem::path& path, const std::string& to_do_and_remedy)
+{
+    throw NoMemoryForFile(sentence_of(path, "there is not enough memory to " + to_do_and_remedy));
 }
 
 }  // namespace kerf::core::io

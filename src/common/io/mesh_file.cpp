@@ -104,9 +104,9 @@ TriangleSoup read_any(const fs::path& path, Bytes bytes, ReadingNotes* notes)
         ReadingNotes unheard;
         return reader(path, all, notes != nullptr ? *notes : unheard);
     } catch (const std::bad_alloc&) {
-        fail(path, "there is not enough memory to read it; divide it or free some");
+        fail_without_memory(path, "read it; divide it or free some");
     } catch (const std::length_error&) {
-        fail(path, "there is not enough memory to read it; divide it or free some");
+        fail_without_memory(path, "read it; divide it or free some");
     }
 }
 
@@ -133,7 +133,7 @@ std::string mesh_bytes(const IndexedMesh& mesh, std::string_view format)
         writer_for(sink.path())(sink, mesh);
         return sink.take();
     } catch (const std::bad_alloc&) {
-        fail(sink.path(), "there is not enough memory to write it; free some");
+        fail_without_memory(sink.path(), "write it; free some");
     }
 }
 
@@ -195,7 +195,7 @@ void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
         impl_->files.back().finish();
     } catch (const std::bad_alloc&) {
         impl_->keep(before);
-        fail(path, "there is not enough memory to write it; free some");
+        fail_without_memory(path, "write it; free some");
     } catch (...) {
         impl_->keep(before);
         throw;

@@ -24,7 +24,7 @@ LoadedMesh load(const std::filesystem::path& path, Read read)
         loaded.repairs = repaired.repairs;
         return loaded;
     } catch (const std::bad_alloc&) {
-        fail(path, "there is not enough memory to prepare it; divide it or free some");
+        fail_without_memory(path, "prepare it; divide it or free some");
     }
 }
 

@@ -1,0 +1,232 @@
+// What the public interface promises when memory runs out, tried at every single allocation of a call, alone and with all
+// that follow: nothing is thrown, the status is `out_of_memory` with a sentence, what was given is as it was, and the
+// next call works as if nothing had happened.
+
+#include <gtest/gtest.h>
+#include <kerf/io.h>
+#include <kerf/kerf.h>
+#include <kerf/proxy.h>
+#include <kerf/shapes.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "api/objects.h"
+#include "support/allocations.h"
+
+namespace kerf {
+namespace {
+
+using test::FailingAllocation;
+using test::Failure;
+
+/// Fails each allocation of `call` in turn. `call` gives its status; `check` looks at what was given, after each.
+void fail_each(
+    const std::function<Status()>& call, const std::function<void(Status)>& check = [](Status) {})
+{
+    std::uint64_t failed = 0;
+    for (const Failure failure : {Failure::once, Failure::for_good})
+        for (std::uint64_t number = 0;; ++number) {
+            ASSERT_LT(number, 20'000u) << "it never ends";
+            Status status = Status::done;
+            bool happened = false;
+            {
+                const FailingAllocation failing(number, failure);
+                status = call();
+                happened = failing.happened();
+            }
+            ASSERT_TRUE(ok(status) || status == Status::out_of_memory) << text(status) << ", allocation " << number;
+            if (!ok(status)) {
+                ASSERT_TRUE(happened) << "allocation " << number;
+                ++failed;
+            }
+            check(status);
+            if (testing::Test::HasFailure()) return;
+            if (!happened) break;
+        }
+    EXPECT_GT(failed, 0u) << "it takes no memory";
+}
+
+template <class T>
+Status said(const Result<T>& result)
+{
+    EXPECT_EQ(*result.reason() == '\0', bool(result));
+    return result.status();
+}
+
+TEST(OutOfMemory, MakingAMeshSaysSo)
+{
+    const test::Arrays cube = test::two_cubes();
+    const Material rock{"a name that is too long to lie in the string itself", {1, 1, 1, 1}};
+    std::vector<float> heat(cube.positions.size(), 1.0f);
+    const StreamInput stream{"a name that is too long to lie in the string itself", heat.data(), 1, 0};
+    MeshInput input = cube.input();
+    input.materials = {&rock, 1};
+    input.streams = {&stream, 1};
+    fail_each([&] {
+        MeshReport report;
+        return said(Mesh::make(input, &report));
+    });
+}
+
+TEST(OutOfMemory, CopiesAndArraysOfAMeshSaySo)
+{
+    const test::Arrays cube = test::two_cubes();
+    const Mesh mesh = test::mesh_of(cube);
+    fail_each([&] { return said(mesh.clone()); });
+    // Arrays are made once: of a new copy each time.
+    fail_each([&] {
+        const Mesh copy(mesh);
+        return copy.arrays().indices.size() == 3 * mesh.triangle_count() ? Status::done : Status::out_of_memory;
+    });
+}
+
+TEST(OutOfMemory, ShapesAndFilesSaySo)
+{
+    const Mesh torus = test::shape("torus", 60);
+    fail_each([] { return said(make_shape("torus", 60)); });
+    // (Not of GLB: the library that reads its JSON takes memory to destroy a document.)
+    for (const char* format : {"obj", "ply", "stl", "off"}) {
+        SCOPED_TRACE(format);
+        const FileBytes file = *mesh_file_bytes(torus, format);
+        fail_each([&] { return said(mesh_file_bytes(torus, format)); });
+        fail_each([&] {
+            FileReport report;
+            return said(read_mesh(file.bytes(), format, &report));
+        });
+    }
+}
+
+class ObjectOutOfMemory : public ::testing::TestWithParam<std::string>
+{
+protected:
+    Object object() const { return test::object_of(mesh_, GetParam()); }
+    static std::string bytes_of(const Object& object) { return test::bytes_of(*object.mesh()); }
+
+    Mesh mesh_ = test::shape("l_step", 100);
+};
+
+TEST_P(ObjectOutOfMemory, PreparingSaysSo)
+{
+    const std::string before = test::bytes_of(mesh_);
+    PrepareOptions options;
+    options.back_end_name = GetParam().c_str();
+    fail_each([&] { return said(prepare(mesh_, options)); }, [&](Status) { EXPECT_EQ(test::bytes_of(mesh_), before); });
+}
+
+TEST_P(ObjectOutOfMemory, WhatOnlyReadsSaysSo)
+{
+    const Object whole = object();
+    const std::string before = bytes_of(whole);
+    const auto check = [&](Status) { ASSERT_EQ(bytes_of(whole), before); };
+    fail_each([&] { return said(whole.clone()); }, check);
+    fail_each([&] { return said(whole.mesh()); }, check);
+    fail_each([&] { return said(bounded_hull(whole)); }, check);
+    fail_each([&] { return said(full_hull(whole)); }, check);
+    fail_each(
+        [&] {
+            DrawView view;
+            const Status status = whole.draw(view);
+            EXPECT_EQ(view.ranges.empty(), !ok(status));
+            return status;
+        },
+        check);
+    fail_each([&] { return cut_copy(whole, Plane::y(0.1).value()).status; }, check);
+}
+
+/// Calls `change` for a fresh object and each allocation that may fail: the object that is left must be what it was, if
+/// one is left.
+void fail_each_change(const std::function<Object()>& fresh, const std::function<Status(Object&)>& change)
+{
+    const std::string before = test::bytes_of(*fresh().mesh());
+    for (const Failure failure : {Failure::once, Failure::for_good})
+        for (std::uint64_t number = 0;; ++number) {
+            ASSERT_LT(number, 20'000u) << "it never ends";
+            Object object = fresh();
+            Status status = Status::done;
+            bool happened = false;
+            {
+                const FailingAllocation failing(number, failure);
+                status = change(object);
+                happened = failing.happened();
+            }
+            if (status == Status::out_of_memory) {
+                ASSERT_TRUE(happened);
+                if (object.is_empty()) continue;
+                ASSERT_EQ(test::bytes_of(*object.mesh()), before) << "allocation " << number;
+                ASSERT_TRUE(ok(change(object))) << "the next call works";
+            } else {
+                ASSERT_TRUE(ok(status)) << text(status) << ", allocation " << number;
+            }
+            if (!happened) break;
+        }
+}
+
+TEST_P(ObjectOutOfMemory, ACutGivesTheObjectBackAsItWas)
+{
+    for (const bool components : {false, true}) {
+        SCOPED_TRACE(components);
+        fail_each_change([&] { return object(); },
+                         [&](Object& object) {
+                             CutOptions options;
+                             options.components = components;
+                             Cut result = cut(std::move(object), Plane::y(0.1).value(), options);
+                             object = std::move(result.object);
+                             EXPECT_EQ(object.is_empty(), ok(result.status));
+                             EXPECT_EQ(result.one(Side::positive) != nullptr, ok(result.status));
+                             return result.status;
+                         });
+    }
+}
+
+TEST_P(ObjectOutOfMemory, ACutWithAGapLosesNothingButWhatTheBladeTakes)
+{
+    CutOptions options;
+    options.gap = 0.1;
+    const double volume = object().mass_properties().volume, blade = 4.0 * options.gap;  // a slice across its box
+    const Plane plane = Plane::y(0.1).value();
+    for (const Failure failure : {Failure::once, Failure::for_good})
+        for (std::uint64_t number = 0;; ++number) {
+            Object whole = object();
+            Cut result;
+            bool happened = false;
+            {
+                const FailingAllocation failing(number, failure);
+                result = cut(std::move(whole), plane, options);
+                happened = failing.happened();
+            }
+            ASSERT_TRUE(ok(result.status) || (happened && result.status == Status::out_of_memory));
+            double left = result.object.mass_properties().volume;
+            for (const Side side : {Side::positive, Side::negative})
+                for (std::size_t i = 0; const Object* piece = result.piece(side, i); ++i)
+                    left += piece->mass_properties().volume;
+            ASSERT_GE(left, volume - blade) << "allocation " << number;
+            if (!happened) break;
+        }
+}
+
+TEST_P(ObjectOutOfMemory, WhatMovesAnObjectLeavesItWhereItWas)
+{
+    // A half, because it has a relative to be taken away from.
+    Object other;
+    const auto half = [&] {
+        Cut halves = cut(object(), Plane::x(0.1).value());
+        other = std::move(*halves.one(Side::negative));
+        return std::move(*halves.one(Side::positive));
+    };
+    fail_each_change(half, [](Object& object) { return object.detach(); });
+    fail_each_change(half, [](Object& object) { return object.compact(); });
+    fail_each_change(half, [](Object& object) {
+        const std::size_t count = object.material_count();
+        const std::uint32_t added = object.add_material({"a name that is too long to lie in the string itself"});
+        EXPECT_EQ(object.material_count(), added == kNone ? count : count + 1);
+        return added == kNone ? Status::out_of_memory : Status::done;
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ObjectOutOfMemory, ::testing::ValuesIn(test::back_end_names()),
+                         [](const testing::TestParamInfo<std::string>& test) { return test.param; });
+
+}  // namespace
+}  // namespace kerf
