@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "linear/linear.h"
-#ifdef KERF_HAS_HALFEDGE
-#include "halfedge/halfedge.h"
-#endif
 
 namespace kerf::core {
 
@@ -27,7 +24,11 @@ public:
     void add(RegisteredBackend&& entry)
     {
         const std::lock_guard lock(mutex_);
-        if (with_name(entry.name) == nullptr) entries_.push_back(std::move(entry));
+        if (with_name(entry.name) != nullptr) return;
+        if (entry.is_for_many_cuts)
+            entries_.push_front(std::move(entry));
+        else
+            entries_.push_back(std::move(entry));
     }
 
     std::vector<const RegisteredBackend*> all()
@@ -51,9 +52,6 @@ public:
 private:
     Registry()
     {
-#ifdef KERF_HAS_HALFEDGE
-        entries_.push_back({"halfedge", false, false, [] { return halfedge::make_back_end(); }});
-#endif
         entries_.push_back({"linear", false, false, [] { return linear::make_back_end(); }});
     }
 

@@ -19,13 +19,15 @@ struct RegisteredBackend
     bool closes_with_fan = false;  ///< its caps fit star-shaped sections only
     bool is_quadratic = false;     ///< a cut of n triangles costs O(n^2)
     std::function<std::unique_ptr<Backend>()> make;
+    bool is_for_many_cuts = false;  ///< the better choice if an object is cut often: stands before the others
 };
 
-/// All back ends: "halfedge" (if built), the default, then "linear", then those that were added. They live as long as
-/// the program. From any thread.
+/// All back ends: "halfedge" (if it is linked), the default, then "linear", then those that were added. They live as
+/// long as the program. From any thread.
 std::vector<const RegisteredBackend*> back_ends();
 
-/// Adds a back end behind the others, unless one of its name is there. From any thread.
+/// Adds a back end behind the others, or before them if it is for many cuts, unless one of its name is there. From any
+/// thread.
 void add_back_end(RegisteredBackend entry);
 
 /// The entry of that name, or the first whose name has that first part: "baseline" is "baseline/hash" if that was added

@@ -5,8 +5,8 @@
 #include "common/caps/cap_triangulator.h"
 #include "common/caps/edge_routes.h"
 
-// The part that needs CGAL, which is GPL: defined in the library `caps_cgal`, in one file. A build without CGAL has the
-// library `caps_refuse` in its place, whose ways refuse every outline.
+// The ways that need CGAL, which is GPL. They are defined in one file, in the library `caps_cgal`, which puts them in place
+// when a program that links it starts. Until then, and in programs without it, they refuse every outline.
 
 namespace kerf::core {
 
@@ -16,5 +16,15 @@ std::unique_ptr<CapTriangulator> make_constrained_triangulator();
 
 /// By a constrained Delaunay triangulation whose constraints may cross.
 std::unique_ptr<RouteFinder> make_route_finder();
+
+/// Both ways.
+struct ConstrainedWays
+{
+    std::unique_ptr<CapTriangulator> (*make_triangulator)();
+    std::unique_ptr<RouteFinder> (*make_route_finder)();
+};
+
+/// What the two functions above call from now on, in all threads; null: what refuses. `ways` must outlive all calls.
+void use_constrained_ways(const ConstrainedWays* ways) noexcept;
 
 }  // namespace kerf::core

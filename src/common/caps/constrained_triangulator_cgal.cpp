@@ -709,16 +709,20 @@ private:
     InsertionOrder order_;
 };
 
+constexpr ConstrainedWays kCgalWays{
+    []() -> std::unique_ptr<CapTriangulator> { return std::make_unique<ConstrainedTriangulator>(); },
+    []() -> std::unique_ptr<RouteFinder> { return std::make_unique<CgalRouteFinder>(); }};
+
+/// In place before main() begins.
+[[maybe_unused]] const bool are_in_place = [] {
+    use_constrained_ways(&kCgalWays);
+    return true;
+}();
+
 }  // namespace
 
-std::unique_ptr<CapTriangulator> make_constrained_triangulator()
-{
-    return std::make_unique<ConstrainedTriangulator>();
-}
-
-std::unique_ptr<RouteFinder> make_route_finder()
-{
-    return std::make_unique<CgalRouteFinder>();
-}
-
 }  // namespace kerf::core
+
+/// By this name linkers are told to take this file (`-u`), which nothing else refers to.
+extern "C" [[gnu::visibility("default")]] const int kerf_component_caps_cgal;
+extern "C" const int kerf_component_caps_cgal = 1;

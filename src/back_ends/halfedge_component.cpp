@@ -1,0 +1,23 @@
+#include "back_ends/back_ends.h"
+#include "halfedge/halfedge.h"
+
+// Puts the half-edge back end on the list. It is a library of its own: a program that does not link it has no half-edge
+// back end, and needs no OpenMesh.
+
+namespace kerf::core {
+
+namespace {
+
+/// On the list before main() begins.
+[[maybe_unused]] const bool is_on_list = [] {
+    add_back_end({"halfedge", false, false, [] { return halfedge::make_back_end(); }, true});
+    return true;
+}();
+
+}  // namespace
+
+}  // namespace kerf::core
+
+/// By this name linkers are told to take this file (`-u`), which nothing else refers to.
+extern "C" [[gnu::visibility("default")]] const int kerf_component_halfedge;
+extern "C" const int kerf_component_halfedge = 1;
