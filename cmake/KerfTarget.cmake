@@ -10,6 +10,9 @@ set(KERF_ROUNDING_OPTIONS -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-s
 add_library(kerf_flags INTERFACE)
 target_compile_features(kerf_flags INTERFACE cxx_std_20)
 target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-math
+  # For plug-ins and shared libraries; the same for all targets, because compiled headers go by it. GCC must still inline:
+  # nobody replaces a function of ours at run time.
+  -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   -Wall -Wextra -Wpedantic -Wconversion
   # In a unity build the files of a target would shadow one another's constants, and none is the main file, whose unnamed
   # namespaces may be bases.
