@@ -18,16 +18,17 @@ namespace kerf {
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Further numbers of each vertex: colours, tangents, anything. At a cut point they are found in proportion to the
-/// distances from the ends of the edge. Borrowed for the call.
+/// distances from the ends of the edge. A value that is not finite is 0. Borrowed for the call.
 struct StreamInput
 {
-    const char* name = "";  ///< UTF-8; files and arrays() have it
+    const char* name = "";  ///< UTF-8; Mesh::stream() and PLY files have it
     const float* values = nullptr;
     std::uint32_t width = 1;  ///< floats of a vertex, 1 to 16
     std::size_t stride = 0;   ///< bytes from vertex to vertex; 0: width * 4
 };
 
-/// How a material looks, for programs that draw or write files; a cut looks at none of it.
+/// How a material looks, for programs that draw or write files; a cut looks at none of it. One without a name gets one:
+/// "surface", "material 2".
 struct Material
 {
     const char* name = "";                            ///< UTF-8; may be empty
@@ -54,7 +55,7 @@ struct MeshInput
     std::size_t triangle_count = 0;          ///< below 2^32 / 3
     const float* normals = nullptr;          ///< three for each vertex, of about length 1; null: smooth ones are made
     std::size_t normal_stride = 12;
-    float crease_degrees = 40.0f;  ///< if normals are made: edges that turn by more stay sharp
+    float crease_degrees = 40.0f;  ///< if normals are made: edges that turn by more stay sharp; 0 to 180
     const float* uvs = nullptr;    ///< two for each vertex, origin in the lower left corner; null: all 0
     std::size_t uv_stride = 8;
     const std::uint32_t* triangle_materials = nullptr;  ///< one for each triangle; null: all 0
@@ -144,7 +145,7 @@ struct MeshReport
 };
 
 /// A mesh that can be cut. It can't be changed, and copies share it: they cost O(1). An empty one has no triangles;
-/// every call says `invalid_mesh` to it. Const members may be called from any threads.
+/// every call answers a status to it. Const members may be called from any threads.
 class KERF_API Mesh
 {
 public:

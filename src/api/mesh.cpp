@@ -37,6 +37,8 @@ std::string fault_of(const MeshInput& input)
         return "without indices each three vertices are a triangle, but there are " +
                std::to_string(input.vertex_count) + " vertices and " + std::to_string(input.triangle_count) +
                " triangles";
+    if (!(input.crease_degrees >= 0.0f && input.crease_degrees <= 180.0f))
+        return "the angle of creases is not 0 to 180 degrees; 40 is usual";
     for (const StreamInput& stream : input.streams)
         if (stream.values == nullptr || stream.width == 0 || stream.width > kWidestStream)
             return "a stream has no values, or not 1 to 16 a vertex; complete it or leave it out";
@@ -47,6 +49,7 @@ core::TriangleSoup soup_of(const MeshInput& input)
 {
     core::TriangleSoup soup;
     soup.has_normals = input.normals != nullptr;
+    soup.crease_degrees = static_cast<double>(input.crease_degrees);
     soup.vertices.resize(input.vertex_count);
     for (std::size_t v = 0; v < input.vertex_count; ++v) {
         core::Vertex& vertex = soup.vertices[v];
@@ -71,6 +74,9 @@ core::TriangleSoup soup_of(const MeshInput& input)
         const std::size_t bytes = stream.width * sizeof(float), stride = stream.stride != 0 ? stream.stride : bytes;
         for (std::size_t v = 0; v < input.vertex_count; ++v)
             std::memcpy(&to.values[v * stream.width], reinterpret_cast<const char*>(stream.values) + v * stride, bytes);
+        // As files are read.
+        std::replace_if(
+            to.values.begin(), to.values.end(), [](float value) { return !std::isfinite(value); }, 0.0f);
     }
     return soup;
 }

@@ -12,6 +12,9 @@ namespace kerf {
 
 namespace {
 
+/// A weight below is 0: a position in float is known to 6e-8 of the coordinates.
+constexpr double kNoWeight = 1e-6;
+
 /// What an input says of triangles, read with its strides.
 class InputTriangles
 {
@@ -87,10 +90,13 @@ VertexOrigin origin_of(const glm::dvec3& p, std::size_t triangle, const InputTri
     const auto corners = input.corners(triangle);
     const auto weights =
         weights_in_triangle(p, input.position(corners[0]), input.position(corners[1]), input.position(corners[2]));
+    // A point of an edge is beside it by what it was rounded to float.
+    const auto counts = [](double weight) { return weight < kNoWeight ? 0.0 : weight; };
+    const double sum = counts(weights[0]) + counts(weights[1]) + counts(weights[2]);
     VertexOrigin origin;
     for (std::size_t i = 0; i < 3; ++i) {
         origin.vertices[i] = corners[i];
-        origin.weights[i] = static_cast<float>(weights[i]);
+        origin.weights[i] = static_cast<float>(counts(weights[i]) / sum);
     }
     return origin;
 }

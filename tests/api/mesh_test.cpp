@@ -45,6 +45,44 @@ TEST(Mesh, CloneHasTheSameArraysAndSharesNothing)
     EXPECT_EQ(Mesh().clone().status(), Status::invalid_mesh);
 }
 
+TEST(Mesh, MadeNormalsKeepEdgesSharpThatTurnByMoreThanIsSaid)
+{
+    const Arrays cube = test::cube_arrays();  // without normals
+    const auto vertices = [&](float crease) {
+        MeshInput input = cube.input();
+        input.crease_degrees = crease;
+        return Mesh::make(input)->vertex_count();
+    };
+    EXPECT_EQ(vertices(40.0f), 24u);
+    EXPECT_EQ(vertices(89.0f), 24u);
+    EXPECT_EQ(vertices(91.0f), 8u);
+    EXPECT_EQ(vertices(180.0f), 8u);
+    for (const float wrong : {-1.0f, 181.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        MeshInput input = cube.input();
+        input.crease_degrees = wrong;
+        const Result<Mesh> mesh = Mesh::make(input);
+        EXPECT_EQ(mesh.status(), Status::invalid_mesh);
+        EXPECT_NE(std::string(mesh.reason()).find("creases"), std::string::npos);
+    }
+}
+
+TEST(Mesh, StreamsHaveNoValueThatIsNotFinite)
+{
+    const Arrays cube = test::cube_arrays();
+    std::vector<float> heat(8, 2.0f);
+    heat[3] = std::numeric_limits<float>::quiet_NaN();
+    const StreamInput stream{"heat", heat.data(), 1, 0};
+    MeshInput input = cube.input();
+    input.streams = {&stream, 1};
+    const Mesh mesh = *Mesh::make(input);
+    std::size_t zeros = 0;
+    for (const float value : mesh.stream(0).values) {
+        EXPECT_TRUE(value == 2.0f || value == 0.0f);
+        zeros += value == 0.0f ? 1 : 0;
+    }
+    EXPECT_EQ(zeros, 3u) << "the corner has a vertex in each of three faces";
+}
+
 TEST(Mesh, ReadsAnyStride)
 {
     struct GameVertex
@@ -247,6 +285,34 @@ TEST(VertexOrigins, OfAnotherInputAreRefused)
     EXPECT_EQ(vertex_origins(mesh, shorter, origins), Status::invalid_argument);
     EXPECT_EQ(vertex_origins(mesh, cube.input(), std::span(origins).first(3)), Status::invalid_argument);
     EXPECT_EQ(vertex_origins(mesh, MeshInput(), origins), Status::invalid_argument);
+}
+
+TEST(VertexOrigins, OfPointsOnAnEdgeHaveTwoWeights)
+{
+    const Mesh torus = test::shape("torus", 400);
+    const MeshArrays given = torus.arrays();
+    MeshInput input;
+    input.positions = &given.positions[0].x;
+    input.vertex_count = given.positions.size();
+    input.indices = given.indices.data();
+    input.triangle_count = given.indices.size() / 3;
+    const Mesh mesh = *Mesh::make(input);
+    for (const std::string& name : test::back_end_names()) {
+        Cut halves = cut(test::object_of(mesh, name), test::plane_at(0.01, 0.02, 0.03, 1, 2, 3));
+        const Mesh half = *halves.one(Side::positive)->mesh();
+        std::vector<VertexOrigin> origins(half.vertex_count());
+        ASSERT_EQ(vertex_origins(half, input, origins), Status::done);
+        std::size_t cut_points = 0;
+        for (const VertexOrigin& origin : origins) {
+            if (origin.vertices[0] == kNone) continue;
+            const auto weights = std::count_if(std::begin(origin.weights), std::end(origin.weights),
+                                               [](float weight) { return weight != 0.0f; });
+            EXPECT_GE(weights, 1);
+            EXPECT_LE(weights, 2);
+            cut_points += weights == 2 ? 1 : 0;
+        }
+        EXPECT_GT(cut_points, 20u) << name;
+    }
 }
 
 }  // namespace

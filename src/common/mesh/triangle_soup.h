@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/mesh/indexed_mesh.h"
+#include "common/mesh/tolerances.h"
 
 namespace kerf::core {
 
@@ -14,8 +15,9 @@ struct TriangleSoup
     Buffer<Triangle> triangles;
     std::vector<std::uint32_t> triangle_materials;  ///< one per triangle; empty: all 0
     std::vector<VertexStream> streams;
-    std::vector<Material> materials;  ///< empty: one unnamed material
-    bool has_normals = true;          ///< false: repair() computes smooth normals with a crease angle
+    std::vector<Material> materials;       ///< empty: one unnamed material
+    bool has_normals = true;               ///< false: repair() computes smooth normals
+    double crease_degrees = kCreaseAngle;  ///< edges that turn by more stay sharp then; 0 to 180
 };
 
 }  // namespace kerf::core

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "common/mesh/tolerances.h"
 #include "common/repair/vertex_fans.h"
 
 namespace kerf::core {
@@ -20,10 +19,11 @@ double length(const glm::dvec3& v)
 
 }  // namespace
 
-SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions)
+SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions,
+                             double crease_degrees)
 {
     constexpr double kPi = 3.14159265358979323846;
-    const double crease_cosine = std::cos(kCreaseAngle / 180.0 * kPi);
+    const double crease_cosine = std::cos(crease_degrees / 180.0 * kPi);
 
     Buffer<glm::dvec3> face_normals(surface.corners.size());
     Buffer<float> angles(surface.opposite.size());  // of the triangle at each corner

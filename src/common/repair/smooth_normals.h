@@ -19,7 +19,7 @@ struct SmoothNormals
 
 /// The normal of a sector is the sum of its triangles' normals, weighted by their angles at the point, so that it does
 /// not depend on how flat faces are divided into triangles (Thuermer and Wuethrich, "Computing vertex normals from
-/// polygonal facets", 1998). O(n).
-SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions);
+/// polygonal facets", 1998). Edges that turn by more than `crease_degrees`, 0 to 180, are creases. O(n).
+SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions, double crease_degrees);
 
 }  // namespace kerf::core

@@ -49,7 +49,7 @@ public:
         if (in_.soup.has_normals)
             find_turned_normals();
         else
-            smooth_ = smooth_normals(in_.surface, in_.positions);
+            smooth_ = smooth_normals(in_.surface, in_.positions, in_.soup.crease_degrees);
         number_vertices(order);
         fill_streams();
     }
