@@ -26,8 +26,8 @@ struct PrepareOptions
     const char* back_end_name = nullptr;
     /// How many times the object and its pieces will be cut, about. `automatic` goes by it.
     std::uint32_t cuts_expected = 1000;
-    /// Called now and then from the thread that prepares, with the share that is done, 0 to 1. Returns false to stop;
-    /// prepare() then says `cancelled`. May be null.
+    /// Called now and then from the thread that prepares, with the share that is done: 0 first, 1 last. Returns false
+    /// to stop; prepare() then says `cancelled`. May be null.
     bool (*progress)(void* user, double share) = nullptr;
     void* user = nullptr;     ///< for `progress`
     BufferListener listener;  ///< of the object's buffers and of all that descend from it
@@ -44,8 +44,8 @@ struct SectionLoop
 /// stay source-compatible within a version. An empty object (made by default, moved from, or spent by a cut) has
 /// nothing, and every call says so.
 ///
-/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: pieces of one prepare() or clone(). To
-/// read is to call a const member; to change is all else, and the end of an object.
+/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: with the half-edge back end the pieces
+/// of one prepare() or clone(). To read is to call a const member; to change is all else, and the end of an object.
 ///
 /// | one thread                | another thread | same object | relative     | stranger |
 /// |---------------------------|----------------|-------------|--------------|----------|
@@ -104,7 +104,8 @@ public:
     /// empty.
     std::uint32_t add_material(const Material& material) noexcept;
     std::size_t material_count() const noexcept;
-    /// Its texts live as long as the object; one without a name if there is none of that number.
+    /// Its texts live until a material is added or the object changes or ends; one without a name if there is none of
+    /// that number.
     Material material(std::size_t i) const noexcept;
     /// Name of the back end that cuts the object; "" of an empty one.
     const char* back_end_name() const noexcept;

@@ -14,12 +14,13 @@ namespace {
 constexpr const char* kNoMemoryForObject = "there is not enough memory for the object; free some";
 constexpr const char* kEmpty = "the object is empty: it was cut, moved from, or never made";
 
-/// Whether so many cuts pay the half-edge back end's preparing back. A linear cut with all that a game needs costs
-/// about 13 ns a triangle, one of the half-edge back end some 3500 ns times the root of the triangles, preparing 150
-/// ns a triangle (docs/results.md).
+/// Whether so many cuts pay the half-edge back end's preparing back. With all that a game needs of the pieces (meshes,
+/// masses, hulls, views) a linear cut costs about 12 ns for each triangle, and the half-edge back end 1800 ns times the
+/// root of the triangles more for the section than it; preparing costs 150 ns a triangle (docs/results.md: 0.30 and 0.35
+/// ms a cut of 10 k triangles, 1.5 and 0.94 of 100 k, 13 and 3.8 of 1 M).
 bool pays(std::uint64_t triangles, std::uint32_t cuts)
 {
-    constexpr double kLinear = 13.0, kPrepare = 150.0, kSection = 3500.0;
+    constexpr double kLinear = 12.0, kPrepare = 150.0, kSection = 1800.0;
     const double n = static_cast<double>(triangles);
     return double(cuts) * (kLinear * n - kSection * std::sqrt(n)) > kPrepare * n;
 }
@@ -36,6 +37,11 @@ const char* name_of(const PrepareOptions& options, std::uint64_t triangles)
             break;
     }
     return core::find_back_end("halfedge") != nullptr && pays(triangles, options.cuts_expected) ? "halfedge" : "linear";
+}
+
+Result<Object> cancelled_object()
+{
+    return {Status::cancelled, Sentence("the caller asked to stop; there is no object")};
 }
 
 }  // namespace
@@ -65,11 +71,17 @@ Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
         core::PrepareOptions inside;
         inside.listener = {options.listener.released, options.listener.user};
         inside.progress = {options.progress, options.user};
+        // Both ends of a bar, whatever the back end says between.
+        const auto goes_on = [&](double share) {
+            return options.progress == nullptr || options.progress(options.user, share);
+        };
+        if (!goes_on(0.0)) return cancelled_object();
         const bool is_closed = mesh.is_closed();
         const std::unique_ptr<core::Backend> back_end = entry->make();
         core::PrepareResult prepared = mesh.data()->prepare(*back_end, inside, mesh.data()->has_one_owner());
         if (prepared.object == nullptr) return {to_public(prepared.status), Sentence(prepared.reason.c_str())};
         prepared.object->memory = {entry->name.c_str(), is_closed};
+        if (!goes_on(1.0)) return cancelled_object();
         return Object(prepared.object.release());
     });
 }

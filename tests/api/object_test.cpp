@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "api/objects.h"
 
@@ -183,6 +185,44 @@ TEST(Object, ThatIsEmptyAnswersEveryCall)
     EXPECT_EQ(object.draw(view), Status::invalid_argument);
     object.mark_uploaded(view);
     EXPECT_EQ(cut(std::move(object), Plane::x(0.0).value()).status, Status::invalid_argument);
+}
+
+TEST(Prepare, ChoosesTheBackEndThatPays)
+{
+    if (find_back_end("halfedge").name[0] == '\0') GTEST_SKIP() << "this build has one back end";
+    const auto chosen = [](std::uint64_t triangles, std::uint32_t cuts) {
+        PrepareOptions options;
+        options.cuts_expected = cuts;
+        return std::string(prepare(test::shape("torus", triangles), options)->back_end_name());
+    };
+    EXPECT_EQ(chosen(1'000, 1000), "linear");
+    EXPECT_EQ(chosen(60'000, 1000), "halfedge");
+    EXPECT_EQ(chosen(60'000, 1), "linear");
+    EXPECT_EQ(chosen(60'000, 0), "linear");
+}
+
+TEST(Prepare, SaysHowFarItIsFromNoneToAllWithEveryBackEnd)
+{
+    for (const std::string& name : test::back_end_names()) {
+        SCOPED_TRACE(name);
+        std::vector<double> shares;
+        PrepareOptions options;
+        options.back_end_name = name.c_str();
+        options.user = &shares;
+        options.progress = [](void* user, double share) {
+            static_cast<std::vector<double>*>(user)->push_back(share);
+            return true;
+        };
+        ASSERT_TRUE(prepare(test::shape("torus"), options));
+        ASSERT_GE(shares.size(), 2u);
+        EXPECT_EQ(shares.front(), 0.0);
+        EXPECT_EQ(shares.back(), 1.0);
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        options.progress = [](void*, double) { return false; };
+        const Result<Object> stopped = prepare(test::shape("torus"), options);
+        EXPECT_EQ(stopped.status(), Status::cancelled);
+        EXPECT_TRUE(stopped->is_empty());
+    }
 }
 
 }  // namespace
