@@ -10,7 +10,7 @@ struct CutOptions
 {
     bool cap = true;                     ///< close the section; false leaves it open
     bool components = false;             ///< each side as its connected pieces, not as one object
-    std::uint32_t cap_material = kNone;  ///< of the caps; a number that the object lacks: one named "cap" is added
+    std::uint32_t cap_material = kNone;  ///< of the caps; a number that the object lacks: one is added, "cap"
     double cap_uv_scale = 1.0;           ///< uv of a cap for each unit of length, along two axes of the plane
     /// Width of the blade, in the mesh's unit: what lies within half of it on either side is taken away. 0 takes
     /// nothing.
@@ -43,7 +43,7 @@ struct [[nodiscard]] KERF_API Cut
     ///
     ///     if (kerf::Object* top = cut.one(kerf::Side::positive)) keep(std::move(*top));
     Object* one(Side side) noexcept;
-    /// What the cut has cost; with a gap, that of both cuts. All 0 if nothing was cut.
+    /// What the cut, or the miss, has cost; with a gap, that of both cuts. All 0 for what is not an object.
     const CutStatistics& statistics() const noexcept;
 
     Cut() noexcept;
@@ -68,11 +68,11 @@ KERF_API const char* outcome_name(Status status) noexcept;
 ///
 /// Half-edge back end: O(s log n + k) for a section of k triangles in s leaves of the tree; linear: O(n).
 /// Status: `done`, `open_section`, `missed`, `invalid_argument` (an empty object, a gap or a scale that is not finite,
-/// a gap below 0), `out_of_memory`. All but the first two leave the object as it was.
+/// a gap below 0), `out_of_memory`. All but the first two leave the object as it was, but for a gap, below.
 ///
-/// A gap cuts twice: what is above it goes to the positive side, what is below to the negative one, and what is left is
-/// thrown away; that may be all of the object. If memory runs out in the second cut, the status is `out_of_memory` and
-/// the pieces of the first one are there.
+/// A gap cuts twice: what is above it goes to the positive side, what is below to the negative one, and what is left
+/// is thrown away; that may be all of the object, and then the status is `done` without a piece. If memory runs out in
+/// the second cut, the status is `out_of_memory` and the pieces of the first one are there.
 KERF_API Cut cut(Object&& object, const Plane& plane, const CutOptions& options = {}) noexcept;
 
 /// The same, and the object stays: it is copied before, O(n).

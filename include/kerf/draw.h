@@ -30,8 +30,8 @@ struct DrawRange
 };
 
 /// What to draw. Relatives (Object::shares_buffers_with()) have the same buffers: each of their views names all of
-/// them, and ranges of its own. What a view shows stays where and as it is until the object ends or is cut or
-/// detached, also while relatives are cut: buffers only grow, behind what a view shows.
+/// them, and ranges of its own. What a view shows stays where and as it is until the object ends or is cut,
+/// detached or compacted, also while relatives are cut: buffers only grow, behind what a view shows.
 ///
 /// One view can be filled again and again (Object::draw()), which saves the allocation of its ranges in each frame.
 ///

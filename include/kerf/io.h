@@ -10,8 +10,8 @@
 
 // Mesh files. Component `io`. docs/files.md says what is read and written, format by format.
 //
-// If memory runs out, the status is `out_of_memory`; but glTF and GLB hold a JSON document, and the library that reads it
-// takes some memory to let go of one: if even that is not there, the program ends.
+// If memory runs out, the status is `out_of_memory`; but glTF and GLB hold a JSON document, and the library that reads
+// it takes some memory to let go of one: if even that is not there, the program ends.
 
 namespace kerf {
 
@@ -50,10 +50,10 @@ private:
 
 /// Reads a mesh file and repairs it, as Mesh::make() does: OBJ, PLY, STL, OFF, glTF and GLB, by the extension in either
 /// case. O(n log n) in the file's size, whatever counts it claims. Status: `unusable_file` with a sentence that names
-/// the file and the fault, `invalid_mesh`, `out_of_memory`.
+/// the file and the fault (also one of the mesh in it), `invalid_argument` for a null path, `out_of_memory`.
 ///
 /// @param path    UTF-8
-/// @param report  receives facts, repairs, notes and files; may be null
+/// @param report  receives facts, repairs, notes and files, and is empty if there is no mesh; may be null
 KERF_API Result<Mesh> read_mesh(const char* path, FileReport* report = nullptr) noexcept;
 
 /// The same of a file in memory. It has no other files beside it: of an OBJ file's materials only the names are kept,
@@ -63,9 +63,10 @@ KERF_API Result<Mesh> read_mesh(const char* path, FileReport* report = nullptr) 
 KERF_API Result<Mesh> read_mesh(std::span<const std::byte> file, const char* format,
                                 FileReport* report = nullptr) noexcept;
 
-/// Writes OBJ, PLY, STL, OFF or GLB, by the extension. The file appears complete or not at all. OBJ and PLY read back
-/// bit for bit. O(n). Status: `unusable_file` (a format that is not written, a folder that is not there, a full disk),
-/// `invalid_mesh` for an empty mesh, `out_of_memory`.
+/// Writes OBJ, PLY, STL, OFF or GLB, by the extension. The file appears complete or not at all. Positions, normals, uv
+/// and triangles of OBJ and PLY read back bit for bit; OBJ and GLB keep materials, PLY keeps streams. O(n). Status:
+/// `unusable_file` (a format that is not written, a folder that is not there, a full disk), `invalid_mesh` for an
+/// empty mesh, `out_of_memory`.
 KERF_API Outcome write_mesh(const Mesh& mesh, const char* path) noexcept;
 
 /// A file in memory.
@@ -86,7 +87,8 @@ private:
     Data* data_ = nullptr;
 };
 
-/// The bytes that write_mesh() writes. OBJ without its material file: of materials only the names are kept.
+/// The bytes that write_mesh() writes, with its statuses. OBJ without its material file: of materials only the names
+/// are kept.
 KERF_API Result<FileBytes> mesh_file_bytes(const Mesh& mesh, const char* format) noexcept;
 
 /// The extension of a format that read_mesh() knows, in lower case and without the dot; null beyond the last.

@@ -75,7 +75,8 @@ public:
 
     /// Signed distance of a point, in the units of the mesh: positive on the positive side.
     double distance(Vec3d point) const noexcept;
-    /// The side that a cut gives a point to.
+    /// The side that a point lies on, with no tolerance. (A cut that would leave no more of an object on one side than
+    /// rounding moves points, a few units in the last place of its largest coordinate, is a miss.)
     Side side_of(Vec3d point) const noexcept { return distance(point) >= 0.0 ? Side::positive : Side::negative; }
 
     /// Of length 1.

@@ -144,7 +144,9 @@ Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options)
     if (!upper || !lower) return not_cut(std::move(object), Status::invalid_argument);
     Cut result = cut_once(std::move(object), *upper, options);
     if (result.status == Status::missed && result.side_of_object == Side::negative) {
+        const CutStatistics above = result.statistics();
         result = cut_once(std::move(result.object), *lower, options);
+        if (result.data() != nullptr) add(result.data()->statistics, above);
         if (result.status == Status::missed && result.side_of_object == Side::positive) {
             result.object = Object();
             result.status = Status::done;

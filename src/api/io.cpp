@@ -119,12 +119,14 @@ std::string_view text_of(std::span<const std::byte> file)
 
 Result<Mesh> read_mesh(const char* path, FileReport* report) noexcept
 {
+    if (report != nullptr) *report = FileReport();
     if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
     return answer_of_file<Result<Mesh>>([&] { return mesh_of(io::read_mesh(path), report); });
 }
 
 Result<Mesh> read_mesh(std::span<const std::byte> file, const char* format, FileReport* report) noexcept
 {
+    if (report != nullptr) *report = FileReport();
     if (format == nullptr) return {Status::invalid_argument, Sentence("there is no name of a format")};
     return answer_of_file<Result<Mesh>>([&] { return mesh_of(io::read_mesh(text_of(file), format), report); });
 }

@@ -1,5 +1,6 @@
 #include <kerf/plane.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "api/convert.h"
@@ -27,6 +28,14 @@ std::optional<Plane> Plane::through(Vec3d a, Vec3d b, Vec3d c) noexcept
 
 std::optional<Plane> Plane::from_coefficients(double a, double b, double c, double d) noexcept
 {
+    // The smallest numbers have too few digits to divide by: enlarged, which is exact, they have all.
+    constexpr double kSmall = 0x1p-900, kEnlarge = 0x1p200;
+    if (std::max({std::abs(a), std::abs(b), std::abs(c)}) < kSmall) {
+        a *= kEnlarge;
+        b *= kEnlarge;
+        c *= kEnlarge;
+        d *= kEnlarge;
+    }
     const double length = std::hypot(a, b, c);
     if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(d / length)) return std::nullopt;
     return Plane(Normal(a / length, b / length, c / length), -d / length);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -135,6 +136,20 @@ struct GameVector
 TEST(Plane, TakesTheVectorsOfPrograms)
 {
     EXPECT_EQ(Plane::at(Point(GameVector{0, 0, 2}), Normal(GameVector{0, 0, 1})), Plane::z(2.0));
+}
+
+TEST(Plane, OfTheSmallestNumbersIsValid)
+{
+    constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+    for (const double scale : {1.0, 100.0, 1e5, 1e15})
+        for (const auto& [a, b, c] :
+             {std::array{1.0, 1.0, 0.0}, {1.0, 1.0, 1.0}, {100.0, 77.0, 0.0}, {0.0, 0.0, 1.0}}) {
+            const auto plane =
+                Plane::from_coefficients(a * scale * kLeast, b * scale * kLeast, c * scale * kLeast, 0.0);
+            ASSERT_TRUE(plane);
+            const Normal n = plane->normal();
+            EXPECT_NEAR(std::hypot(n.x, n.y, n.z), 1.0, 1e-15);
+        }
 }
 
 }  // namespace
