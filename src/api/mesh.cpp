@@ -1,6 +1,7 @@
 #include <kerf/mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <stdexcept>
