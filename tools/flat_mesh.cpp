@@ -18,7 +18,8 @@ FlatMesh flat(const Mesh& mesh)
     result.sources.assign(arrays.sources.begin(), arrays.sources.end());
     result.triangles.reserve(arrays.sources.size());
     for (std::uint32_t t = 0; t < arrays.sources.size(); ++t) {
-        result.triangles.push_back({arrays.indices[3 * t], arrays.indices[3 * t + 1], arrays.indices[3 * t + 2]});
+        const std::size_t first = std::size_t{3} * t;
+        result.triangles.push_back({arrays.indices[first], arrays.indices[first + 1], arrays.indices[first + 2]});
         const TriangleGroup like{t, 1, arrays.triangle_materials[t], arrays.solids[t], arrays.kinds[t]};
         TriangleGroup* const last = result.groups.empty() ? nullptr : &result.groups.back();
         if (last != nullptr && last->material == like.material && last->solid == like.solid && last->kind == like.kind)

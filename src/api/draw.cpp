@@ -1,5 +1,6 @@
 #include <kerf/object.h>
 
+#include <memory>
 #include <vector>
 
 #include "api/no_memory.h"
@@ -66,7 +67,7 @@ Status Object::draw(DrawView& view) const noexcept
     view.room_ = room;
     if (is_empty()) return Status::invalid_argument;
     return answer_or(Status::out_of_memory, [&] {
-        if (view.room_ == nullptr) view.room_ = new DrawView::Room;
+        if (view.room_ == nullptr) view.room_ = std::make_unique<DrawView::Room>().release();
         const core::DrawView inside = inside_->draw_view();
         std::vector<DrawRange>& ranges = view.room_->ranges;
         std::vector<Stream>& streams = view.room_->streams;

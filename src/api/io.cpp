@@ -176,7 +176,9 @@ Result<FileBytes> mesh_file_bytes(const Mesh& mesh, const char* format) noexcept
     if (format == nullptr) return {Status::invalid_argument, Sentence("there is no name of a format")};
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
     return answer_of_file<Result<FileBytes>>([&]() -> Result<FileBytes> {
-        return FileBytes(new FileBytes::Data{io::mesh_bytes(mesh.data()->mesh(), format)});
+        auto data = std::make_unique<FileBytes::Data>();
+        data->text = io::mesh_bytes(mesh.data()->mesh(), format);
+        return FileBytes(data.release());
     });
 }
 

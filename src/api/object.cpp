@@ -1,6 +1,7 @@
 #include <kerf/object.h>
 
 #include <cmath>
+#include <memory>
 
 #include "api/convert.h"
 #include "api/mesh_data.h"
@@ -119,8 +120,9 @@ MassProperties Object::mass_properties() const noexcept
 Result<Mesh> Object::mesh() const noexcept
 {
     if (is_empty()) return {Status::invalid_argument, Sentence(kEmpty)};
-    return result_of<Mesh>(kNoMemoryForObject,
-                           [&]() -> Result<Mesh> { return Mesh(new Mesh::Data(inside_->to_indexed_mesh())); });
+    return result_of<Mesh>(kNoMemoryForObject, [&]() -> Result<Mesh> {
+        return Mesh(std::make_unique<Mesh::Data>(inside_->to_indexed_mesh()).release());
+    });
 }
 
 std::size_t Object::loop_count() const noexcept

@@ -166,7 +166,7 @@ TEST(Mesh, OfArraysThatAreNoMeshIsRefusedWithASentence)
     input = cube.input();
     input.streams = {&no_values, 1};
     expect_refused(input);
-    const std::vector<float> values(17 * 8);
+    const std::vector<float> values(std::size_t{17} * 8);
     for (const std::uint32_t width : {0u, 17u}) {
         const StreamInput stream{"colour", values.data(), width};
         input.streams = {&stream, 1};
@@ -204,7 +204,7 @@ TEST(Mesh, CopiesShareWhatTheyHold)
     EXPECT_EQ(a.arrays().positions.data(), b.arrays().positions.data());
     const Mesh c = std::move(a);
     EXPECT_EQ(c.triangle_count(), 12u);
-    EXPECT_TRUE(a.is_empty());
+    EXPECT_TRUE(a.is_empty());  // NOLINT(bugprone-use-after-move): that is what is tested
     EXPECT_EQ(a.triangle_count(), 0u);
     EXPECT_TRUE(a.arrays().positions.empty());
     a = c;

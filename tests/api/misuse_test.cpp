@@ -45,6 +45,7 @@ TEST(Misuse, AnObjectThatWasCutIsEmpty)
         EXPECT_EQ(first.status, Status::done);
         EXPECT_TRUE(object.is_empty());  // NOLINT(bugprone-use-after-move): that is what is tested
         EXPECT_EQ(cut(std::move(object), Plane::x(0.0).value()).status, Status::invalid_argument);
+        // NOLINTNEXTLINE(bugprone-use-after-move)
         EXPECT_EQ(cut_copy(object, Plane::x(0.0).value()).status, Status::invalid_argument);
     }
 }

@@ -75,11 +75,23 @@ TEST(OutOfMemory, CopiesAndArraysOfAMeshSaySo)
     const test::Arrays cube = test::two_cubes();
     const Mesh mesh = test::mesh_of(cube);
     fail_each([&] { return said(mesh.clone()); });
-    // Arrays are made once: of a new copy each time.
-    fail_each([&] {
-        const Mesh copy(mesh);
-        return copy.arrays().indices.size() == 3 * mesh.triangle_count() ? Status::done : Status::out_of_memory;
-    });
+    // Arrays are made once: of a new copy each time. All of them or none, and the next call tries again.
+    std::uint64_t refused = 0;
+    for (const Failure failure : {Failure::once, Failure::for_good})
+        for (std::uint64_t number = 0;; ++number) {
+            const Mesh copy = *mesh.clone();
+            bool happened = false;
+            {
+                const FailingAllocation failing(number, failure);
+                const MeshArrays arrays = copy.arrays();
+                happened = failing.happened();
+                refused += arrays.indices.empty() ? 1 : 0;
+                ASSERT_EQ(arrays.positions.empty(), arrays.indices.empty());
+            }
+            ASSERT_EQ(copy.arrays().indices.size(), 3 * mesh.triangle_count());
+            if (!happened) break;
+        }
+    EXPECT_GT(refused, 2u);
 }
 
 TEST(OutOfMemory, ShapesAndFilesSaySo)

@@ -8,7 +8,7 @@
 
 namespace {
 
-const kerf::fuzz::Fuzzer* chosen = nullptr;
+const kerf::core::fuzz::Fuzzer* chosen = nullptr;
 
 }  // namespace
 
@@ -18,9 +18,9 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv)
     constexpr std::string_view kOption = "--fuzzer=";
     for (int i = 1; i < *argc; ++i) {
         const std::string_view argument = (*argv)[i];
-        if (argument.starts_with(kOption)) chosen = kerf::fuzz::find_fuzzer(argument.substr(kOption.size()));
+        if (argument.starts_with(kOption)) chosen = kerf::core::fuzz::find_fuzzer(argument.substr(kOption.size()));
         if (argument == "--list") {
-            for (const kerf::fuzz::Fuzzer& fuzzer : kerf::fuzz::fuzzers())
+            for (const kerf::core::fuzz::Fuzzer& fuzzer : kerf::core::fuzz::fuzzers())
                 std::printf("%.*s %zu\n", static_cast<int>(fuzzer.name.size()), fuzzer.name.data(), fuzzer.longest);
             std::exit(0);
         }

@@ -107,7 +107,7 @@ private:
 std::string add_liar(const Spoil& spoil)
 {
     static int count = 0;
-    const std::string name = "liar/" + std::to_string(++count);
+    std::string name = "liar/" + std::to_string(++count);
     core::add_back_end({name, true, false, [=] { return std::make_unique<LyingBackend>(name, spoil); }});
     return name;
 }
@@ -432,7 +432,7 @@ TEST(Comparison, FindsNothingInOpenSoupsWhoseLoopsCancel)
             std::shuffle(points.begin(), points.end(), random);
             soup.triangles.push_back({points[0], points[1], points[2]});
         }
-        const Mesh mesh = test::mesh_of(std::move(soup));
+        const Mesh mesh = test::mesh_of(soup);
         compare_mesh(mesh, honest(), "halfedge", options, [&](const ComparisonRow& row) {
             cuts += row.was_cut();
             cancelling += row.was_cut() && row.loops > 1 && row.section_area == 0.0 && row.halfedge.cap_area[0] > 0.0;
@@ -470,7 +470,7 @@ TEST(Comparison, VolumesThatCancelAreJudgedByTheSurface)
         const auto [a, b, c] = soup.triangles[t];
         soup.triangles.push_back({a + vertices, c + vertices, b + vertices});
     }
-    const Mesh mesh = test::mesh_of(std::move(soup));
+    const Mesh mesh = test::mesh_of(soup);
     ComparisonOptions options;
     options.planes = 12;
     Compared outcome;
@@ -487,7 +487,7 @@ TEST(Comparison, SaysThatRepairOpenedTheMesh)
 {
     core::TriangleSoup sheet = ball();
     sheet.triangles.pop_back();
-    const Mesh mesh = test::mesh_of(std::move(sheet));
+    const Mesh mesh = test::mesh_of(sheet);
     const auto failures_of = [&](bool was_closed) {
         ComparisonOptions options;
         options.planes = 1;

@@ -19,8 +19,7 @@ double length(const glm::dvec3& v)
 
 }  // namespace
 
-SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions,
-                             double crease_degrees)
+SmoothNormals smooth_normals(const LinkedSurface& surface, std::span<const glm::vec3> positions, double crease_degrees)
 {
     constexpr double kPi = 3.14159265358979323846;
     const double crease_cosine = std::cos(crease_degrees / 180.0 * kPi);
