@@ -10,10 +10,10 @@
 #include "common/mesh/index.h"
 
 // How a section is closed: an outline goes in; triangles come out, with links across each of their edges. Each way
-// takes the outlines that it can; they are tried in this order: one convex loop (convex_triangulator.h), one simple
-// loop (clipping_triangulator.h), nested and crossing loops (untangling_triangulator.h, which needs
-// constrained_triangulator.h), and whatever is left (topological_triangulator.h). CapPlanner of the half-edge back end
-// tries them.
+// takes the outlines that it can. SectionCloser tries them in this order: one convex loop (convex_triangulator.h), one
+// simple loop (clipping_triangulator.h), nested and crossing loops (untangling_triangulator.h, which needs
+// constrained_triangulator.h, or without CGAL patient_triangulator.h), and whatever is left
+// (topological_triangulator.h).
 
 namespace kerf::core {
 

@@ -2,17 +2,14 @@
 
 #include <atomic>
 
-// Without CGAL sections with holes go to the ways after these, which close them, cover too much, and say so.
+#include "common/caps/patient_triangulator.h"
+
+// Without CGAL simple loops are closed with patience, however they wind. Sections with holes, and those that cross
+// themselves, go to the ways after these, which close them, cover too much, and say so.
 
 namespace kerf::core {
 
 namespace {
-
-class RefusingTriangulator final : public CapTriangulator
-{
-public:
-    bool triangulate(const CapOutline&, CapMesh&) override { return false; }
-};
 
 class RefusingRouteFinder final : public RouteFinder
 {
@@ -24,18 +21,18 @@ public:
     }
 };
 
-constexpr ConstrainedWays kRefusing{
-    []() -> std::unique_ptr<CapTriangulator> { return std::make_unique<RefusingTriangulator>(); },
-    []() -> std::unique_ptr<RouteFinder> { return std::make_unique<RefusingRouteFinder>(); }};
+constexpr ConstrainedWays kWithoutCgal{make_patient_triangulator, []() -> std::unique_ptr<RouteFinder> {
+                                           return std::make_unique<RefusingRouteFinder>();
+                                       }};
 
 /// Initialised before any code runs, so that libraries may put theirs in place while the program starts.
-constinit std::atomic<const ConstrainedWays*> ways_in_use = &kRefusing;
+constinit std::atomic<const ConstrainedWays*> ways_in_use = &kWithoutCgal;
 
 }  // namespace
 
 void use_constrained_ways(const ConstrainedWays* ways) noexcept
 {
-    ways_in_use.store(ways != nullptr ? ways : &kRefusing, std::memory_order_release);
+    ways_in_use.store(ways != nullptr ? ways : &kWithoutCgal, std::memory_order_release);
 }
 
 std::unique_ptr<CapTriangulator> make_constrained_triangulator()

@@ -6,7 +6,8 @@
 #include "common/caps/edge_routes.h"
 
 // The ways that need CGAL, which is GPL. They are defined in one file, in the library `caps_cgal`, which puts them in place
-// when a program that links it starts. Until then, and in programs without it, they refuse every outline.
+// when a program that links it starts. Until then, and in programs without it, the first closes single loops only
+// (patient_triangulator.h), and the second refuses everything.
 
 namespace kerf::core {
 
@@ -24,7 +25,8 @@ struct ConstrainedWays
     std::unique_ptr<RouteFinder> (*make_route_finder)();
 };
 
-/// What the two functions above call from now on, in all threads; null: what refuses. `ways` must outlive all calls.
+/// What the two functions above call from now on, in all threads; null: those without CGAL. `ways` must outlive all
+/// calls.
 void use_constrained_ways(const ConstrainedWays* ways) noexcept;
 
 }  // namespace kerf::core

@@ -8,6 +8,7 @@
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/convex_triangulator.h"
+#include "common/caps/patient_triangulator.h"
 #include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "support/fixtures.h"
@@ -217,6 +218,80 @@ TEST(ClippingTriangulator, RefusesHolesAndSeveralLoops)
     two_loops.add(star(8, 1, 1, {4, 0}));
     EXPECT_FALSE(make_clipping_triangulator()->triangulate(hole.view(), cap));
     EXPECT_FALSE(make_clipping_triangulator()->triangulate(two_loops.view(), cap));
+}
+
+/// A wall that winds around itself, from inside out and back: it has two ears at a time.
+std::vector<glm::dvec2> spiral(std::size_t points, double turns)
+{
+    std::vector<glm::dvec2> out, back;
+    for (std::size_t i = 0; i < points / 2; ++i) {
+        const double angle = 2 * std::numbers::pi * turns * double(i) / double(points / 2);
+        const glm::dvec2 direction(std::cos(angle), std::sin(angle));
+        out.push_back(glm::vec2((1.4 + angle) * direction));
+        back.push_back(glm::vec2((1.0 + angle) * direction));
+    }
+    out.insert(out.end(), back.rbegin(), back.rend());
+    return out;
+}
+
+/// Long teeth that lean over their neighbours: each lies in the bounds of many ears.
+std::vector<glm::dvec2> leaning_comb(std::size_t teeth)
+{
+    std::vector<glm::dvec2> loop{{-1, -1}, {double(teeth) + 1, -1}};
+    for (std::size_t i = teeth; i-- > 0;) {
+        loop.emplace_back(double(i) + 0.75, 0);
+        loop.emplace_back(double(i) + 100.5, 100);
+        loop.emplace_back(double(i) + 0.25, 0);
+    }
+    return loop;
+}
+
+TEST(PatientTriangulator, CoversAConcaveLoopOnceThatClippingInLayersRefuses)
+{
+    for (const auto& loop : {spiral(1000, 20), spiral(100'000, 300), leaning_comb(1500)}) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        EXPECT_FALSE(make_clipping_triangulator()->triangulate(outline.view(), cap));
+        ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
+        EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-11 * outline.area());
+    }
+}
+
+TEST(PatientTriangulator, CoversWhatClippingInLayersCovers)
+{
+    for (const auto& loop : {rocky(1000), star(50, 2, 1), star(7, 1, 1), star(3, 1, 1)}) {
+        Outline outline;
+        outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
+        EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    }
+}
+
+TEST(PatientTriangulator, LooksAtFewCornersOfASpiral)
+{
+    Outline outline;
+    outline.add(spiral(100'000, 300));
+    CapMesh cap;
+    ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
+    EXPECT_LT(cap.steps, 256 * outline.points.size());
+}
+
+TEST(PatientTriangulator, RefusesHolesSeveralLoopsAndWhatHasNoEar)
+{
+    CapMesh cap;
+    Outline hole, two_loops, turned;
+    hole.add(reversed(star(12, 2, 1)));
+    two_loops.add(star(8, 1, 1));
+    two_loops.add(star(8, 1, 1, {4, 0}));
+    turned.add({{0, 0}, {0, 1}, {1, 0}});
+    for (const Outline* outline : {&hole, &two_loops, &turned})
+        EXPECT_FALSE(make_patient_triangulator()->triangulate(outline->view(), cap));
 }
 
 TEST(ConstrainedTriangulator, CoversConcaveAndNestedLoopsOnce)

@@ -1,0 +1,152 @@
+#include "common/caps/patient_triangulator.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/caps/loop_boxes.h"
+#include "common/geometry/turn.h"
+
+// Clipping an ear changes what its two neighbours are, and no other corner (O'Rourke 1998, "Computational Geometry in C",
+// section 1.6.5): corners wait in a queue, and come back to it if a neighbour was clipped. So ears are clipped in turn
+// around the loop, which keeps triangles short, and a corner is judged some three times in all. A corner that stops to
+// be reflex never becomes reflex again, so the tree of reflex corners is built once.
+
+namespace kerf::core {
+
+namespace {
+
+class PatientTriangulator final : public CapTriangulator
+{
+public:
+    bool triangulate(const CapOutline& outline, CapMesh& cap) override
+    {
+        cap.clear();
+        if (outline.loop_starts.size() != 2 || outline.points.size() < 3) return false;
+        start(outline.points);
+        const bool closed = clip_all(cap);
+        cap.steps += kMostLooks - looks_left_;
+        return closed;
+    }
+
+private:
+    /// Reflex corners that may be looked at: about a second.
+    static constexpr std::uint64_t kMostLooks = std::uint64_t{1} << 28;
+
+    void start(std::span<const glm::dvec2> points)
+    {
+        const Index n = static_cast<Index>(points.size());
+        points_ = points;
+        looks_left_ = kMostLooks;
+        before_.resize(n);
+        after_.resize(n);
+        edge_.resize(n);
+        for (Index i = 0; i < n; ++i) {
+            before_[i] = i == 0 ? n - 1 : i - 1;
+            after_[i] = i + 1 == n ? 0 : i + 1;
+            edge_[i] = CapLink::to_outline(i);
+        }
+        reflex_.resize(n);
+        for (Index i = 0; i < n; ++i) reflex_[i] = is_reflex(i);
+        boxes_.build(n, [&](std::size_t i, Box2& box) {
+            if (reflex_[i] != 0) box.add(points_[i].x, points_[i].y);
+        });
+        is_waiting_.assign(n, 0);
+    }
+
+    bool clip_all(CapMesh& cap)
+    {
+        std::size_t left = points_.size(), left_before = left + 1;
+        while (left > 3) {
+            // The second time only where points lie in diagonals: an ear may have appeared beside none that was clipped.
+            if (left == left_before) return false;
+            left_before = left;
+            queue_.clear();
+            for (Index i = 0; i < points_.size(); ++i)
+                if (is_left(i)) wait(i);
+            for (std::size_t next = 0; next < queue_.size() && left > 3; ++next) {
+                const Index b = queue_[next];
+                is_waiting_[b] = 0;
+                if (!is_left(b) || reflex_[b] != 0 || !is_ear(b)) continue;
+                clip(b, cap);
+                --left;
+            }
+            if (looks_left_ == 0) return false;
+        }
+        Index a = 0;
+        while (!is_left(a)) ++a;
+        const Index b = after_[a], c = before_[a];
+        // A triangle of no area closes a loop that folds back on itself.
+        if (turn(points_[a], points_[b], points_[c]) < 0.0) return false;
+        cap.connect(add(a, b, c, cap), edge_[c]);
+        return true;
+    }
+
+    /// Whether a corner is still on the ring.
+    bool is_left(Index i) const { return after_[i] != i; }
+
+    bool is_reflex(Index b) const { return turn(points_[before_[b]], points_[b], points_[after_[b]]) <= 0.0; }
+
+    /// Whether no other reflex corner lies in or on the triangle over b.
+    bool is_ear(Index b)
+    {
+        const Index ia = before_[b], ic = after_[b];
+        const glm::dvec2 &pa = points_[ia], &pb = points_[b], &pc = points_[ic];
+        Box2 box;
+        for (const glm::dvec2* p : {&pa, &pb, &pc}) box.add(p->x, p->y);
+        return !boxes_.any(box, [&](std::size_t i) {
+            if (looks_left_ == 0) return true;
+            --looks_left_;
+            if (reflex_[i] == 0 || i == ia || i == ic) return false;
+            const glm::dvec2& p = points_[i];
+            return turn(pa, pb, p) >= 0.0 && turn(pb, pc, p) >= 0.0 && turn(pc, pa, p) >= 0.0;
+        });
+    }
+
+    void clip(Index b, CapMesh& cap)
+    {
+        const Index a = before_[b], c = after_[b];
+        edge_[a] = add(a, b, c, cap);
+        after_[a] = c;
+        before_[c] = a;
+        after_[b] = b;
+        for (const Index i : {a, c}) {
+            if (reflex_[i] != 0) reflex_[i] = is_reflex(i);
+            wait(i);
+        }
+    }
+
+    /// The triangle over corner b; returns its edge from c to a.
+    CapLink add(Index a, Index b, Index c, CapMesh& cap)
+    {
+        const Index t = static_cast<Index>(cap.triangles.size());
+        cap.triangles.push_back({{a, b, c}});
+        cap.connect(CapLink::to_triangle(t, 0), edge_[a]);
+        cap.connect(CapLink::to_triangle(t, 1), edge_[b]);
+        return CapLink::to_triangle(t, 2);
+    }
+
+    void wait(Index i)
+    {
+        if (is_waiting_[i] != 0) return;
+        is_waiting_[i] = 1;
+        queue_.push_back(i);
+    }
+
+    std::span<const glm::dvec2> points_;
+    std::vector<Index> before_, after_;  // on the ring, of each corner that is left
+    std::vector<CapLink> edge_;          // the edge that leaves each: the outline's, or a triangle's
+    std::vector<std::uint8_t> reflex_, is_waiting_;
+    std::vector<Index> queue_;
+    LoopBoxes boxes_;
+    std::uint64_t looks_left_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<CapTriangulator> make_patient_triangulator()
+{
+    return std::make_unique<PatientTriangulator>();
+}
+
+}  // namespace kerf::core
