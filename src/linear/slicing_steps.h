@@ -213,7 +213,7 @@ protected:
     std::uint32_t material_of_caps()
     {
         added_cap_material_ = whole_.cap_material;
-        if (options_.cap_material < materials_.size()) return options_.cap_material;
+        if (!options_.build_caps || options_.cap_material < materials_.size()) return options_.cap_material;
         if (added_cap_material_ == kDefaultCapMaterial) added_cap_material_ = add_cap_material(materials_);
         return added_cap_material_;
     }

@@ -77,6 +77,7 @@ TEST_P(CutTest, WithoutCapsLeavesTheSectionOpen)
     const Object& above = *result.one(Side::positive);
     EXPECT_FALSE(above.mesh()->is_closed());
     EXPECT_FALSE(above.mass_properties().is_of_solid);
+    EXPECT_EQ(above.material_count(), test::cube(GetParam()).material_count()) << "there is no cap to have one";
 }
 
 TEST_P(CutTest, GivesEachConnectedPieceIfAskedTo)
