@@ -78,8 +78,7 @@ Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
         };
         if (!goes_on(0.0)) return cancelled_object();
         const bool is_closed = mesh.is_closed();
-        const std::unique_ptr<core::Backend> back_end = entry->make();
-        core::PrepareResult prepared = mesh.data()->prepare(*back_end, inside, mesh.data()->has_one_owner());
+        core::PrepareResult prepared = mesh.data()->prepare(*entry->back_end, inside, mesh.data()->has_one_owner());
         if (prepared.object == nullptr) return {to_public(prepared.status), Sentence(prepared.reason.c_str())};
         prepared.object->memory = {entry->name.c_str(), is_closed};
         if (!goes_on(1.0)) return cancelled_object();

@@ -1,6 +1,6 @@
 #include "back_ends/back_ends.h"
 
-#include <algorithm>
+#include <atomic>
 #include <deque>
 #include <mutex>
 #include <utility>
@@ -11,7 +11,10 @@ namespace kerf::core {
 
 namespace {
 
-/// Entries stay where they are.
+using List = std::vector<const RegisteredBackend*>;
+
+/// Entries stay where they are. Who adds one makes a new list; who reads has the newest and needs no lock, so lists stay
+/// as long as the program, too: there are few.
 class Registry
 {
 public:
@@ -23,25 +26,19 @@ public:
 
     void add(RegisteredBackend&& entry)
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(adding_);
         if (with_name(entry.name) != nullptr) return;
-        if (entry.is_for_many_cuts)
-            entries_.push_front(std::move(entry));
-        else
-            entries_.push_back(std::move(entry));
+        entry.back_end = entry.make();
+        const bool is_first = entry.is_for_many_cuts;
+        List& list = lists_.emplace_back(all());
+        list.insert(is_first ? list.begin() : list.end(), &entries_.emplace_back(std::move(entry)));
+        newest_.store(&list, std::memory_order_release);
     }
 
-    std::vector<const RegisteredBackend*> all()
-    {
-        const std::lock_guard lock(mutex_);
-        std::vector<const RegisteredBackend*> pointers;
-        for (const RegisteredBackend& entry : entries_) pointers.push_back(&entry);
-        return pointers;
-    }
+    const List& all() const { return *newest_.load(std::memory_order_acquire); }
 
-    const RegisteredBackend* find(std::string_view name)
+    const RegisteredBackend* find(std::string_view name) const
     {
-        const std::lock_guard lock(mutex_);
         if (const RegisteredBackend* const entry = with_name(name)) return entry;
         return first_that([&](std::string_view own) {
             return !name.empty() && own.size() > name.size() && own.substr(0, name.size()) == name &&
@@ -50,17 +47,17 @@ public:
     }
 
 private:
-    Registry()
+    Registry() : lists_(1), newest_(&lists_.front())
     {
-        entries_.push_back({"linear", false, false, [] { return linear::make_back_end(); }});
+        add({"linear", false, false, [] { return linear::make_back_end(); }});
     }
 
     template <class Is>
     const RegisteredBackend* first_that(Is is) const
     {
-        const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                        [&](const RegisteredBackend& entry) { return is(entry.name); });
-        return found == entries_.end() ? nullptr : &*found;
+        for (const RegisteredBackend* const entry : all())
+            if (is(entry->name)) return entry;
+        return nullptr;
     }
 
     const RegisteredBackend* with_name(std::string_view name) const
@@ -68,8 +65,10 @@ private:
         return first_that([&](std::string_view own) { return own == name; });
     }
 
-    std::mutex mutex_;
+    std::mutex adding_;
     std::deque<RegisteredBackend> entries_;
+    std::deque<List> lists_;
+    std::atomic<const List*> newest_;
 };
 
 }  // namespace
@@ -87,12 +86,6 @@ void add_back_end(RegisteredBackend entry)
 const RegisteredBackend* find_back_end(std::string_view name)
 {
     return Registry::the().find(name);
-}
-
-std::unique_ptr<Backend> make_back_end(std::string_view name)
-{
-    const RegisteredBackend* const entry = find_back_end(name);
-    return entry == nullptr ? nullptr : entry->make();
 }
 
 }  // namespace kerf::core

@@ -19,7 +19,8 @@ struct RegisteredBackend
     bool closes_with_fan = false;  ///< its caps fit star-shaped sections only
     bool is_quadratic = false;     ///< a cut of n triangles costs O(n^2)
     std::function<std::unique_ptr<Backend>()> make;
-    bool is_for_many_cuts = false;  ///< the better choice if an object is cut often: stands before the others
+    bool is_for_many_cuts = false;            ///< the better choice if an object is cut often: stands before the others
+    std::shared_ptr<const Backend> back_end;  ///< one for all who prepare, since it is stateless; made by the list
 };
 
 /// All back ends: "halfedge" (if it is linked), the default, then "linear", then those that were added. They live as
@@ -33,8 +34,5 @@ void add_back_end(RegisteredBackend entry);
 /// The entry of that name, or the first whose name has that first part: "baseline" is "baseline/hash" if that was added
 /// first. Null for a name that there is not. From any thread.
 const RegisteredBackend* find_back_end(std::string_view name);
-
-/// Makes the back end of that name. Null for a name that there is not.
-std::unique_ptr<Backend> make_back_end(std::string_view name);
 
 }  // namespace kerf::core
