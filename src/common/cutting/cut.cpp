@@ -30,11 +30,6 @@ std::string_view name_of(Status status)
     return "unknown";
 }
 
-std::string_view outcome_name(Status status)
-{
-    return status == Status::done ? "cut" : name_of(status);
-}
-
 Status Cuttable::detach() noexcept
 {
     try {

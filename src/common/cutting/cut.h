@@ -40,8 +40,6 @@ enum class Status : std::uint8_t
     cancelled,         ///< prepare: the caller asked to stop
 };
 std::string_view name_of(Status status);
-/// What programs print of a cut: "cut" for `done`, otherwise the status's name.
-std::string_view outcome_name(Status status);
 
 /// A polyline of the section, in mesh coordinates. Seen from the plane's positive side an outer loop runs
 /// counter-clockwise and a hole clockwise. The last point is not repeated.
