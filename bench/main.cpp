@@ -9,6 +9,7 @@
 
 namespace kerf::bench {
 void register_model_benchmarks();
+void register_arrays_benchmarks();
 void register_scale_benchmarks();
 void register_chain_benchmarks();
 void register_long_benchmarks();
@@ -28,6 +29,7 @@ int main(int argc, char** argv)
     mallopt(M_TOP_PAD, 64 << 20);
     try {
         kerf::bench::register_model_benchmarks();
+        kerf::bench::register_arrays_benchmarks();
         kerf::bench::register_scale_benchmarks();
         kerf::bench::register_chain_benchmarks();
         kerf::bench::register_long_benchmarks();
