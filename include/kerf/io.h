@@ -64,8 +64,9 @@ KERF_API Result<Mesh> read_mesh(std::span<const std::byte> file, const char* for
                                 FileReport* report = nullptr) noexcept;
 
 /// Writes OBJ, PLY, STL, OFF or GLB, by the extension. The file appears complete or not at all. Positions, normals, uv
-/// and triangles of OBJ and PLY read back bit for bit; OBJ and GLB keep materials, PLY keeps streams. O(n). Status:
-/// `unusable_file` (a format that is not written, a folder that is not there, a full disk), `invalid_mesh` for an
+/// and triangles of OBJ and PLY read back bit for bit; OBJ and GLB keep materials, PLY keeps streams. What a format has
+/// no place for is left out without a word: materials in PLY, STL and OFF, streams in all but PLY, normals and uv in STL
+/// and OFF (docs/files.md). O(n). Status: `unusable_file` (a format that is not written, a folder that is not there, a full disk), `invalid_mesh` for an
 /// empty mesh, `out_of_memory`.
 KERF_API Outcome write_mesh(const Mesh& mesh, const char* path) noexcept;
 
@@ -110,7 +111,8 @@ public:
     /// Writes a mesh as write_mesh() does, under a temporary name beside its place. Refuses to replace an input, and to
     /// write two files to one place. Status as write_mesh().
     Outcome add(const char* path, const Mesh& mesh) noexcept;
-    /// Gives all files their names. If one cannot have its name, none has. Status: `unusable_file`, `out_of_memory`.
+    /// Gives all files their names. If one cannot have its name, none has, and the set is spent: add the files to
+    /// another one. Status: `unusable_file`, `out_of_memory`.
     Outcome commit() noexcept;
 
 private:
