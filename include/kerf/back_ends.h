@@ -4,9 +4,11 @@
 
 #include <cstddef>
 
-// The ways to cut that a build has.
-
 namespace kerf {
+
+/// @addtogroup back_ends
+/// The ways to cut that a build has.
+/// @{
 
 /// How objects are cut.
 enum class BackEnd : unsigned char
@@ -35,5 +37,7 @@ KERF_API BackEndFacts back_end(std::size_t i) noexcept;
 /// The back end of that name, or one without a name. A name without its second part means the first that begins so:
 /// "baseline" is "baseline/hash".
 KERF_API BackEndFacts find_back_end(const char* name) noexcept;
+
+/// @}
 
 }  // namespace kerf

@@ -5,6 +5,10 @@
 
 namespace kerf {
 
+/// @addtogroup cutting
+/// An object and a plane become pieces.
+/// @{
+
 /// Options of cut().
 struct CutOptions
 {
@@ -20,7 +24,7 @@ struct CutOptions
 /// What became of an object.
 struct [[nodiscard]] KERF_API Cut
 {
-    Status status = Status::missed;
+    Status status = Status::missed;  ///< cut() lists them
     /// Of a miss: the side that the object lies on.
     Side side_of_object = Side::negative;
     /// The object itself, if it was not cut; otherwise empty.
@@ -32,6 +36,7 @@ struct [[nodiscard]] KERF_API Cut
     /// to close it exactly. Caps are closed all the same, and have the section's signed area.
     bool caps_exceed_section = false;
 
+    /// How many pieces a side has. O(1).
     std::size_t count(Side side) const noexcept;
     /// Piece i of a side; null beyond the last.
     ///
@@ -46,14 +51,18 @@ struct [[nodiscard]] KERF_API Cut
     /// What the cut, or the miss, has cost; with a gap, that of both cuts. All 0 for what is not an object.
     const CutStatistics& statistics() const noexcept;
 
+    /// One without pieces; what is moved from is such a one.
+    /// @{
     Cut() noexcept;
     Cut(Cut&& other) noexcept;
     Cut& operator=(Cut&& other) noexcept;
+    /// @}
     ~Cut();
 
+    /// @cond For the library itself.
     struct Data;
-    /// For the library itself.
     Data* data() const noexcept { return data_; }
+    /// @endcond
 
 private:
     friend struct CutMaker;
@@ -77,5 +86,7 @@ KERF_API Cut cut(Object&& object, const Plane& plane, const CutOptions& options 
 
 /// The same, and the object stays: it is copied before, O(n).
 KERF_API Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options = {}) noexcept;
+
+/// @}
 
 }  // namespace kerf

@@ -8,25 +8,28 @@
 #include <cstdint>
 #include <span>
 
-// Drawing: what of an object's buffers goes to the GPU, and which runs of it are the object.
-
 namespace kerf {
+
+/// @addtogroup drawing
+/// What of an object's buffers goes to the GPU, and which runs of it are the object.
+/// @{
 
 /// A vertex as the buffers hold it: 32 bytes.
 struct DrawVertex
 {
-    Vec3f position;
-    Vec3f normal;  ///< length 1
-    Vec2f uv;
+    Vec3f position;  ///< in the mesh's unit of length
+    Vec3f normal;    ///< length 1
+    Vec2f uv;        ///< origin in the lower left corner
 };
 static_assert(sizeof(DrawVertex) == 32);
 
 /// A run of the index buffer that is drawn in one call.
 struct DrawRange
 {
-    std::uint32_t first_index = 0, index_count = 0;
-    std::uint32_t material = 0;  ///< Object::material()
-    TriangleKind kind = TriangleKind::surface;
+    std::uint32_t first_index = 0;              ///< of DrawView::indices
+    std::uint32_t index_count = 0;              ///< three for each triangle
+    std::uint32_t material = 0;                 ///< Object::material()
+    TriangleKind kind = TriangleKind::surface;  ///< surface or cap: no range has both
 };
 
 /// What to draw. Relatives (Object::shares_buffers_with()) have the same buffers: each of their views names all of
@@ -46,13 +49,16 @@ struct KERF_API DrawView
     std::span<const DrawVertex> vertices;    ///< the whole vertex buffer
     std::span<const std::uint32_t> indices;  ///< the whole index buffer
     std::size_t new_vertices_from = 0;       ///< what stands before is on the GPU already, as mark_uploaded() was told
-    std::size_t new_indices_from = 0;
-    std::span<const Stream> streams;    ///< further numbers of all vertices; new from `new_vertices_from` on, too
-    std::span<const DrawRange> ranges;  ///< by kind and material
+    std::size_t new_indices_from = 0;        ///< the same of indices
+    std::span<const Stream> streams;         ///< further numbers of all vertices; new from `new_vertices_from` on, too
+    std::span<const DrawRange> ranges;       ///< by kind and material
 
+    /// One that shows nothing; what is moved from is such a one.
+    /// @{
     DrawView() noexcept = default;
     DrawView(DrawView&& other) noexcept;
     DrawView& operator=(DrawView&& other) noexcept;
+    /// @}
     ~DrawView();
 
 private:
@@ -67,7 +73,9 @@ struct BufferListener
     /// Called once for each serial number, from the thread that ended the last object with these buffers. Must not call
     /// the library. May be null.
     void (*released)(void* user, std::uint64_t buffers) = nullptr;
-    void* user = nullptr;
+    void* user = nullptr;  ///< for `released`
 };
+
+/// @}
 
 }  // namespace kerf

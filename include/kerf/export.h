@@ -1,6 +1,13 @@
 #pragma once
 
-// What a shared library shows to the programs that link it.
+/// @addtogroup version
+/// @{
+
+/// @def KERF_API
+/// Stands before each name that a shared library shows. Programs that link static libraries define KERF_STATIC; the
+/// CMake package and pkg-config do it for them.
+
+/// @}
 
 #if defined(KERF_STATIC)
 #define KERF_API

@@ -8,20 +8,25 @@
 #include <cstdint>
 #include <span>
 
-// Mesh files. Component `io`. docs/files.md says what is read and written, format by format.
-//
-// If memory runs out, the status is `out_of_memory`; but glTF and GLB hold a JSON document, and the library that reads
-// it takes some memory to let go of one: if even that is not there, the program ends.
-
 namespace kerf {
 
-/// What reading a file says besides the mesh. Empty at first, and after a move.
+/// @addtogroup files
+/// Files to meshes, and meshes to files. Component `io`. docs/files.md says what is read and written, format by format.
+///
+/// If memory runs out, the status is `out_of_memory`; but glTF and GLB hold a JSON document, and the library that reads
+/// it takes some memory to let go of one: if even that is not there, the program ends.
+/// @{
+
+/// What reading a file says besides the mesh.
 class KERF_API FileReport
 {
 public:
+    /// An empty one; what is moved from is empty, too.
+    /// @{
     FileReport() noexcept = default;
     FileReport(FileReport&& other) noexcept;
     FileReport& operator=(FileReport&& other) noexcept;
+    /// @}
     ~FileReport();
 
     /// Facts of the mesh as the file has it, and what was repaired.
@@ -33,15 +38,17 @@ public:
         const char* what = "";    ///< a clause without the number: "normals that are not finite numbers made anew"
         std::uint64_t count = 0;  ///< how often
     };
-    std::size_t note_count() const noexcept;
+    std::size_t note_count() const noexcept;  ///< of note()
     Note note(std::size_t i) const noexcept;  ///< an empty one if there is none of that number
 
     /// All files that were read: the mesh, its material libraries and buffers.
     std::size_t file_count() const noexcept;
     const char* file(std::size_t i) const noexcept;  ///< "" if there is none of that number
 
+    /// @cond For the library itself.
     struct Data;
     const Data* data() const noexcept { return data_; }
+    /// @endcond
 
 private:
     friend struct FileReportMaker;
@@ -74,15 +81,20 @@ KERF_API Outcome write_mesh(const Mesh& mesh, const char* path) noexcept;
 class KERF_API FileBytes
 {
 public:
+    /// An empty one; what is moved from is empty, too.
+    /// @{
     FileBytes() noexcept = default;
     FileBytes(FileBytes&& other) noexcept;
     FileBytes& operator=(FileBytes&& other) noexcept;
+    /// @}
     ~FileBytes();
 
-    std::span<const std::byte> bytes() const noexcept;
+    std::span<const std::byte> bytes() const noexcept;  ///< valid as long as this is
 
+    /// @cond For the library itself.
     struct Data;
     explicit FileBytes(Data* data) noexcept : data_(data) {}
+    /// @endcond
 
 private:
     Data* data_ = nullptr;
@@ -101,11 +113,15 @@ KERF_API const char* writable_format(std::size_t i) noexcept;
 class KERF_API MeshFileSet
 {
 public:
+    /// One that may replace any file.
     MeshFileSet() noexcept = default;
     /// @param inputs  whose files must not be replaced
     explicit MeshFileSet(const FileReport& inputs) noexcept;
+    /// What is moved from holds no files.
+    /// @{
     MeshFileSet(MeshFileSet&& other) noexcept;
     MeshFileSet& operator=(MeshFileSet&& other) noexcept;
+    /// @}
     ~MeshFileSet();
 
     /// Writes a mesh as write_mesh() does, under a temporary name beside its place. Refuses to replace an input, and to
@@ -125,5 +141,7 @@ private:
 /// end the program as if they had not been caught. One that is ignored or caught already stays so, but for SIGINT and
 /// SIGTERM.
 KERF_API void remove_unfinished_files_on_signals() noexcept;
+
+/// @}
 
 }  // namespace kerf

@@ -5,18 +5,23 @@
 
 namespace kerf {
 
+/// @addtogroup physics
+/// What a physics engine asks of a piece: mass, inertia, and simple shapes around it.
+/// @{
+
 /// Volume, centre of mass and inertia of a body of density 1, in the mesh's unit of length.
 struct KERF_API MassProperties
 {
-    double volume = 0.0;
-    Vec3d centre;   ///< of mass; of the bounds if there is no volume
-    Mat3d inertia;  ///< about the centre, along the axes of the mesh
+    double volume = 0.0;  ///< in the unit, cubed
+    Vec3d centre;         ///< of mass; of the bounds if there is no volume
+    Mat3d inertia;        ///< about the centre, along the axes of the mesh
     /// Whether the surface is known to bound a solid: the mesh was closed, and so is each cut since. Otherwise these
     /// are sums over a surface that may bound nothing.
     bool is_of_solid = false;
 
-    /// The same body of another density: its mass, and its inertia.
+    /// The mass of the same body of another density.
     double mass(double density) const noexcept { return volume * density; }
+    /// And its inertia.
     Mat3d inertia_of(double density) const noexcept;
 
     /// The same of the body where the matrix places it: it may move, turn, scale, mirror and shear, by any matrix whose
@@ -33,5 +38,7 @@ struct PrincipalAxes
 
 /// By Jacobi's rotations (Golub and Van Loan, "Matrix Computations", section 8.5). O(1).
 KERF_API PrincipalAxes principal_axes(const Mat3d& inertia) noexcept;
+
+/// @}
 
 }  // namespace kerf

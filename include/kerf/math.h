@@ -1,9 +1,11 @@
 #pragma once
 
-// Points, vectors and matrices: plain numbers. Anything with members x, y and z (glm, Eigen's accessors apart, most
-// engines) converts to a Vec3f or a Vec3d by itself, and these to it where the type is named: `glm::vec3(point)`.
-
 namespace kerf {
+
+/// @addtogroup math
+/// Points, vectors and matrices: plain numbers. Anything with members x, y and z (glm, Eigen's accessors apart, most
+/// engines) converts to a Vec3f or a Vec3d by itself, and these to it where the type is named: `glm::vec3(point)`.
+/// @{
 
 /// A type with coordinates x, y and z.
 template <class T>
@@ -21,9 +23,13 @@ concept IsMadeOfXyz = HasXyz<T> && requires(Number n)
     T{n, n, n};
 };
 
+/// A place in a texture, in single precision.
 struct Vec2f
 {
+    /// A coordinate.
+    /// @{
     float x = 0.0f, y = 0.0f;
+    /// @}
 
     friend bool operator==(const Vec2f&, const Vec2f&) = default;
 };
@@ -31,10 +37,16 @@ struct Vec2f
 /// A position, or a direction, in single precision: as meshes hold them.
 struct Vec3f
 {
+    /// A coordinate.
+    /// @{
     float x = 0.0f, y = 0.0f, z = 0.0f;
+    /// @}
 
+    /// The origin.
     constexpr Vec3f() = default;
+    /// Of three coordinates.
     constexpr Vec3f(float x_, float y_, float z_) : x(x_), y(y_), z(z_) {}
+    /// Of a vector of the caller's own type.
     template <HasXyz T>
     constexpr Vec3f(const T& t) : x(static_cast<float>(t.x)), y(static_cast<float>(t.y)), z(static_cast<float>(t.z))
     {
@@ -53,10 +65,16 @@ struct Vec3f
 /// The same in double precision: as planes hold them.
 struct Vec3d
 {
+    /// A coordinate.
+    /// @{
     double x = 0.0, y = 0.0, z = 0.0;
+    /// @}
 
+    /// The origin.
     constexpr Vec3d() = default;
+    /// Of three coordinates.
     constexpr Vec3d(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+    /// Of a vector of the caller's own type.
     template <HasXyz T>
     constexpr Vec3d(const T& t) : x(static_cast<double>(t.x)), y(static_cast<double>(t.y)), z(static_cast<double>(t.z))
     {
@@ -75,6 +93,7 @@ struct Vec3d
 /// A 3x3 matrix by columns: m[column][row].
 struct Mat3d
 {
+    /// m[column][row]; the identity at first.
     double m[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 };
 
@@ -82,6 +101,7 @@ struct Mat3d
 /// The last row is 0, 0, 0, 1.
 struct Mat4d
 {
+    /// m[column][row]; the identity at first.
     double m[4][4] = {{1.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.0, 1.0}};
 
     /// From sixteen numbers, column by column: what `glm::value_ptr()` points to.
@@ -98,9 +118,13 @@ struct Mat4d
 /// A box along the axes. An empty one has lo > hi; a default one is empty.
 struct Box
 {
-    Vec3f lo{1.0f, 1.0f, 1.0f}, hi{-1.0f, -1.0f, -1.0f};
+    Vec3f lo{1.0f, 1.0f, 1.0f};     ///< the least coordinates
+    Vec3f hi{-1.0f, -1.0f, -1.0f};  ///< the largest ones
 
+    /// Whether nothing lies in it, not even a point.
     constexpr bool is_empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
 };
+
+/// @}
 
 }  // namespace kerf

@@ -18,10 +18,14 @@ namespace core {
 class Cuttable;
 }
 
+/// @addtogroup objects
+/// What is cut, from the mesh that it was made of to its pieces.
+/// @{
+
 /// Options of prepare().
 struct PrepareOptions
 {
-    BackEnd back_end = BackEnd::automatic;
+    BackEnd back_end = BackEnd::automatic;  ///< the way to cut
     /// A back end by its name instead (find_back_end()): what a user chooses on a command line. May be null.
     const char* back_end_name = nullptr;
     /// How many times the object and its pieces will be cut, about. `automatic` goes by it.
@@ -36,8 +40,8 @@ struct PrepareOptions
 /// A closed polyline, or a chain that ends at holes of the mesh: an outline of the section that made an object.
 struct SectionLoop
 {
-    std::span<const Vec3f> points;  ///< of a chain also its end
-    bool is_closed = true;
+    std::span<const Vec3f> points;  ///< in order; of a chain also its end
+    bool is_closed = true;          ///< false of a chain
 };
 
 /// Something that can be cut: made by prepare(), or a piece of a cut. Move-only; its members are hidden, so programs
@@ -59,20 +63,23 @@ struct SectionLoop
 class KERF_API Object
 {
 public:
+    /// An empty one; what is moved from is empty, too.
+    /// @{
     Object() noexcept = default;
     Object(Object&& other) noexcept;
     Object& operator=(Object&& other) noexcept;
+    /// @}
     ~Object();
 
-    bool is_empty() const noexcept { return inside_ == nullptr; }
-    explicit operator bool() const noexcept { return !is_empty(); }
+    bool is_empty() const noexcept { return inside_ == nullptr; }    ///< whether there is nothing to cut
+    explicit operator bool() const noexcept { return !is_empty(); }  ///< whether there is
 
     /// An independent copy that shares nothing: a copy of memory, not a prepare(). O(n) of all that it shares buffers
     /// with. Status: `out_of_memory`, `invalid_argument` for an empty object.
     Result<Object> clone() const noexcept;
 
-    std::uint64_t triangle_count() const noexcept;
-    Box bounds() const noexcept;
+    std::uint64_t triangle_count() const noexcept;  ///< with caps; 0 of an empty object. O(1).
+    Box bounds() const noexcept;                    ///< empty of an empty object
     /// O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an empty object.
     MassProperties mass_properties() const noexcept;
     /// A compact copy of the triangles: what to write or to hand on. O(n). Status: `out_of_memory`, `invalid_argument`
@@ -81,7 +88,7 @@ public:
 
     /// The outlines of the cut that made this piece; none before any cut.
     std::size_t loop_count() const noexcept;
-    SectionLoop loop(std::size_t i) const noexcept;
+    SectionLoop loop(std::size_t i) const noexcept;  ///< an empty one if there is none of that number
 
     /// Fills a view, new or used: what to draw. Status: `invalid_argument` for an empty object, `out_of_memory`; then
     /// the view is empty.
@@ -89,6 +96,7 @@ public:
     /// What `view` calls new is on the GPU now.
     void mark_uploaded(const DrawView& view) noexcept;
 
+    /// Whether both are relatives. An empty object has none.
     bool shares_buffers_with(const Object& other) const noexcept;
     /// Gives the object buffers of its own; then it is a stranger to all others. O(n) if it has relatives. Status:
     /// `done` or `out_of_memory`, and the object is as it was.
@@ -103,17 +111,18 @@ public:
     /// Adds a material, for caps of later cuts. Returns its number, or kNone if there is no memory or the object is
     /// empty.
     std::uint32_t add_material(const Material& material) noexcept;
-    std::size_t material_count() const noexcept;
+    std::size_t material_count() const noexcept;  ///< of material()
     /// Its texts live until a material is added or the object changes or ends; one without a name if there is none of
     /// that number.
     Material material(std::size_t i) const noexcept;
     /// Name of the back end that cuts the object; "" of an empty one.
     const char* back_end_name() const noexcept;
 
-    /// For the library itself.
+    /// @cond For the library itself.
     explicit Object(core::Cuttable* inside) noexcept : inside_(inside) {}
     core::Cuttable* inside() const noexcept { return inside_; }
     core::Cuttable* release() noexcept { return std::exchange(inside_, nullptr); }
+    /// @endcond
 
 private:
     core::Cuttable* inside_ = nullptr;
@@ -124,5 +133,7 @@ private:
 /// `invalid_mesh` for an empty mesh, `invalid_argument` for a back end that this build lacks, `cancelled`,
 /// `out_of_memory`.
 KERF_API Result<Object> prepare(Mesh mesh, const PrepareOptions& options = {}) noexcept;
+
+/// @}
 
 }  // namespace kerf

@@ -7,6 +7,10 @@
 
 namespace kerf {
 
+/// @addtogroup planes
+/// Where a cut goes, and which side is which.
+/// @{
+
 /// The two sides of a plane. Points on the plane are on the positive one.
 enum class Side : unsigned char
 {
@@ -14,6 +18,7 @@ enum class Side : unsigned char
     positive = 1,
 };
 
+/// The other side.
 constexpr Side opposite(Side side) noexcept
 {
     return side == Side::negative ? Side::positive : Side::negative;
@@ -22,7 +27,9 @@ constexpr Side opposite(Side side) noexcept
 /// A place that a plane goes through, in the units of the mesh.
 struct Point : Vec3d
 {
+    /// Of three coordinates.
     constexpr Point(double x_, double y_, double z_) : Vec3d(x_, y_, z_) {}
+    /// Of a vector of the caller's own type.
     template <HasXyz T>
     explicit constexpr Point(const T& t) : Vec3d(t)
     {
@@ -32,7 +39,9 @@ struct Point : Vec3d
 /// The direction in which a plane's positive side lies; of any length but 0.
 struct Normal : Vec3d
 {
+    /// Of three coordinates.
     constexpr Normal(double x_, double y_, double z_) : Vec3d(x_, y_, z_) {}
+    /// Of a vector of the caller's own type.
     template <HasXyz T>
     explicit constexpr Normal(const T& t) : Vec3d(t)
     {
@@ -59,9 +68,11 @@ public:
     static std::optional<Plane> from_coefficients(double a, double b, double c, double d) noexcept;
 
     /// Across an axis: where that coordinate has this value. The normal points along the axis.
+    /// @{
     static std::optional<Plane> x(double value) noexcept;
     static std::optional<Plane> y(double value) noexcept;
     static std::optional<Plane> z(double value) noexcept;
+    /// @}
 
     /// Moved so far along its normal, in the units of the mesh; nothing if that leaves the range of double.
     std::optional<Plane> moved(double distance) const noexcept;
@@ -92,5 +103,7 @@ private:
     Normal normal_;
     double offset_;
 };
+
+/// @}
 
 }  // namespace kerf

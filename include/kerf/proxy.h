@@ -7,26 +7,31 @@
 #include <cstdint>
 #include <span>
 
-// Stand-ins for physics: simple shapes around an object. Component `proxy`.
-
 namespace kerf {
+
+/// @addtogroup physics
+/// Stand-ins for physics are simple shapes around an object. Component `proxy`.
+/// @{
 
 class Object;
 
 /// A sphere around all vertices. Not the smallest one: its centre is that of the bounds.
 struct Sphere
 {
-    Vec3f centre;
-    float radius = 0.0f;
+    Vec3f centre;         ///< in the object's coordinates
+    float radius = 0.0f;  ///< in the mesh's unit of length
 };
 
 /// A convex body around an object.
 class KERF_API Hull
 {
 public:
+    /// An empty one; what is moved from is empty, too.
+    /// @{
     Hull() noexcept = default;
     Hull(Hull&& other) noexcept;
     Hull& operator=(Hull&& other) noexcept;
+    /// @}
     ~Hull();
 
     /// Its corners, all of them vertices of the object.
@@ -34,8 +39,10 @@ public:
     /// Corners of its triangles, three each, counter-clockwise from outside.
     std::span<const std::uint32_t> indices() const noexcept;
 
+    /// @cond For the library itself.
     struct Data;
     explicit Hull(Data* data) noexcept : data_(data) {}
+    /// @endcond
 
 private:
     Data* data_ = nullptr;
@@ -51,5 +58,7 @@ KERF_API Result<Hull> bounded_hull(const Object& object) noexcept;
 
 /// The hull of all vertices. O(n log n). Status as above.
 KERF_API Result<Hull> full_hull(const Object& object) noexcept;
+
+/// @}
 
 }  // namespace kerf

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
-// Generated meshes to try things with. Component `shapes`.
-
 namespace kerf {
+
+/// @addtogroup shapes
+/// Generated meshes to try things with. Component `shapes`.
+/// @{
 
 /// The most triangles that a shape is asked for.
 inline constexpr std::uint64_t kMostShapeTriangles = 16'000'000;
@@ -26,8 +28,7 @@ struct ShapeOptions
     void* user = nullptr;  ///< for `progress`
 };
 
-/// A closed shape by its name with about so many triangles (at least what it needs, at most
-/// kMostShapeTriangles).
+/// A closed shape by its name with about so many triangles (at least what it needs, at most kMostShapeTriangles).
 /// O(n log n). Status: `invalid_argument` for a name that is none of shape_name(), `cancelled`, `out_of_memory`.
 KERF_API Result<Mesh> make_shape(const char* name, std::uint64_t triangles, const ShapeOptions& options = {}) noexcept;
 
@@ -39,9 +40,12 @@ KERF_API const char* shape_name(std::size_t i) noexcept;
 class KERF_API HardSection
 {
 public:
+    /// An empty one; what is moved from is empty, too.
+    /// @{
     HardSection() noexcept = default;
     HardSection(HardSection&& other) noexcept;
     HardSection& operator=(HardSection&& other) noexcept;
+    /// @}
     ~HardSection();
 
     /// The triangles as Mesh::make() takes them, closed. Valid as long as the section is.
@@ -49,8 +53,10 @@ public:
     /// Of an empty section z = 0.
     Plane plane() const noexcept;
 
+    /// @cond For the library itself.
     struct Data;
     explicit HardSection(Data* data) noexcept : data_(data) {}
+    /// @endcond
 
 private:
     Data* data_ = nullptr;
@@ -63,5 +69,7 @@ KERF_API Result<HardSection> make_hard_section(const char* name, std::uint32_t s
 
 /// "bricks", "checkerboard", "comb", ...; null beyond the last.
 KERF_API const char* hard_section_name(std::size_t i) noexcept;
+
+/// @}
 
 }  // namespace kerf

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
-// The cost of a cut: exact counters, and times. For benchmarks and panels; games can do without.
-
 namespace kerf {
+
+/// @addtogroup statistics
+/// The cost of a cut: exact counters, and times. For benchmarks and panels; games can do without.
+/// @{
 
 /// Where the time of a cut goes. A back end leaves the phases that it does not have at 0.
 enum class Phase : unsigned char
@@ -21,6 +23,7 @@ enum class Phase : unsigned char
     components = 6,  ///< connected pieces
     growth = 7,      ///< reallocation, if the room reserved by prepare() is used up
 };
+/// How many phases there are.
 inline constexpr std::size_t kPhaseCount = 8;
 
 /// "find", "walk", ...; "unknown" for a number that is none of them. Never null.
@@ -41,6 +44,7 @@ struct CutStatistics
     std::uint64_t bytes_grown = 0;         ///< reallocated because reserved room was used up
     double phase_ms[kPhaseCount] = {};     ///< wall-clock milliseconds by Phase
 
+    /// The sum of all phases.
     double milliseconds() const noexcept
     {
         double sum = 0.0;
@@ -48,5 +52,7 @@ struct CutStatistics
         return sum;
     }
 };
+
+/// @}
 
 }  // namespace kerf

@@ -4,10 +4,12 @@
 
 #include <utility>
 
-// How calls answer: a status, and a sentence for people. The library throws nothing but what a comment names, and a bad
-// mesh, plane or file never ends a program.
-
 namespace kerf {
+
+/// @addtogroup answers
+/// A status, and a sentence for people. The library throws nothing but what a comment names, and a bad mesh, plane or
+/// file never ends a program.
+/// @{
 
 /// What became of a call. Numbers never change; new ones are added at the end.
 enum class Status : unsigned char
@@ -38,18 +40,22 @@ public:
     Sentence() noexcept = default;
     /// Copies the text; if there is no memory for it, a short sentence that says so takes its place.
     explicit Sentence(const char* text) noexcept;
+    /// What is moved from is empty, or has the other's text.
+    /// @{
     Sentence(Sentence&& other) noexcept : text_(std::exchange(other.text_, nullptr)) {}
     Sentence& operator=(Sentence&& other) noexcept
     {
         std::swap(text_, other.text_);
         return *this;
     }
+    /// @}
     Sentence(const Sentence&) = delete;
     Sentence& operator=(const Sentence&) = delete;
     ~Sentence();
 
     /// Never null; "" if there is nothing to say.
     const char* c_str() const noexcept { return text_ != nullptr ? text_ : ""; }
+    /// Whether there is nothing to say.
     bool is_empty() const noexcept { return *c_str() == '\0'; }
 
 private:
@@ -65,20 +71,26 @@ template <class T>
 class [[nodiscard]] Result
 {
 public:
+    /// A value.
     Result(T value) noexcept : status_(Status::done), value_(std::move(value)) {}
+    /// None, and why.
     Result(Status status, Sentence reason) noexcept : status_(status), reason_(std::move(reason)) {}
 
+    /// `done` if there is a value.
     Status status() const noexcept { return status_; }
     /// One sentence that names the fault and what to do about it; "" if there is a value.
     const char* reason() const noexcept { return reason_.c_str(); }
+    /// Whether there is a value.
     explicit operator bool() const noexcept { return status_ == Status::done; }
 
     /// Without a value: an empty one, which every type of this library has and every call answers with a status.
+    /// @{
     T& operator*() & noexcept { return value_; }
     const T& operator*() const& noexcept { return value_; }
     T&& operator*() && noexcept { return std::move(value_); }
     T* operator->() noexcept { return &value_; }
     const T* operator->() const noexcept { return &value_; }
+    /// @}
 
 private:
     Status status_;
@@ -91,16 +103,20 @@ class [[nodiscard]] Outcome
 {
 public:
     Outcome() noexcept = default;  ///< done
+    /// Something else, and why.
     Outcome(Status status, Sentence reason) noexcept : status_(status), reason_(std::move(reason)) {}
 
-    Status status() const noexcept { return status_; }
+    Status status() const noexcept { return status_; }  ///< `done`, or what went wrong
     /// One sentence that names the fault and what to do about it; "" if there is none.
     const char* reason() const noexcept { return reason_.c_str(); }
+    /// Whether the call did what was asked for.
     explicit operator bool() const noexcept { return status_ == Status::done; }
 
 private:
     Status status_ = Status::done;
     Sentence reason_;
 };
+
+/// @}
 
 }  // namespace kerf

@@ -4,14 +4,23 @@
 
 #include <cstdint>
 
-// The version of the library. CMakeLists.txt reads it here.
+// CMakeLists.txt reads the version here.
 
-#define KERF_VERSION_MAJOR 0
-#define KERF_VERSION_MINOR 2
-#define KERF_VERSION_PATCH 0
-#define KERF_VERSION "0.2.0"
+/// @addtogroup version
+/// @{
+
+#define KERF_VERSION_MAJOR 0  ///< of the headers
+#define KERF_VERSION_MINOR 2  ///< of the headers; another one may change names
+#define KERF_VERSION_PATCH 0  ///< of the headers; another one changes no name
+#define KERF_VERSION "0.2.0"  ///< the three, with points between them
+
+/// @}
 
 namespace kerf {
+
+/// @addtogroup version
+/// Which library it is, and whether its results are the same.
+/// @{
 
 /// The version of the library that the program runs with; KERF_VERSION is that of the headers. Never null.
 KERF_API const char* version() noexcept;
@@ -21,5 +30,7 @@ KERF_API const char* version() noexcept;
 /// cap or a written file gets other bytes has a higher number. Whoever keeps results beside their inputs (a cache, a
 /// replay, a lockstep game) keeps this number, too.
 KERF_API std::uint32_t bits_version() noexcept;
+
+/// @}
 
 }  // namespace kerf
