@@ -13,7 +13,8 @@ ROOT = Path(__file__).resolve().parents[1]
 README = ROOT / "README.md"
 OTHER_PAGES = (README, ROOT / "examples/README.md")
 # Pages that speak of the public interface. Others speak of the library's own classes, some of which have the same names.
-OF_THE_INTERFACE = (README, ROOT / "docs/library.md", *(ROOT / "docs/guide").glob("*.md"))
+OF_THE_INTERFACE = (README, ROOT / "docs/library.md", ROOT / "docs/robustness.md",
+                    *(ROOT / "docs/guide").glob("*.md"))
 CLASSES = "|".join(name for header in sorted((ROOT / "include/kerf").glob("*.h"))
                    for name in re.findall(r"^(?:struct|class) (?:\[\[nodiscard\]\] )?(?:KERF_API )?(\w+)$",
                                           header.read_text(encoding="utf-8"), re.M))
