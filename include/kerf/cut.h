@@ -36,7 +36,7 @@ struct [[nodiscard]] KERF_API Cut
     /// to close it exactly. Caps are closed all the same, and have the section's signed area.
     bool caps_exceed_section = false;
 
-    /// How many pieces a side has. O(1).
+    /// How many pieces a side has.
     std::size_t count(Side side) const noexcept;
     /// Piece i of a side; null beyond the last.
     ///
