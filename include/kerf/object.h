@@ -72,7 +72,7 @@ public:
     ~Object();
 
     bool is_empty() const noexcept { return inside_ == nullptr; }    ///< whether there is nothing to cut
-    explicit operator bool() const noexcept { return !is_empty(); }  ///< whether there is
+    explicit operator bool() const noexcept { return !is_empty(); }  ///< whether there is something to cut
 
     /// An independent copy that shares nothing: a copy of memory, not a prepare(). O(n) of all that it shares buffers
     /// with. Status: `out_of_memory`, `invalid_argument` for an empty object.
@@ -80,7 +80,8 @@ public:
 
     std::uint64_t triangle_count() const noexcept;  ///< with caps; 0 of an empty object. O(1).
     Box bounds() const noexcept;                    ///< empty of an empty object
-    /// O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an empty object.
+    /// Volume, centre of mass and inertia. O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an
+    /// empty object.
     MassProperties mass_properties() const noexcept;
     /// A compact copy of the triangles: what to write or to hand on. O(n). Status: `out_of_memory`, `invalid_argument`
     /// for an empty object.
