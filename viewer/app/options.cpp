@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "command_line/whole_number.h"
+#include "viewer/app/data_folder.h"
 #include "viewer/app/exit_status.h"
 #include "viewer/game/scenes.h"
 #include "viewer/sim/back_ends.h"
@@ -104,7 +105,7 @@ bool wants_game(const Options& options)
 ParsedOptions parse_options(int argc, char** argv)
 {
     Options options;
-    options.data_folder = KERF_DATA_DIR;
+    options.data_folder = data_folder();
     std::string size, lighting, backends, zoom_at;
     bool no_panel = false, panel = false, no_vsync = false;
 

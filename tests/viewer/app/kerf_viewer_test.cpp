@@ -598,6 +598,27 @@ TEST_F(KerfViewerTest, TheGameNeverReplacesItsFruit)
     EXPECT_EQ(text_of("data/fruit/watermelon.glb"), melon);
 }
 
+TEST_F(KerfViewerTest, FindsItsDataFromWhereItIsInstalled)
+{
+    namespace fs = std::filesystem;
+    // On the search path, by a link, and in a folder of its own.
+    fs::create_directories(folder_ / "usr/bin");
+    fs::create_directories(folder_ / "usr/share/kerf/models");
+    fs::copy_file(KERF_PROGRAM, folder_ / "usr/bin/kerf-viewer");
+    fs::create_symlink("usr/bin/kerf-viewer", folder_ / "link");
+    const auto run = [&] {
+        const std::string program = "'" + (folder_ / "link").string() + "'";
+        return std::system((program + " --headless --scene report --frames 2 --draw 0 > '" +
+                            (folder_ / "report").string() + "' 2> '" + (folder_ / "problems").string() + "'")
+                               .c_str());
+    };
+    EXPECT_NE(run(), 0);
+    EXPECT_NE(text_of("problems").find((folder_ / "usr/share/kerf/models").string()), std::string::npos)
+        << text_of("problems");
+    fs::copy(KERF_DATA_DIR "/models", folder_ / "usr/share/kerf/models", fs::copy_options::recursive);
+    EXPECT_EQ(run(), 0) << text_of("problems");
+}
+
 TEST_F(KerfViewerTest, SaysHowManyPiecesHadRoom)
 {
     // Tetrahedra through one another: each is a piece.
