@@ -1,9 +1,11 @@
 # Third-party packages, each named in this one place. Debian 12 has all of them; `./run setup` installs them.
 
-find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
+if(KERF_BUILD_PROXY OR KERF_BUILD_VIEWER)
+  find_package(PkgConfig REQUIRED)
+endif()
 if(KERF_BUILD_PROXY)
   pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet)
   # Hulls need no more of it than this, and programs without hulls not even this: the linker leaves it out.
