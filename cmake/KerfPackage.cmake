@@ -45,9 +45,16 @@ function(kerf_component name)
     target_link_libraries(${target} PUBLIC kerf_component_linear)
   endif()
   target_link_libraries(${target} PRIVATE ${ARG_NEEDS})
-  install(TARGETS ${target} EXPORT kerf-targets
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  # What is GPL is installed by itself, so that what is MIT can be packed without it.
+  set(export kerf-targets)
+  set(part "")
+  if(name STREQUAL caps_cgal)
+    set(export kerf-caps_cgal-targets)
+    set(part caps_cgal_)
+  endif()
+  install(TARGETS ${target} EXPORT ${export}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${part}libraries NAMELINK_COMPONENT ${part}development
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${part}development)
   set(KERF_COMPONENTS ${KERF_COMPONENTS} ${name} PARENT_SCOPE)
 endfunction()
 
@@ -73,6 +80,9 @@ endif()
 
 install(DIRECTORY include/kerf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT kerf-targets NAMESPACE kerf:: DESTINATION ${KERF_CMAKE_FOLDER} COMPONENT development)
+if(TARGET kerf_component_caps_cgal)
+  install(EXPORT kerf-caps_cgal-targets NAMESPACE kerf:: DESTINATION ${KERF_CMAKE_FOLDER} COMPONENT caps_cgal_development)
+endif()
 configure_package_config_file(cmake/kerf-config.cmake.in ${PROJECT_BINARY_DIR}/kerf-config.cmake
   INSTALL_DESTINATION ${KERF_CMAKE_FOLDER} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kerf-config-version.cmake COMPATIBILITY SameMinorVersion)
