@@ -1,5 +1,5 @@
-# The copyright file of what is installed, in Debian's machine-readable format: Kerf's own licence, and a notice for each
-# library of others of which code is compiled in (packaging/notices) with the licences that these name
+# The copyright file of what is installed, in Debian's machine-readable format: Kerf's own licence, and a notice for
+# each library of others of which code is compiled in (packaging/notices) with the licences that these name
 # (packaging/licences). CGAL is GPL, and what it is compiled into is GPL as a whole.
 
 # kerf_copyright(FILE notices...): writes it.
@@ -8,8 +8,9 @@ function(kerf_copyright file)
   set(licence Expat)
   set(whole "")
   if("cgal" IN_LIST ARGN)
-    set(whole "License: GPL-3+\nComment: Kerf is under the Expat licence (MIT). CGAL's triangulations, which are compiled in, \
-are\n under the GPL, version 3 or later: so is this as a whole.\n")
+    string(CONCAT whole "License: GPL-3+\n"
+      "Comment: Kerf is under the Expat licence (MIT). CGAL's triangulations, which are\n"
+      " compiled in, are under the GPL, version 3 or later: so is this as a whole.\n")
   endif()
   string(CONCAT text "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\n"
     "Upstream-Name: Kerf\n${whole}\nFiles: *\nCopyright: 2026 The Kerf authors\nLicense: Expat\n")
