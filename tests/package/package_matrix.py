@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Builds and runs the README's program, and the examples, as users of an installed Kerf would.
 
-Ways to Kerf: a staged install of static and of shared libraries, `add_subdirectory`, `FetchContent` from this folder. For
-each way and compiler the program is compiled plainly, with -ffast-math, with -fno-rtti and -fno-exceptions, with GLM's
-aligned types, and beside a `common/plane.h` of its own; always with -Wall -Wextra -Wpedantic -Werror. Shared libraries
-must show no names but Kerf's and need what docs/library.md says.
+Ways to Kerf: a staged install of static and of shared libraries, `add_subdirectory`, `FetchContent` from this folder,
+and Debian packages, which are installed and purged again. For each way and compiler the program is compiled plainly,
+with -ffast-math, with -fno-rtti and -fno-exceptions, with GLM's aligned types, and beside a `common/plane.h` of its
+own; always with -Wall -Wextra -Wpedantic -Werror. Shared libraries must show no names but Kerf's and need what
+docs/library.md says.
 
 --built FOLDER  installs what was built there, with one compiler, instead of building it (static libraries only)
-Exit status: 0 all is well, 1 something is not.
+--debs          looks at the Debian packages only
+Exit status: 0 all is well, 1 something is not, 3 all is well but the packages were not installed: only root may.
 """
 
 import argparse
@@ -16,6 +18,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from debs import check_packages
 from shared_libraries import check_shared
 from users import (COMPILERS, ROOT, VARIANTS, Failed, check_built_parts, check_consumer, check_examples,
                    check_pkg_config, consumer, run, say)
@@ -52,34 +55,43 @@ def installed(kind, prefix, compilers, examples):
             check_examples(prefix, FOLDER / f"examples-{kind}", compiler)
 
 
+def libraries(built):
+    """Those of one build, or all ways but packages."""
+    prefix = FOLDER / "static"
+    install(built or build_library("static"), prefix)
+    installed("static", prefix, COMPILERS, examples=True)
+    if built:
+        return
+    prefix = FOLDER / "shared"
+    install(build_library("shared", "-DBUILD_SHARED_LIBS=ON"), prefix)
+    installed("shared", prefix, COMPILERS, examples=True)
+    check_shared(prefix / "lib")
+    for name, way in (("add_subdirectory", f'add_subdirectory("{ROOT}" kerf)'),
+                      ("FetchContent", f'include(FetchContent)\nFetchContent_Declare(kerf SOURCE_DIR "{ROOT}")\n'
+                                       "FetchContent_MakeAvailable(kerf)")):
+        say(name)
+        for compiler in COMPILERS:
+            folder = FOLDER / f"use-{name}-{compiler}"
+            consumer(folder, way)
+            check_consumer(folder, compiler)
+            check_built_parts(folder)
+            say(f"  {compiler}: the README's program, and {len(VARIANTS)} variants of it, write the same bytes")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--built", type=Path)
+    parser.add_argument("--debs", action="store_true")
     arguments = parser.parse_args()
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache" if shutil.which("ccache") else "")
     FOLDER.mkdir(parents=True, exist_ok=True)
     for old in list(FOLDER.glob("use-*")) + list(FOLDER.glob("examples-*")):
         shutil.rmtree(old)
     try:
-        prefix = FOLDER / "static"
-        install(arguments.built.resolve() if arguments.built else build_library("static"), prefix)
-        installed("static", prefix, COMPILERS, examples=True)
-        if arguments.built:
-            return 0
-        prefix = FOLDER / "shared"
-        install(build_library("shared", "-DBUILD_SHARED_LIBS=ON"), prefix)
-        installed("shared", prefix, COMPILERS, examples=True)
-        check_shared(prefix / "lib")
-        for name, way in (("add_subdirectory", f'add_subdirectory("{ROOT}" kerf)'),
-                          ("FetchContent", f'include(FetchContent)\nFetchContent_Declare(kerf SOURCE_DIR "{ROOT}")\n'
-                                           "FetchContent_MakeAvailable(kerf)")):
-            say(name)
-            for compiler in COMPILERS:
-                folder = FOLDER / f"use-{name}-{compiler}"
-                consumer(folder, way)
-                check_consumer(folder, compiler)
-                check_built_parts(folder)
-                say(f"  {compiler}: the README's program, and {len(VARIANTS)} variants of it, write the same bytes")
+        if not arguments.debs:
+            libraries(arguments.built.resolve() if arguments.built else None)
+        if not arguments.built and not check_packages(FOLDER / "debs"):
+            return 3
     except Failed as failure:
         print(failure, file=sys.stderr)
         return 1

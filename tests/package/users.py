@@ -77,15 +77,15 @@ def check_consumer(folder, compiler, *settings, model=MODEL):
 
 def check_built_parts(folder):
     """A project that has Kerf in a folder builds the library, and none of what only Kerf's own programs need."""
-    built = {path.relative_to(folder / "build").parts[:3] for path in (folder / "build").rglob("*.cpp.o")}
-    wanted = {("kerf", "src", room) for room in ("api", "back_ends", "common", "halfedge", "linear")}
-    others = {parts for parts in built if "kerf" in parts[0]} - wanted
-    if others:
-        raise Failed(f"{folder.name}: it builds {', '.join(sorted('/'.join(parts) for parts in others))}, too")
+    places = (folder / "build/kerf", folder / "build/_deps/kerf-build")
+    built = {"/".join(path.relative_to(place).parts[:2]) for place in places for path in place.rglob("*.cpp.o")}
+    wanted = {f"src/{room}" for room in ("api", "back_ends", "common", "halfedge", "linear")}
+    if built != wanted:
+        raise Failed(f"{folder.name}: it builds {', '.join(sorted(built))}, not {', '.join(sorted(wanted))}")
 
 
 def check_pkg_config(prefix, folder, compiler, model=MODEL):
-    """The README's program by a line on a shell; without a prefix, where pkg-config and the loader look by themselves."""
+    """The README's program by a line on a shell; without a prefix, where pkg-config and the loader look anyway."""
     environment = dict(os.environ, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig")) if prefix else None
     flags = run("pkg-config", "--cflags", "--libs", "kerf", env=environment).split()
     if prefix:
