@@ -63,6 +63,8 @@ def consumer(folder, way):
 def check_consumer(folder, compiler, *settings, model=MODEL):
     build = folder / "build"
     run("cmake", "-S", folder, "-B", build, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}", *settings)
+    if "CMAKE_BUILD_TYPE:STRING=Release\n" not in (build / "CMakeCache.txt").read_text():
+        raise Failed(f"{folder.name}: the README's listing does not build it as Release")
     run("ninja", "-C", build)
     reference = None
     for name in ["slicer"] + [f"slicer_{variant}" for variant in VARIANTS]:
