@@ -18,6 +18,7 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_SOURCE kerf)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -55,8 +56,10 @@ macro(kerf_deb component package section summary description)
   endif()
   if(ARG_LIBRARY)
     set(CPACK_DEBIAN_${upper}_PACKAGE_MULTIARCH same)
-    # Not a script: dpkg runs ldconfig once, after all packages.
-    set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/triggers)
+    # A trigger: dpkg runs ldconfig once, after all packages. CPack makes scripts that call it, unless such are named: it
+    # leaves out those that do not exist.
+    set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA
+      ${PROJECT_SOURCE_DIR}/packaging/triggers ${changes}/none/postinst ${changes}/none/postrm)
   endif()
   kerf_copyright(${changes}/${package}/copyright ${ARG_NOTICES})
   install(FILES ${changes}/${package}/copyright ${changes}/changelog.gz ${changes}/changelog.Debian.gz
@@ -94,7 +97,7 @@ This is the command line program, for OBJ, PLY, STL, OFF, glTF and GLB files.]]
   kerf_man_pages(kerf COMPONENT kerf SUBCOMMANDS)
 endif()
 if(TARGET kerf-viewer)
-  kerf_deb(viewer kerf-viewer games "game of cutting fruit and giants, which are real meshes" [[
+  kerf_deb(viewer kerf-viewer graphics "game of cutting fruit and giants, which are real meshes" [[
 This is the game: fruit that is cut with the mouse, giants of up to four
 million triangles, and a duel of two ways to cut. It throws models of your
 own, too, and runs without a screen.]]
@@ -102,7 +105,7 @@ own, too, and runs without a screen.]]
   kerf_man_pages(kerf-viewer COMPONENT viewer)
 endif()
 if(TARGET kerf OR TARGET kerf-viewer)
-  kerf_deb(data kerf-data games "models and fruit to cut" [[
+  kerf_deb(data kerf-data graphics "models and fruit to cut" [[
 These are fifteen models and the fruit of the game.]])
   set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_DATA_PACKAGE_MULTIARCH foreign)

@@ -25,7 +25,7 @@ LIBRARY, CAPS, PROGRAMS = f"libkerf{ABI}", f"libkerf-caps-cgal{ABI}", ("kerf", "
 PACKAGES = {LIBRARY, "libkerf-dev", CAPS, "libkerf-caps-cgal-dev", *PROGRAMS, "kerf-data"}
 COMMANDS = ("info", "cut", "compare", "repair", "convert", "shape")
 # What compilers leave in a program of the code of others: in the names of types, or of a library that is linked.
-TRACES = {"CGAL": ("cgal", rb"N4CGAL"), "OpenMesh": ("OpenMesh", rb"N8OpenMesh|libOpenMeshCore"),
+TRACES = {"CGAL": ("cgal", rb"libgmp\.so|Delaunay_triangulation_2"), "OpenMesh": ("OpenMesh", rb"N8OpenMesh|libOpenMeshCore"),
           "Bullet": ("bullet", rb"libLinearMath|libBullet"), "JSON": ("nlohmann", rb"8nlohmann"),
           "CLI11": ("CLI", rb"N3CLI"), "Dear ImGui": ("imgui", rb"Dear ImGui")}
 # Written by others when packages come and go: caches of all menu entries, pictures, libraries and pages.
@@ -109,6 +109,11 @@ def check_contents(package, deb, folder):
     for name, exactly in re.findall(r"((?:lib)?kerf[\w.-]*)( \(= [^)]*\))?", fields.get("Depends", "")):
         if exactly != f" (= {fields['Version']})":
             raise Failed(f"{package}: it depends on {name}, of any version")
+    scripts = folder.parent / f"{package}.control"
+    run("dpkg-deb", "-e", deb, scripts)
+    wanted = {"control", "md5sums"} | ({"shlibs", "triggers"} if package in (LIBRARY, CAPS) else set())
+    if {path.name for path in scripts.iterdir()} != wanted:
+        raise Failed(f"{package}: for dpkg it has {sorted(path.name for path in scripts.iterdir())}")
     documents = folder / "usr/share/doc" / package
     if sorted(path.name for path in documents.iterdir()) != ["changelog.Debian.gz", "changelog.gz", "copyright"]:
         raise Failed(f"{package}: its documents are {sorted(path.name for path in documents.iterdir())}")
@@ -141,6 +146,7 @@ def check_contents(package, deb, folder):
 
 def check_debs(debs, folder):
     shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     for package, deb in debs.items():
         check_contents(package, deb, folder / package)
     libraries = folder / "libraries"
@@ -183,9 +189,12 @@ def installed(names):
 
 
 def install(debs):
-    """From these files alone: whatever else they need is there, by the lists of packages that a build needs."""
-    run("apt-get", "install", "--yes", "--no-install-recommends", "--no-download", *debs,
-        env=dict(os.environ, DEBIAN_FRONTEND="noninteractive"))
+    """These and no others: whatever else they need is there, by the lists of packages that a build needs."""
+    command = ["apt-get", "install", "--yes", "--no-install-recommends", *debs]
+    others = set(re.findall(r"^Inst (\S+)", run(*command, "--simulate"), re.M)) - PACKAGES
+    if others:
+        raise Failed(f"the packages need {', '.join(sorted(others))}, too, which a build does not")
+    run(*command, env=dict(os.environ, DEBIAN_FRONTEND="noninteractive"))
 
 
 def check_program_without_caps(folder):

@@ -57,6 +57,8 @@ def installed(kind, prefix, compilers, examples):
 
 def libraries(built):
     """Those of one build, or all ways but packages."""
+    for old in list(FOLDER.glob("use-*")) + list(FOLDER.glob("examples-*")):
+        shutil.rmtree(old)
     prefix = FOLDER / "static"
     install(built or build_library("static"), prefix)
     installed("static", prefix, COMPILERS, examples=True)
@@ -85,8 +87,6 @@ def main():
     arguments = parser.parse_args()
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache" if shutil.which("ccache") else "")
     FOLDER.mkdir(parents=True, exist_ok=True)
-    for old in list(FOLDER.glob("use-*")) + list(FOLDER.glob("examples-*")):
-        shutil.rmtree(old)
     try:
         if not arguments.debs:
             libraries(arguments.built.resolve() if arguments.built else None)
