@@ -59,6 +59,13 @@ private:
 /// case. O(n log n) in the file's size, whatever counts it claims. Status: `unusable_file` with a sentence that names
 /// the file and the fault (also one of the mesh in it), `invalid_argument` for a null path, `out_of_memory`.
 ///
+///
+///     kerf::FileReport report;
+///     const kerf::Result<kerf::Mesh> mesh = kerf::read_mesh(path, &report);
+///     if (!mesh) return complain(mesh.reason());
+///     const kerf::Sentence repairs = kerf::describe(report.mesh().repairs);
+///     if (!repairs.is_empty()) std::printf("%s: %s\n", path, repairs.c_str());
+///
 /// @param path    UTF-8
 /// @param report  receives facts, repairs, notes and files, and is empty if there is no mesh; may be null
 KERF_API Result<Mesh> read_mesh(const char* path, FileReport* report = nullptr) noexcept;

@@ -10,6 +10,10 @@ namespace kerf {
 /// @{
 
 /// Volume, centre of mass and inertia of a body of density 1, in the mesh's unit of length.
+///
+///     const kerf::MassProperties mass = piece.mass_properties();
+///     const kerf::PrincipalAxes axes = kerf::principal_axes(mass.inertia_of(steel));
+///     add_body(mass.mass(steel), mass.centre, axes.axes, axes.moments);
 struct KERF_API MassProperties
 {
     double volume = 0.0;  ///< in the unit, cubed

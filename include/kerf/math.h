@@ -5,6 +5,9 @@ namespace kerf {
 /// @addtogroup math
 /// Points, vectors and matrices: plain numbers. Anything with members x, y and z (glm, Eigen's accessors apart, most
 /// engines) converts to a Vec3f or a Vec3d by itself, and these to it where the type is named: `glm::vec3(point)`.
+///
+///     const kerf::Vec3d centre = glm::dvec3(1, 2, 3);
+///     const glm::dvec3 back(centre);
 /// @{
 
 /// A type with coordinates x, y and z.

@@ -133,6 +133,11 @@ private:
 /// arrays, and copies them only if there are other copies of the mesh: give it yours by std::move(). Status:
 /// `invalid_mesh` for an empty mesh, `invalid_argument` for a back end that this build lacks, `cancelled`,
 /// `out_of_memory`.
+///
+///     kerf::PrepareOptions options;
+///     options.cuts_expected = 1;
+///     kerf::Result<kerf::Object> object = kerf::prepare(std::move(mesh), options);
+///     if (!object) return complain(object.reason());
 KERF_API Result<Object> prepare(Mesh mesh, const PrepareOptions& options = {}) noexcept;
 
 /// @}

@@ -54,6 +54,8 @@ KERF_API Result<Sphere> bounding_sphere(const Object& object) noexcept;
 
 /// The hull of the vertices that lie farthest along 32 directions: what games use. O(log n) for ordinary shapes with
 /// the half-edge back end, O(n) with the linear one. A flat object has points and no triangles. Status as above.
+///
+///     if (const kerf::Result<kerf::Hull> hull = kerf::bounded_hull(piece)) add_body(hull->points());
 KERF_API Result<Hull> bounded_hull(const Object& object) noexcept;
 
 /// The hull of all vertices. O(n log n). Status as above.

@@ -30,6 +30,9 @@ struct ShapeOptions
 
 /// A closed shape by its name with about so many triangles (at least what it needs, at most kMostShapeTriangles).
 /// O(n log n). Status: `invalid_argument` for a name that is none of shape_name(), `cancelled`, `out_of_memory`.
+///
+///     const kerf::Result<kerf::Mesh> rock = kerf::make_shape("asteroid", 100'000);
+///     if (!rock) return complain(rock.reason());
 KERF_API Result<Mesh> make_shape(const char* name, std::uint64_t triangles, const ShapeOptions& options = {}) noexcept;
 
 /// "asteroid", "bowl", "box", ...; null beyond the last.

@@ -30,6 +30,10 @@ inline constexpr std::size_t kPhaseCount = 8;
 KERF_API const char* text(Phase phase) noexcept;
 
 /// What a cut did. Counters are exact and the same on every run; times are not.
+///
+///     const kerf::CutStatistics& cost = cut.statistics();
+///     std::printf("%g ms for %g of %g triangles\n", cost.milliseconds(), double(cost.crossing_triangles),
+///                 double(cost.triangles));
 struct CutStatistics
 {
     std::uint64_t triangles = 0;           ///< of the object before the cut

@@ -1,10 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <kerf/io.h>
 #include <kerf/kerf.h>
+#include <kerf/proxy.h>
 #include <kerf/shapes.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
+#include <glm/vec3.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +23,15 @@ namespace {
 Cut cut_in_two()
 {
     return cut(*prepare(*make_shape("asteroid", 1000)), *Plane::z(0.0));
+}
+
+TEST(HeaderExamples, BackEndsAreOffered)
+{
+    std::vector<std::string> offered;
+    const auto offer = [&](const char* name) { offered.emplace_back(name); };
+#include "examples/kerf_back_ends_1.inc"
+    EXPECT_EQ(offered.size(), back_end_count());
+    EXPECT_NE(std::find(offered.begin(), offered.end(), "linear"), offered.end());
 }
 
 TEST(HeaderExamples, EachPieceOfASideIsKept)
@@ -57,6 +71,40 @@ TEST(HeaderExamples, AViewIsUploadedAndDrawn)
     EXPECT_EQ(uploaded, view.vertices.size() + view.indices.size()) << "nothing is new in the second frame";
 }
 
+TEST(HeaderExamples, AFileIsReadAndWhatWasWrongIsPrinted)
+{
+    std::string complaint;
+    const auto complain = [&](const char* reason) { complaint = reason; };
+    const auto attempt = [&](const char* path) {
+#include "examples/kerf_io_1.inc"
+    };
+    attempt(KERF_DATA_DIR "/models/rook.obj");
+    EXPECT_EQ(complaint, "");
+    attempt("no-such-file.obj");
+    EXPECT_NE(complaint.find("there is no such file"), std::string::npos) << complaint;
+}
+
+TEST(HeaderExamples, ABodyTurnsAboutItsAxes)
+{
+    const kerf::Object piece = *prepare(*make_shape("box", 12));
+    constexpr double steel = 7800.0;
+    double mass_of_body = 0.0;
+    const auto add_body = [&](double mass, const kerf::Vec3d&, const kerf::Mat3d&, const kerf::Vec3d& moments) {
+        mass_of_body = mass;
+        EXPECT_LE(moments.x, moments.z);
+    };
+#include "examples/kerf_mass_1.inc"
+    EXPECT_NEAR(mass_of_body, steel * mass.volume, 1e-9 * mass_of_body);
+    EXPECT_GT(mass_of_body, 0.0);
+}
+
+TEST(HeaderExamples, AVectorOfAProgramConverts)
+{
+#include "examples/kerf_math_1.inc"
+    EXPECT_EQ(centre, Vec3d(1, 2, 3));
+    EXPECT_EQ(back, glm::dvec3(1, 2, 3));
+}
+
 TEST(HeaderExamples, AMeshReadsTheVerticesOfAProgram)
 {
     struct Vertex
@@ -72,6 +120,20 @@ TEST(HeaderExamples, AMeshReadsTheVerticesOfAProgram)
     EXPECT_TRUE(mesh->is_closed());
 }
 
+TEST(HeaderExamples, AMeshIsPreparedForOneCut)
+{
+    std::string complaint, back_end;
+    const auto complain = [&](const char* reason) { complaint = reason; };
+    const auto attempt = [&](kerf::Mesh mesh) {
+#include "examples/kerf_object_1.inc"
+        back_end = object->back_end_name();
+    };
+    attempt({});
+    EXPECT_NE(complaint, "");
+    attempt(*make_shape("asteroid", 1000));
+    EXPECT_EQ(back_end, "linear");
+}
+
 TEST(HeaderExamples, APlaneTakesAVectorOfAProgram)
 {
     const struct
@@ -81,6 +143,41 @@ TEST(HeaderExamples, APlaneTakesAVectorOfAProgram)
 #include "examples/kerf_plane_1.inc"
     ASSERT_TRUE(plane);
     EXPECT_EQ(plane->distance(Vec3d(0, 0, 3)), 1.0);
+}
+
+#ifdef KERF_HAS_PROXY
+TEST(HeaderExamples, AHullIsABody)
+{
+    const kerf::Object piece = *prepare(*make_shape("asteroid", 1000));
+    std::size_t points = 0;
+    const auto add_body = [&](std::span<const kerf::Vec3f> hull) { points = hull.size(); };
+#include "examples/kerf_proxy_1.inc"
+    EXPECT_GT(points, 8u);
+    EXPECT_LE(points, 32u);
+}
+#endif
+
+TEST(HeaderExamples, AShapeIsMade)
+{
+    std::string complaint;
+    std::uint64_t triangles = 0;
+    const auto complain = [&](const char* reason) { complaint = reason; };
+    const auto attempt = [&] {
+#include "examples/kerf_shapes_1.inc"
+        triangles = rock->triangle_count();
+    };
+    attempt();
+    EXPECT_EQ(complaint, "");
+    EXPECT_NEAR(double(triangles), 1e5, 1e4);
+}
+
+TEST(HeaderExamples, TheCostOfACutIsPrinted)
+{
+    const kerf::Cut cut = cut_in_two();
+    testing::internal::CaptureStdout();
+#include "examples/kerf_statistics_1.inc"
+    EXPECT_NE(testing::internal::GetCapturedStdout().find(" triangles\n"), std::string::npos);
+    EXPECT_GT(cost.crossing_triangles, 0u);
 }
 
 TEST(HeaderExamples, AResultIsUsedOrSaysWhyNot)
@@ -103,6 +200,17 @@ TEST(HeaderExamples, AResultIsUsedOrSaysWhyNot)
     input.triangle_count = 1;
     attempt(input);
     EXPECT_EQ(used, 1u);
+}
+
+TEST(HeaderExamples, WhatIsStoredIsCutAnewIfBitsHaveChanged)
+{
+    struct Stored
+    {
+        std::uint32_t bits_version = 0;
+    } stored;
+    const auto cut_anew = [] { return Stored{bits_version()}; };
+#include "examples/kerf_version_1.inc"
+    EXPECT_EQ(stored.bits_version, bits_version());
 }
 
 }  // namespace

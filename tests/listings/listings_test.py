@@ -18,6 +18,9 @@ from pathlib import Path
 import listings
 from listings import ROOT, all_examples, all_listings, pages
 
+sys.path.append(str(ROOT / "tests/package"))
+from debs import PACKAGES
+
 PROGRAMS = {Path(path).name: Path(path) for path in sys.argv[1:] if Path(path).exists()}
 # Languages, and who tests their listings. Drawings are `text`, and so is what a program prints.
 TESTED = {"cpp": "CMakeLists.txt", "cmake": "configure_project.py", "sh": "Commands", "json": "Json",
@@ -179,6 +182,9 @@ class Commands(unittest.TestCase):
             self.check_program(name, words[1:], where)
         elif name == "cmake":
             self.check_cmake(words[1:], where)
+        elif words[:2] == ["apt-get", "install"]:
+            for word in words[2:]:
+                self.assertIn(word, [f"./build/debs/{package}_*.deb" for package in PACKAGES], where)
         elif (ROOT / words[0]).is_file():
             self.check_options(words[1:], output_of(ROOT / words[0], "--help"), where)
         else:
