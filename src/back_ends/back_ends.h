@@ -19,8 +19,9 @@ struct RegisteredBackend
     bool closes_with_fan = false;  ///< its caps fit star-shaped sections only
     bool is_quadratic = false;     ///< a cut of n triangles costs O(n^2)
     std::function<std::unique_ptr<Backend>()> make;
-    bool is_for_many_cuts = false;            ///< the better choice if an object is cut often: stands before the others
-    std::shared_ptr<const Backend> back_end;  ///< one for all who prepare, since it is stateless; made by the list
+    bool is_for_many_cuts = false;  ///< the better choice if an object is cut often: stands before the others
+    /// One for all who prepare, since it is stateless. Made by the list.
+    std::shared_ptr<const Backend> back_end = nullptr;
 };
 
 /// All back ends: "halfedge" (if it is linked), the default, then "linear", then those that were added. They live as
