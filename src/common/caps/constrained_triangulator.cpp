@@ -4,8 +4,8 @@
 
 #include "common/caps/patient_triangulator.h"
 
-// Without CGAL simple loops are closed with patience, however they wind. Sections with holes, and those that cross
-// themselves, go to the ways after these, which close them, cover too much, and say so.
+// Without CGAL sections are closed with patience, however they wind and nest. Those that cross themselves go to the ways
+// after these, which close them, cover too much, and say so.
 
 namespace kerf::core {
 

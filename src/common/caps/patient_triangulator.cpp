@@ -4,13 +4,17 @@
 #include <span>
 #include <vector>
 
+#include "common/caps/hole_bridges.h"
 #include "common/caps/loop_boxes.h"
 #include "common/geometry/turn.h"
 
 // Clipping an ear changes what its two neighbours are, and no other corner (O'Rourke 1998, "Computational Geometry in C",
 // section 1.6.5): corners wait in a queue, and come back to it if a neighbour was clipped. So ears are clipped in turn
-// around the loop, which keeps triangles short, and a corner is judged some three times in all. A corner that stops to
+// around the ring, which keeps triangles short, and a corner is judged some three times in all. A corner that stops to
 // be reflex never becomes reflex again, so the tree of reflex corners is built once.
+//
+// Triangles that all run counter-clockwise cover a place as often as the outline winds around it, since their edges are
+// those of the outline: a corner that is taken for an ear and is none can stop the clipping, and do no other harm.
 
 namespace kerf::core {
 
@@ -22,30 +26,40 @@ public:
     bool triangulate(const CapOutline& outline, CapMesh& cap) override
     {
         cap.clear();
-        if (outline.loop_starts.size() != 2 || outline.points.size() < 3) return false;
-        start(outline.points);
-        const bool closed = clip_all(cap);
+        if (outline.points.size() < 3) return false;
+        looks_left_ = kMostLooks;
+        const bool closed = bridge_holes(outline, rings_, looks_left_) && clip_all(outline, cap);
         cap.steps += kMostLooks - looks_left_;
         return closed;
     }
 
 private:
-    /// Reflex corners that may be looked at: about a second.
+    /// Corners that may be looked at: about a second.
     static constexpr std::uint64_t kMostLooks = std::uint64_t{1} << 28;
 
-    void start(std::span<const glm::dvec2> points)
+    bool clip_all(const CapOutline& outline, CapMesh& cap)
     {
-        const Index n = static_cast<Index>(points.size());
-        points_ = points;
-        looks_left_ = kMostLooks;
+        for (std::size_t ring = 0; ring + 1 < rings_.starts.size(); ++ring) {
+            start(outline, rings_.starts[ring], rings_.starts[ring + 1]);
+            if (!clip_ring(cap)) return false;
+        }
+        join_bridges(outline, cap);
+        return true;
+    }
+
+    void start(const CapOutline& outline, Index first, Index last)
+    {
+        const Index n = last - first;
+        points_.resize(n);
         before_.resize(n);
         after_.resize(n);
-        edge_.resize(n);
         for (Index i = 0; i < n; ++i) {
+            points_[i] = outline.points[rings_.points[first + i]];
             before_[i] = i == 0 ? n - 1 : i - 1;
             after_[i] = i + 1 == n ? 0 : i + 1;
-            edge_[i] = CapLink::to_outline(i);
         }
+        number_ = {rings_.points.data() + first, n};
+        edge_.assign(rings_.links.begin() + first, rings_.links.begin() + last);
         reflex_.resize(n);
         for (Index i = 0; i < n; ++i) reflex_[i] = is_reflex(i);
         boxes_.build(n, [&](std::size_t i, Box2& box) {
@@ -54,9 +68,10 @@ private:
         is_waiting_.assign(n, 0);
     }
 
-    bool clip_all(CapMesh& cap)
+    bool clip_ring(CapMesh& cap)
     {
         std::size_t left = points_.size(), left_before = left + 1;
+        if (left < 3) return false;
         while (left > 3) {
             // The second time only where points lie in diagonals: an ear may have appeared beside none that was clipped.
             if (left == left_before) return false;
@@ -82,12 +97,27 @@ private:
         return true;
     }
 
+    /// Joins the triangles on both sides of each bridge.
+    void join_bridges(const CapOutline& outline, CapMesh& cap)
+    {
+        if (rings_.bridge_count == 0) return;
+        const Index n = static_cast<Index>(outline.points.size());
+        bridge_sides_.resize(2 * rings_.bridge_count);
+        for (Index t = 0; t < cap.triangles.size(); ++t)
+            for (Index i = 0; i < 3; ++i)
+                if (const CapLink link = cap.triangles[t].link[i]; link.is_outline() && link.outline_edge() >= n)
+                    bridge_sides_[link.outline_edge() - n] = CapLink::to_triangle(t, i);
+        for (std::size_t bridge = 0; bridge < rings_.bridge_count; ++bridge)
+            cap.connect(bridge_sides_[2 * bridge], bridge_sides_[2 * bridge + 1]);
+    }
+
     /// Whether a corner is still on the ring.
     bool is_left(Index i) const { return after_[i] != i; }
 
     bool is_reflex(Index b) const { return turn(points_[before_[b]], points_[b], points_[after_[b]]) <= 0.0; }
 
-    /// Whether no other reflex corner lies in or on the triangle over b.
+    /// Whether no other reflex corner lies in or on the triangle over b. Those that share a place with one of its corners
+    /// don't count: bridges make them, and loops that touch.
     bool is_ear(Index b)
     {
         const Index ia = before_[b], ic = after_[b];
@@ -97,8 +127,8 @@ private:
         return !boxes_.any(box, [&](std::size_t i) {
             if (looks_left_ == 0) return true;
             --looks_left_;
-            if (reflex_[i] == 0 || i == ia || i == ic) return false;
             const glm::dvec2& p = points_[i];
+            if (reflex_[i] == 0 || p == pa || p == pb || p == pc) return false;
             return turn(pa, pb, p) >= 0.0 && turn(pb, pc, p) >= 0.0 && turn(pc, pa, p) >= 0.0;
         });
     }
@@ -120,7 +150,7 @@ private:
     CapLink add(Index a, Index b, Index c, CapMesh& cap)
     {
         const Index t = static_cast<Index>(cap.triangles.size());
-        cap.triangles.push_back({{a, b, c}});
+        cap.triangles.push_back({{number_[a], number_[b], number_[c]}});
         cap.connect(CapLink::to_triangle(t, 0), edge_[a]);
         cap.connect(CapLink::to_triangle(t, 1), edge_[b]);
         return CapLink::to_triangle(t, 2);
@@ -133,8 +163,12 @@ private:
         queue_.push_back(i);
     }
 
-    std::span<const glm::dvec2> points_;
-    std::vector<Index> before_, after_;  // on the ring, of each corner that is left
+    Rings rings_;
+    std::vector<CapLink> bridge_sides_;
+    // Of the ring that is clipped:
+    std::vector<glm::dvec2> points_;
+    std::span<const Index> number_;      // in the outline
+    std::vector<Index> before_, after_;  // of each corner that is left
     std::vector<CapLink> edge_;          // the edge that leaves each: the outline's, or a triangle's
     std::vector<std::uint8_t> reflex_, is_waiting_;
     std::vector<Index> queue_;

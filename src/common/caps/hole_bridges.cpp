@@ -1,0 +1,260 @@
+#include "common/caps/hole_bridges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <tuple>
+
+#include "common/caps/loop_boxes.h"
+#include "common/geometry/turn.h"
+
+// Where a bridge leads decides only whether triangles are found: whatever is covered by triangles that all run
+// counter-clockwise is covered right. So the crossing of a ray with an edge may be rounded.
+
+namespace kerf::core {
+
+namespace {
+
+class Bridger
+{
+public:
+    Bridger(const CapOutline& outline, std::uint64_t& looks_left) : outline_(outline), looks_left_(looks_left)
+    {
+        const Index n = static_cast<Index>(outline.points.size());
+        for (Index loop = 0; loop + 1 < outline.loop_starts.size(); ++loop)
+            for (Index i = outline.loop_starts[loop]; i < outline.loop_starts[loop + 1]; ++i) {
+                loop_of_.push_back(loop);
+                after_.push_back(outline.successor(i, loop));
+            }
+        before_.resize(n);
+        for (Index i = 0; i < n; ++i) {
+            before_[after_[i]] = i;
+            point_.push_back(i);
+            link_.push_back(CapLink::to_outline(i));
+        }
+        successor_ = after_;
+        next_copy_.assign(n, kNone);
+    }
+
+    bool run(Rings& rings)
+    {
+        std::vector<Index> holes;  // the leftmost point of each
+        for (Index loop = 0; loop + 1 < outline_.loop_starts.size(); ++loop) {
+            is_joined_.push_back(twice_area(loop) >= 0.0);
+            if (is_joined_[loop] == 0) holes.push_back(leftmost(loop));
+        }
+        std::sort(holes.begin(), holes.end(), [&](Index a, Index b) { return is_left_of(a, b); });
+        if (!holes.empty())
+            edges_.build(outline_.points.size(), [&](std::size_t i, Box2& box) {
+                for (const Index end : {Index(i), successor_[i]}) box.add(at(end).x, at(end).y);
+            });
+        rings.bridge_count = 0;
+        for (const Index hole : holes) {
+            if (const Index corner = touched_by(hole); corner != kNone) {
+                merge(corner, hole);
+            } else {
+                const Index seen = seen_from(hole);
+                if (seen == kNone) return false;
+                build(rings.bridge_count++, seen, hole);
+            }
+            is_joined_[loop_of_[hole]] = 1;
+        }
+        collect(rings);
+        return true;
+    }
+
+private:
+    const glm::dvec2& at(Index corner) const { return outline_.points[point_[corner]]; }
+
+    bool is_left_of(Index a, Index b) const { return std::tie(at(a).x, at(a).y, a) < std::tie(at(b).x, at(b).y, b); }
+
+    double twice_area(Index loop) const
+    {
+        const Index first = outline_.loop_starts[loop];
+        double twice = 0.0;
+        for (Index i = first; i < outline_.loop_starts[loop + 1]; ++i) {
+            const glm::dvec2 p = at(i) - at(first), q = at(successor_[i]) - at(first);
+            twice += p.x * q.y - p.y * q.x;
+        }
+        return twice;
+    }
+
+    Index leftmost(Index loop) const
+    {
+        Index found = outline_.loop_starts[loop];
+        for (Index i = found; i < outline_.loop_starts[loop + 1]; ++i)
+            if (is_left_of(i, found)) found = i;
+        return found;
+    }
+
+    /// A corner at the place of a hole's leftmost point, whose inside the hole's first edge runs in; kNone if there is none.
+    Index touched_by(Index hole)
+    {
+        const glm::dvec2& p = at(hole);
+        Box2 box;
+        box.add(p.x, p.y);
+        Index found = kNone;
+        edges_.any(box, [&](std::size_t i) {
+            if (looks_left_ == 0) return true;
+            --looks_left_;
+            if (at(Index(i)) != p || is_joined_[loop_of_[i]] == 0) return false;
+            found = copy_towards(Index(i), after_[hole]);
+            return found != kNone;
+        });
+        return found;
+    }
+
+    /// Joins a hole to a corner at its own place, where each goes on as the other did.
+    void merge(Index corner, Index hole)
+    {
+        const Index after_corner = after_[corner], after_hole = after_[hole];
+        const CapLink link = link_[corner];
+        join(corner, after_hole, link_[hole]);
+        join(hole, after_corner, link);
+        next_copy_[last_copy(hole)] = next_copy_[corner];
+        next_copy_[corner] = hole;
+    }
+
+    Index last_copy(Index corner) const
+    {
+        while (next_copy_[corner] != kNone) corner = next_copy_[corner];
+        return corner;
+    }
+
+    /// A corner that the leftmost point of a hole sees; kNone if there is none.
+    Index seen_from(Index hole)
+    {
+        // The nearest edge on its left that has the inside on its right: it runs downwards.
+        const glm::dvec2& p = at(hole);
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        double hit = -kFar;
+        Index edge = kNone;
+        Box2 row;
+        row.add(-kFar, p.y);
+        row.add(p.x, p.y);
+        const bool stopped = edges_.any(row, [&](std::size_t e) {
+            if (looks_left_ == 0) return true;
+            --looks_left_;
+            const glm::dvec2 &a = at(Index(e)), &b = at(successor_[e]);
+            if (is_joined_[loop_of_[e]] == 0 || !(a.y > p.y && b.y <= p.y) || turn(a, b, p) < 0.0) return false;
+            const double x = std::min(a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x), p.x);
+            if (edge == kNone || x > hit) {
+                hit = x;
+                edge = static_cast<Index>(e);
+            }
+            return false;
+        });
+        if (stopped || edge == kNone) return kNone;
+        const Index end = at(edge).x < at(successor_[edge]).x ? edge : successor_[edge];
+        // Corners between hide it: of these the one nearest to the ray, by its angle, is seen.
+        const Index corner = nearest_between(hole, {hit, p.y}, end);
+        return looks_left_ == 0 ? kNone : corner;
+    }
+
+    /// The corner in the triangle of a hole's leftmost point, the place that its ray hits, and an end of the edge there,
+    /// whose bridge to the point has the least angle with the ray.
+    Index nearest_between(Index hole, const glm::dvec2& hit, Index end)
+    {
+        const glm::dvec2 &p = at(hole), &q = at(end);
+        const bool is_above = q.y > p.y;
+        const glm::dvec2 &first = is_above ? p : hit, &last = is_above ? hit : p;
+        Box2 box;
+        for (const glm::dvec2& corner : {p, hit, q}) box.add(corner.x, corner.y);
+        const auto slope = [&](const glm::dvec2& r) {
+            return r.x < p.x ? std::abs(r.y - p.y) / (p.x - r.x) : std::numeric_limits<double>::infinity();
+        };
+        Index best = copy_towards(end, hole);
+        double least = best == kNone ? std::numeric_limits<double>::infinity() : slope(q);
+        edges_.any(box, [&](std::size_t i) {
+            if (looks_left_ == 0) return true;
+            --looks_left_;
+            const glm::dvec2& r = at(Index(i));
+            if (is_joined_[loop_of_[i]] == 0 || r.x >= p.x || (is_above ? r.y < p.y : r.y > p.y)) return false;
+            if (turn(first, q, r) < 0.0 || turn(q, last, r) < 0.0) return false;
+            const double own = slope(r);
+            if (best != kNone && (own > least || (own == least && r.x <= at(best).x))) return false;
+            if (const Index corner = copy_towards(Index(i), hole); corner != kNone) {
+                best = corner;
+                least = own;
+            }
+            return false;
+        });
+        return best == kNone ? end : best;
+    }
+
+    /// Of the corners at a place the one whose inside a bridge to the hole begins in; kNone if there is none.
+    Index copy_towards(Index point, Index hole) const
+    {
+        const glm::dvec2& p = at(hole);
+        for (Index corner = point; corner != kNone; corner = next_copy_[corner]) {
+            const glm::dvec2 &a = at(before_[corner]), &b = at(corner), &c = at(after_[corner]);
+            const bool after_first = turn(a, b, p) > 0.0, before_last = turn(b, c, p) > 0.0;
+            if (turn(a, b, c) > 0.0 ? after_first && before_last : after_first || before_last) return corner;
+        }
+        return kNone;
+    }
+
+    void build(std::size_t bridge, Index corner, Index hole)
+    {
+        const Index corner_back = copy(corner), hole_back = copy(hole);
+        join(corner_back, after_[corner], link_[corner]);
+        join(before_[hole], hole_back, link_[before_[hole]]);
+        join(corner, hole, bridge_link(outline_, bridge, 0));
+        join(hole_back, corner_back, bridge_link(outline_, bridge, 1));
+    }
+
+    Index copy(Index corner)
+    {
+        const Index made = static_cast<Index>(point_.size());
+        point_.push_back(point_[corner]);
+        before_.push_back(kNone);
+        after_.push_back(kNone);
+        link_.emplace_back();
+        next_copy_.push_back(next_copy_[corner]);
+        next_copy_[corner] = made;
+        return made;
+    }
+
+    void join(Index from, Index to, CapLink link)
+    {
+        after_[from] = to;
+        before_[to] = from;
+        link_[from] = link;
+    }
+
+    void collect(Rings& rings) const
+    {
+        rings.points.clear();
+        rings.links.clear();
+        rings.starts.clear();
+        std::vector<std::uint8_t> is_taken(point_.size(), 0);
+        for (Index first = 0; first < point_.size(); ++first) {
+            if (is_taken[first] != 0) continue;
+            rings.starts.push_back(static_cast<Index>(rings.points.size()));
+            for (Index corner = first; is_taken[corner] == 0; corner = after_[corner]) {
+                is_taken[corner] = 1;
+                rings.points.push_back(point_[corner]);
+                rings.links.push_back(link_[corner]);
+            }
+        }
+        rings.starts.push_back(static_cast<Index>(rings.points.size()));
+    }
+
+    const CapOutline& outline_;
+    std::uint64_t& looks_left_;
+    std::vector<std::uint8_t> is_joined_;                    // by loop: outer ones, and holes that a bridge leads to
+    std::vector<Index> loop_of_, successor_;                 // of the outline's points
+    std::vector<Index> point_, before_, after_, next_copy_;  // of corners: the points, then what bridges add
+    std::vector<CapLink> link_;
+    LoopBoxes edges_;
+};
+
+}  // namespace
+
+bool bridge_holes(const CapOutline& outline, Rings& rings, std::uint64_t& most_looks)
+{
+    return Bridger(outline, most_looks).run(rings);
+}
+
+}  // namespace kerf::core
