@@ -75,10 +75,14 @@ collision hulls. The time of a cut follows its section, not the mesh.
 kerf_deb(libraries libkerf${abi} libs "cuts triangle meshes by a plane in real time (shared libraries)" [[
 These are the libraries, without code under the GPL.]]
   LIBRARY NOTICES ${KERF_NOTICES_LIBRARY})
+set(suggested "")
+if(TARGET kerf_component_caps_cgal)
+  set(suggested "libkerf-caps-cgal-dev ${this_version}")
+endif()
 kerf_deb(development libkerf-dev libdevel "cuts triangle meshes by a plane in real time (development files)" [[
 These are the headers, and the files by which CMake and pkg-config find the
 libraries.]]
-  DEPENDS "libkerf${abi} ${this_version}" SUGGESTS "libkerf-caps-cgal-dev ${this_version}")
+  DEPENDS "libkerf${abi} ${this_version}" SUGGESTS ${suggested})
 if(TARGET kerf_component_caps_cgal)
   kerf_deb(caps_cgal_libraries libkerf-caps-cgal${abi} libs "exact caps of cut triangle meshes (shared library)" [[
 This library closes sections that have holes or cross themselves exactly, with
