@@ -86,6 +86,8 @@ def main():
     parser.add_argument("--debs", action="store_true")
     arguments = parser.parse_args()
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache" if shutil.which("ccache") else "")
+    # By the same name in all ways: what ccache has kept goes by it.
+    os.environ["CXX"] = COMPILERS[0]
     FOLDER.mkdir(parents=True, exist_ok=True)
     try:
         if not arguments.debs:
