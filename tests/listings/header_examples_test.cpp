@@ -87,7 +87,7 @@ TEST(HeaderExamples, AFileIsReadAndWhatWasWrongIsPrinted)
 TEST(HeaderExamples, ABodyTurnsAboutItsAxes)
 {
     const kerf::Object piece = *prepare(*make_shape("box", 12));
-    constexpr double steel = 7800.0;
+    const double steel = 7800.0;
     double mass_of_body = 0.0;
     const auto add_body = [&](double mass, const kerf::Vec3d&, const kerf::Mat3d&, const kerf::Vec3d& moments) {
         mass_of_body = mass;

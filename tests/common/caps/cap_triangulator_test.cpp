@@ -224,8 +224,9 @@ TEST(ClippingTriangulator, RefusesHolesAndSeveralLoops)
 std::vector<glm::dvec2> spiral(std::size_t points, double turns)
 {
     std::vector<glm::dvec2> out, back;
-    for (std::size_t i = 0; i < points / 2; ++i) {
-        const double angle = 2 * std::numbers::pi * turns * double(i) / double(points / 2);
+    const std::size_t half = points / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+        const double angle = 2 * std::numbers::pi * turns * double(i) / double(half);
         const glm::dvec2 direction(std::cos(angle), std::sin(angle));
         out.push_back(glm::vec2((1.4 + angle) * direction));
         back.push_back(glm::vec2((1.0 + angle) * direction));
@@ -292,7 +293,7 @@ TEST(PatientTriangulator, CoversNestedLoopsOnce)
     CapMesh cap;
     ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
     // Of an outer loop with h holes: two triangles more for each.
-    EXPECT_EQ(cap.triangles.size(), outline.points.size() - 2 * 3 + 2);
+    EXPECT_EQ(cap.triangles.size() + 4, outline.points.size());
     expect_linked(outline, cap);
     EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-9);
 }
