@@ -1,7 +1,9 @@
 #include "common/caps/patient_triangulator.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "common/caps/hole_bridges.h"
@@ -10,8 +12,8 @@
 
 // Clipping an ear changes what its two neighbours are, and no other corner (O'Rourke 1998, "Computational Geometry in C",
 // section 1.6.5): corners wait in a queue, and come back to it if a neighbour was clipped. So ears are clipped in turn
-// around the ring, which keeps triangles short, and a corner is judged some three times in all. A corner that stops to
-// be reflex never becomes reflex again, so the tree of reflex corners is built once.
+// around the ring, which keeps triangles short, and a corner is judged some three times in all. If loops do not cross, a
+// corner never becomes reflex, so the tree of reflex corners is built once.
 //
 // Triangles that all run counter-clockwise cover a place as often as the outline winds around it, since their edges are
 // those of the outline: a corner that is taken for an ear and is none can stop the clipping, and do no other harm.
@@ -35,7 +37,7 @@ public:
 
 private:
     /// Corners that may be looked at: about a second.
-    static constexpr std::uint64_t kMostLooks = std::uint64_t{1} << 28;
+    static constexpr std::uint64_t kMostLooks = std::uint64_t{1} << 27;
 
     bool clip_all(const CapOutline& outline, CapMesh& cap)
     {
@@ -62,10 +64,35 @@ private:
         edge_.assign(rings_.links.begin() + first, rings_.links.begin() + last);
         reflex_.resize(n);
         for (Index i = 0; i < n; ++i) reflex_[i] = is_reflex(i);
-        boxes_.build(n, [&](std::size_t i, Box2& box) {
-            if (reflex_[i] != 0) box.add(points_[i].x, points_[i].y);
-        });
+        sort_reflex_corners();
+        boxes_.build(order_.size(),
+                     [&](std::size_t i, Box2& box) { box.add(points_[order_[i]].x, points_[order_[i]].y); });
         is_waiting_.assign(n, 0);
+    }
+
+    /// Along a Morton curve of 65536 x 65536 cells: a ring of many bridges runs to and fro, and is no good tree.
+    void sort_reflex_corners()
+    {
+        Box2 box;
+        for (const glm::dvec2& p : points_) box.add(p.x, p.y);
+        const glm::dvec2 lo(box.lo_x, box.lo_y);
+        const double longest = std::max(box.hi_x - box.lo_x, box.hi_y - box.lo_y);
+        const double scale = longest > 0.0 ? 65535.0 / longest : 0.0;
+        const auto spread = [](std::uint32_t v) {
+            v = (v | (v << 8)) & 0x00ff00ffu;
+            v = (v | (v << 4)) & 0x0f0f0f0fu;
+            v = (v | (v << 2)) & 0x33333333u;
+            return (v | (v << 1)) & 0x55555555u;
+        };
+        keys_.clear();
+        for (Index i = 0; i < points_.size(); ++i)
+            if (reflex_[i] != 0) {
+                const glm::dvec2 cell = (points_[i] - lo) * scale;
+                keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), i);
+            }
+        std::sort(keys_.begin(), keys_.end());
+        order_.clear();
+        for (const auto& [key, i] : keys_) order_.push_back(i);
     }
 
     bool clip_ring(CapMesh& cap)
@@ -82,7 +109,7 @@ private:
             for (std::size_t next = 0; next < queue_.size() && left > 3; ++next) {
                 const Index b = queue_[next];
                 is_waiting_[b] = 0;
-                if (!is_left(b) || reflex_[b] != 0 || !is_ear(b)) continue;
+                if (!is_left(b) || is_reflex(b) || !is_ear(b)) continue;
                 clip(b, cap);
                 --left;
             }
@@ -91,8 +118,9 @@ private:
         Index a = 0;
         while (!is_left(a)) ++a;
         const Index b = after_[a], c = before_[a];
-        // A triangle of no area closes a loop that folds back on itself.
-        if (turn(points_[a], points_[b], points_[c]) < 0.0) return false;
+        // A triangle of no area closes a loop that folds back on itself, but needs three places.
+        const glm::dvec2 &pa = points_[a], &pb = points_[b], &pc = points_[c];
+        if (turn(pa, pb, pc) < 0.0 || pa == pb || pb == pc || pc == pa) return false;
         cap.connect(add(a, b, c, cap), edge_[c]);
         return true;
     }
@@ -124,8 +152,9 @@ private:
         const glm::dvec2 &pa = points_[ia], &pb = points_[b], &pc = points_[ic];
         Box2 box;
         for (const glm::dvec2* p : {&pa, &pb, &pc}) box.add(p->x, p->y);
-        return !boxes_.any(box, [&](std::size_t i) {
+        return !boxes_.any(box, [&](std::size_t place) {
             if (looks_left_ == 0) return true;
+            const Index i = order_[place];
             --looks_left_;
             const glm::dvec2& p = points_[i];
             if (reflex_[i] == 0 || p == pa || p == pb || p == pc) return false;
@@ -141,7 +170,7 @@ private:
         before_[c] = a;
         after_[b] = b;
         for (const Index i : {a, c}) {
-            if (reflex_[i] != 0) reflex_[i] = is_reflex(i);
+            reflex_[i] = is_reflex(i);
             wait(i);
         }
     }
@@ -172,6 +201,8 @@ private:
     std::vector<CapLink> edge_;          // the edge that leaves each: the outline's, or a triangle's
     std::vector<std::uint8_t> reflex_, is_waiting_;
     std::vector<Index> queue_;
+    std::vector<std::pair<std::uint32_t, Index>> keys_;
+    std::vector<Index> order_;  // of the reflex corners
     LoopBoxes boxes_;
     std::uint64_t looks_left_ = 0;
 };
