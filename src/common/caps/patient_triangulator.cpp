@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Corners that may be looked at: about a second.
+    /// Corners that may be looked at: some seconds.
     static constexpr std::uint64_t kMostLooks = std::uint64_t{1} << 27;
 
     bool clip_all(const CapOutline& outline, CapMesh& cap)

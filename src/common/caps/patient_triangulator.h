@@ -8,8 +8,7 @@ namespace kerf::core {
 
 /// Closes loops with holes, islands in these, and single loops that clipping_triangulator.h refuses (spirals, combs whose
 /// teeth lean over one another): joins holes to what is around them (hole_bridges.h), and clips one ear after the other.
-/// Loops may touch in points. Refuses loops that cross, parts that hang on the rest by points alone, and what takes more
-/// than a second. O(k log k) for few holes side
+/// Refuses loops that cross, most that touch, and what takes more than some seconds. O(k log k) for few holes side
 /// by side, and if ears lie over few reflex corners.
 std::unique_ptr<CapTriangulator> make_patient_triangulator();
 
