@@ -50,16 +50,16 @@ struct Material
 struct MeshInput
 {
     const float* positions = nullptr;        ///< three for each vertex, in the caller's unit of length
-    std::size_t position_stride = 12;        ///< bytes from vertex to vertex
+    std::size_t position_stride = 12;        ///< bytes from vertex to vertex, 12 at least
     std::size_t vertex_count = 0;            ///< below 2^32 - 1
     const std::uint32_t* indices = nullptr;  ///< three for each triangle, counter-clockwise seen from outside; null:
                                              ///< each three vertices are a triangle
     std::size_t triangle_count = 0;          ///< below 2^32 / 3
     const float* normals = nullptr;          ///< three for each vertex, of about length 1; null: smooth ones are made
-    std::size_t normal_stride = 12;          ///< bytes from vertex to vertex
+    std::size_t normal_stride = 12;          ///< bytes from vertex to vertex, 12 at least
     float crease_degrees = 40.0f;            ///< if normals are made: edges that turn by more stay sharp; 0 to 180
     const float* uvs = nullptr;              ///< two for each vertex, origin in the lower left corner; null: all 0
-    std::size_t uv_stride = 8;               ///< bytes from vertex to vertex
+    std::size_t uv_stride = 8;               ///< bytes from vertex to vertex, 8 at least
     const std::uint32_t* triangle_materials = nullptr;  ///< one for each triangle; null: all 0
     std::span<const Material> materials;                ///< empty: one without a name
     std::span<const StreamInput> streams;               ///< further numbers of each vertex

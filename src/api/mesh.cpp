@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -38,11 +40,21 @@ std::string fault_of(const MeshInput& input)
         return "without indices each three vertices are a triangle, but there are " +
                std::to_string(input.vertex_count) + " vertices and " + std::to_string(input.triangle_count) +
                " triangles";
+    const auto strides_over = [&](std::size_t stride, std::size_t floats) {
+        return stride >= floats * sizeof(float) && stride <= std::size_t{PTRDIFF_MAX} / input.vertex_count;
+    };
+    if (!strides_over(input.position_stride, 3) ||
+        (input.normals != nullptr && !strides_over(input.normal_stride, 3)) ||
+        (input.uvs != nullptr && !strides_over(input.uv_stride, 2)))
+        return "a stride is shorter than what it strides over, or leads out of memory; it counts bytes, not numbers";
     if (!(input.crease_degrees >= 0.0f && input.crease_degrees <= 180.0f))
         return "the angle of creases is not 0 to 180 degrees; 40 is usual";
     for (const StreamInput& stream : input.streams)
         if (stream.values == nullptr || stream.width == 0 || stream.width > kWidestStream)
             return "a stream has no values, or not 1 to 16 a vertex; complete it or leave it out";
+    for (const StreamInput& stream : input.streams)
+        if (stream.stride != 0 && !strides_over(stream.stride, stream.width))
+            return "the stride of a stream is shorter than its values, or leads out of memory; it counts bytes";
     return {};
 }
 

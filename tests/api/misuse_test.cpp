@@ -4,10 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
+#include <string>
 #include <thread>
 #include <type_traits>
+#include <vector>
 
 #include "api/objects.h"
 
@@ -89,6 +93,28 @@ TEST(Misuse, IndicesAtRandomAreRefusedOrRepaired)
             const Cut result = cut(test::object_of(*made, name), test::plane_at(0.1, 0.2, 0.3, 1, 2, 3));
             EXPECT_TRUE(ok(result.status) || result.status == Status::missed);
         }
+    }
+}
+
+TEST(Misuse, AStrideInNumbersInsteadOfBytesIsRefused)
+{
+    const test::Arrays mesh = test::cube_arrays();
+    const std::vector<float> ones(3 * mesh.input().vertex_count, 1.0f);
+    const auto is_refused = [](const MeshInput& input) {
+        const Result<Mesh> made = Mesh::make(input);
+        return made.status() == Status::invalid_mesh && std::string(made.reason()).find("stride") != std::string::npos;
+    };
+    for (const std::size_t stride : {std::size_t{0}, std::size_t{3}, std::size_t{7}, SIZE_MAX, SIZE_MAX / 2}) {
+        MeshInput position = mesh.input(), normal = mesh.input(), uv = mesh.input(), stream = mesh.input();
+        position.position_stride = stride;
+        normal.normals = uv.uvs = ones.data();
+        normal.normal_stride = uv.uv_stride = stride;
+        const StreamInput colours{"colour", ones.data(), 3, stride};
+        stream.streams = {&colours, 1};
+        EXPECT_TRUE(is_refused(position)) << stride;
+        EXPECT_TRUE(is_refused(normal)) << stride;
+        EXPECT_TRUE(is_refused(uv)) << stride;
+        EXPECT_EQ(is_refused(stream), stride != 0) << stride;
     }
 }
 
