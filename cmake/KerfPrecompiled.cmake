@@ -3,9 +3,10 @@
 # Not those that a few files need: GCC instantiates in each file what a compiled header has asked for (CLI11: 8 s, JSON:
 # 1 s), used or not.
 #
-# Off by default: a file that forgets an include compiles all the same if the header is among these. The presets in which
-# the code is only run turn it on; those in which it is checked (`clang`) do not.
-option(KERF_PRECOMPILE "Compile the headers of the standard library, GLM and GoogleTest once for all targets" OFF)
+# Off by default in Kerf's own builds: a file that forgets an include compiles all the same if the header is among these.
+# The presets in which the code is only run turn it on; those in which it is checked (`clang`) do not.
+option(KERF_PRECOMPILE "Compile the headers of the standard library, GLM and GoogleTest once for all targets"
+  ${KERF_IN_A_PROJECT})
 
 set(KERF_PRECOMPILED_HEADERS
   <algorithm> <array> <bit> <charconv> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>

@@ -30,14 +30,17 @@ if(KERF_SANITIZE)
   target_link_options(kerf_flags INTERFACE -fsanitize=${KERF_SANITIZE})
 endif()
 
-# For what runs once and compiles slowly: test files, command lines. Nobody waits for them to run, all for the compiler.
-# (The library and tests/support, where the work is done, keep the optimisation of the build.)
-set(KERF_COLD_OPTIMIZATION -O1 CACHE STRING "Optimisation of test files and command lines in builds that are optimised")
+# For what compiles slowly and runs once, as test files and command lines, or no faster for more optimisation: files of
+# 300 k triangles are read within the noise of one another at -O1, -O2 and -O3, but -O3 compiles for twice as long. (Where
+# the work of the library is done, and in tests/support, the optimisation is that of the build.)
+set(KERF_COLD_OPTIMIZATION -O1 CACHE STRING "Optimisation of test files, mesh files and command lines in builds that are optimised")
 add_library(kerf_cold_flags INTERFACE)
 target_compile_options(kerf_cold_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:${KERF_COLD_OPTIMIZATION}>)
 
 # Where nobody compiles a second time: headers are read once, and a change of one file compiles all of its target again.
 option(KERF_UNITY_TESTS "Compile the files of each test program as one" OFF)
+# Somebody's project compiles the library once, and waits for it.
+option(KERF_UNITY_LIBRARY "Compile the files of each of the library's targets as one" ${KERF_IN_A_PROJECT})
 
 # The files of each target that this folder makes from here on, as one.
 macro(kerf_compile_as_one)
@@ -45,18 +48,26 @@ macro(kerf_compile_as_one)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 0)
 endmacro()
 
-# kerf_library(NAME SOURCES...): a static library kerf_NAME with the alias kerf::NAME. Its own files write includes of the
-# library from src/; what users of it see is up to the caller.
+# kerf_library(NAME [COLD] SOURCES...): a static library kerf_NAME with the alias kerf::NAME. Its own files write includes of
+# the library from src/; what users of it see is up to the caller. COLD: see kerf_cold_flags.
 function(kerf_library name)
-  add_library(kerf_${name} STATIC ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "" ${ARGN})
+  add_library(kerf_${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
   add_library(kerf::${name} ALIAS kerf_${name})
   target_compile_features(kerf_${name} PUBLIC cxx_std_20)
   target_include_directories(kerf_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(kerf_${name} PRIVATE $<BUILD_INTERFACE:kerf_flags>)
-  kerf_precompile(kerf_${name})
+  if(ARG_COLD)
+    target_link_libraries(kerf_${name} PRIVATE $<BUILD_INTERFACE:kerf_cold_flags>)
+  else()
+    kerf_precompile(kerf_${name})
+  endif()
+  if(KERF_UNITY_LIBRARY)
+    set_target_properties(kerf_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
 endfunction()
 
-# kerf_core_library(NAME SOURCES...): a part of the library's own code, kerf_core_NAME with the alias kerf::core::NAME. What
+# kerf_core_library(NAME [COLD] SOURCES...): a part of the library's own code, kerf_core_NAME with the alias kerf::core::NAME. What
 # links it sees its headers, and must round as they do.
 function(kerf_core_library name)
   kerf_library(core_${name} ${ARGN})
