@@ -8,6 +8,7 @@
 
 #include "common/caps/hole_bridges.h"
 #include "common/caps/loop_boxes.h"
+#include "common/caps/morton.h"
 #include "common/geometry/turn.h"
 
 // Clipping an ear changes what its two neighbours are, and no other corner (O'Rourke 1998, "Computational Geometry in C",
@@ -78,17 +79,11 @@ private:
         const glm::dvec2 lo(box.lo_x, box.lo_y);
         const double longest = std::max(box.hi_x - box.lo_x, box.hi_y - box.lo_y);
         const double scale = longest > 0.0 ? 65535.0 / longest : 0.0;
-        const auto spread = [](std::uint32_t v) {
-            v = (v | (v << 8)) & 0x00ff00ffu;
-            v = (v | (v << 4)) & 0x0f0f0f0fu;
-            v = (v | (v << 2)) & 0x33333333u;
-            return (v | (v << 1)) & 0x55555555u;
-        };
         keys_.clear();
         for (Index i = 0; i < points_.size(); ++i)
             if (reflex_[i] != 0) {
                 const glm::dvec2 cell = (points_[i] - lo) * scale;
-                keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), i);
+                keys_.emplace_back(morton(std::uint32_t(cell.x), std::uint32_t(cell.y)), i);
             }
         std::sort(keys_.begin(), keys_.end());
         order_.clear();

@@ -7,6 +7,7 @@
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/convex_triangulator.h"
+#include "common/caps/morton.h"
 #include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "common/geometry/dominant_axis.h"
@@ -181,18 +182,12 @@ void SectionCloser::order_spatially(const CapSet& cap)
     const glm::dvec2 lo(box_.lo_x, box_.lo_y);
     const double longest = std::max(box_.hi_x - box_.lo_x, box_.hi_y - box_.lo_y);
     const double scale = longest > 0.0 ? 1023.0 / (3.0 * longest) : 0.0;
-    const auto spread = [](std::uint32_t v) {
-        v = (v | (v << 8)) & 0x00ff00ffu;
-        v = (v | (v << 4)) & 0x0f0f0f0fu;
-        v = (v | (v << 2)) & 0x33333333u;
-        return (v | (v << 1)) & 0x55555555u;
-    };
     keys_.clear();
     for (std::size_t t = cap.first; t < cap.first + cap.count; ++t) {
         glm::dvec2 cell{0.0};
         for (const Index corner : caps_->triangles[t].corner) cell += projected(section_points()[corner]) - lo;
         cell *= scale;
-        keys_.emplace_back(spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1), static_cast<Index>(t));
+        keys_.emplace_back(morton(std::uint32_t(cell.x), std::uint32_t(cell.y)), static_cast<Index>(t));
     }
     // Two stable counting passes of ten bits.
     sorted_.resize(keys_.size());

@@ -183,17 +183,18 @@ double triangles_along_a_line(const Outline& outline, const CapMesh& cap)
     return double(crossed) / kLines;
 }
 
-TEST(ClippingTriangulator, CoversAConcaveLoopOnce)
+TEST(ClippingTriangulators, CoverAConcaveLoopOnce)
 {
-    for (const auto& loop : {rocky(1000), star(50, 2, 1), star(7, 1, 1), star(3, 1, 1)}) {
-        Outline outline;
-        outline.add(loop);
-        CapMesh cap;
-        ASSERT_TRUE(make_clipping_triangulator()->triangulate(outline.view(), cap));
-        EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
-        expect_linked(outline, cap);
-        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
-    }
+    for (const auto& make : {make_clipping_triangulator, make_patient_triangulator})
+        for (const auto& loop : {rocky(1000), star(50, 2, 1), star(7, 1, 1), star(3, 1, 1)}) {
+            Outline outline;
+            outline.add(loop);
+            CapMesh cap;
+            ASSERT_TRUE(make()->triangulate(outline.view(), cap));
+            EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
+            expect_linked(outline, cap);
+            EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+        }
 }
 
 TEST(ClippingTriangulator, LeavesFewTrianglesAlongALine)
@@ -258,19 +259,6 @@ TEST(PatientTriangulator, CoversAConcaveLoopOnceThatClippingInLayersRefuses)
         EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
         expect_linked(outline, cap);
         EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-11 * outline.area());
-    }
-}
-
-TEST(PatientTriangulator, CoversWhatClippingInLayersCovers)
-{
-    for (const auto& loop : {rocky(1000), star(50, 2, 1), star(7, 1, 1), star(3, 1, 1)}) {
-        Outline outline;
-        outline.add(loop);
-        CapMesh cap;
-        ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
-        EXPECT_EQ(cap.triangles.size(), loop.size() - 2);
-        expect_linked(outline, cap);
-        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
     }
 }
 
