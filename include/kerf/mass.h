@@ -17,8 +17,8 @@ namespace kerf {
 struct KERF_API MassProperties
 {
     double volume = 0.0;  ///< in the unit, cubed
-    Vec3d centre;         ///< of mass; of the bounds if there is no volume
-    Mat3d inertia;        ///< about the centre, along the axes of the mesh
+    Vec3d centre = {};    ///< of mass; of the bounds if there is no volume
+    Mat3d inertia = {};   ///< about the centre, along the axes of the mesh
     /// Whether the surface is known to bound a solid: the mesh was closed, and so is each cut since. Otherwise these
     /// are sums over a surface that may bound nothing.
     bool is_of_solid = false;
@@ -36,8 +36,8 @@ struct KERF_API MassProperties
 /// The axes about which a body turns without wobbling.
 struct PrincipalAxes
 {
-    Vec3d moments;  ///< about the three axes, from small to large
-    Mat3d axes;     ///< the columns; right-handed, each of length 1
+    Vec3d moments = {};  ///< about the three axes, from small to large
+    Mat3d axes = {};     ///< the columns; right-handed, each of length 1
 };
 
 /// By Jacobi's rotations (Golub and Van Loan, "Matrix Computations", section 8.5). O(1).

@@ -61,8 +61,8 @@ struct MeshInput
     const float* uvs = nullptr;              ///< two for each vertex, origin in the lower left corner; null: all 0
     std::size_t uv_stride = 8;               ///< bytes from vertex to vertex, 8 at least
     const std::uint32_t* triangle_materials = nullptr;  ///< one for each triangle; null: all 0
-    std::span<const Material> materials;                ///< empty: one without a name
-    std::span<const StreamInput> streams;               ///< further numbers of each vertex
+    std::span<const Material> materials = {};           ///< empty: one without a name
+    std::span<const StreamInput> streams = {};          ///< further numbers of each vertex
 };
 
 /// What was wrong with a mesh, and what was done about it. Nothing of it moves a vertex.
@@ -103,7 +103,7 @@ struct MeshFacts
     double shortest_edge = 0.0;              ///< in the mesh's unit; infinite without edges
     double area = 0.0;                       ///< of the surface, in its square
     double volume = 0.0;                     ///< signed, in its cube; of a closed mesh, or about the origin
-    Box bounds;                              ///< of all vertices
+    Box bounds = {};                         ///< of all vertices
     bool has_coarse_coordinates = false;     ///< see Mesh::has_coarse_coordinates()
 
     /// Whether the repaired mesh bounds solids: it has no holes.

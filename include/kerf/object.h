@@ -25,16 +25,16 @@ class Cuttable;
 /// Options of prepare().
 struct PrepareOptions
 {
-    BackEnd back_end = BackEnd::automatic;  ///< the way to cut
+    BackEnd back_end = BackEnd::automatic;  ///< the way to cut; a number that is none of them is `automatic`
     /// A back end by its name instead (find_back_end()): what a user chooses on a command line. May be null.
     const char* back_end_name = nullptr;
     /// How many times the object and its pieces will be cut, about. `automatic` goes by it.
     std::uint32_t cuts_expected = 1000;
     /// Called now and then from the thread that prepares, with the share that is done: 0 first, 1 last. Returns false
-    /// to stop; prepare() then says `cancelled`. May be null.
+    /// to stop; prepare() then says `cancelled`. Must not throw: that ends the program. May be null.
     bool (*progress)(void* user, double share) = nullptr;
-    void* user = nullptr;     ///< for `progress`
-    BufferListener listener;  ///< of the object's buffers and of all that descend from it
+    void* user = nullptr;          ///< for `progress`
+    BufferListener listener = {};  ///< of the object's buffers and of all that descend from it
 };
 
 /// A closed polyline, or a chain that ends at holes of the mesh: an outline of the section that made an object.
@@ -79,7 +79,8 @@ public:
     Result<Object> clone() const noexcept;
 
     std::uint64_t triangle_count() const noexcept;  ///< with caps; 0 of an empty object. O(1).
-    Box bounds() const noexcept;                    ///< empty of an empty object
+    /// The smallest box around it; empty of an empty object. O(1).
+    Box bounds() const noexcept;
     /// Volume, centre of mass and inertia. O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an
     /// empty object.
     MassProperties mass_properties() const noexcept;
@@ -89,7 +90,8 @@ public:
 
     /// The outlines of the cut that made this piece; none before any cut.
     std::size_t loop_count() const noexcept;
-    SectionLoop loop(std::size_t i) const noexcept;  ///< an empty one if there is none of that number
+    /// An empty one if there is none of that number. Its points live until the object changes or ends.
+    SectionLoop loop(std::size_t i) const noexcept;
 
     /// Fills a view, new or used: what to draw. Status: `invalid_argument` for an empty object, `out_of_memory`; then
     /// the view is empty.
@@ -100,7 +102,7 @@ public:
     /// Whether both are relatives. An empty object has none.
     bool shares_buffers_with(const Object& other) const noexcept;
     /// Gives the object buffers of its own; then it is a stranger to all others. O(n) if it has relatives. Status:
-    /// `done` or `out_of_memory`, and the object is as it was.
+    /// `done`, `invalid_argument` for an empty object, or `out_of_memory`, and the object is as it was.
     Status detach() noexcept;
     /// Whether many cuts have scattered the object over shared buffers, so that it is worth to compact() it.
     bool is_scattered() const noexcept;

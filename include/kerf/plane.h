@@ -27,8 +27,8 @@ constexpr Side opposite(Side side) noexcept
 /// A place that a plane goes through, in the units of the mesh.
 struct Point : Vec3d
 {
-    /// Of three coordinates.
-    constexpr Point(double x_, double y_, double z_) : Vec3d(x_, y_, z_) {}
+    /// Of three coordinates. Explicit: braces alone don't say which of the two they are.
+    explicit constexpr Point(double x_, double y_, double z_) : Vec3d(x_, y_, z_) {}
     /// Of a vector of the caller's own type.
     template <HasXyz T>
     explicit constexpr Point(const T& t) : Vec3d(t)
@@ -40,7 +40,7 @@ struct Point : Vec3d
 struct Normal : Vec3d
 {
     /// Of three coordinates.
-    constexpr Normal(double x_, double y_, double z_) : Vec3d(x_, y_, z_) {}
+    explicit constexpr Normal(double x_, double y_, double z_) : Vec3d(x_, y_, z_) {}
     /// Of a vector of the caller's own type.
     template <HasXyz T>
     explicit constexpr Normal(const T& t) : Vec3d(t)
@@ -80,8 +80,8 @@ public:
     Plane flipped() const noexcept;
 
     /// This plane of the world as the object sees it that the matrix places there. The sides stay those of the world,
-    /// so a matrix that mirrors or shears is right, too. Nothing if the matrix has no inverse or its last row is not
-    /// 0, 0, 0, 1.
+    /// so a matrix that mirrors or shears is right, too. Nothing if the matrix has no inverse, as far as doubles tell,
+    /// or its last row is not 0, 0, 0, 1, or the plane leaves the range of double.
     std::optional<Plane> to_local(const Mat4d& object_to_world) const noexcept;
 
     /// Signed distance of a point, in the units of the mesh: positive on the positive side.

@@ -23,12 +23,13 @@ struct ShapeOptions
     const Material* material = nullptr;  ///< of all triangles; null: the shape's own
     /// Called from the thread that makes the shape, with the share that is done: 0 at the start, about 0.4 if the
     /// triangles are there and are to be joined to a mesh, 1 at the end. Returns false to stop; the status is
-    /// `cancelled` then. May be null.
+    /// `cancelled` then. Must not throw: that ends the program. May be null.
     bool (*progress)(void* user, double share) = nullptr;
     void* user = nullptr;  ///< for `progress`
 };
 
-/// A closed shape by its name with about so many triangles (at least what it needs, at most kMostShapeTriangles).
+/// A closed shape by its name with about so many triangles (at least what it needs; of more than kMostShapeTriangles it
+/// has about that many).
 /// O(n log n). Status: `invalid_argument` for a name that is none of shape_name(), `cancelled`, `out_of_memory`.
 ///
 ///     const kerf::Result<kerf::Mesh> rock = kerf::make_shape("asteroid", 100'000);

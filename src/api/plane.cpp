@@ -7,6 +7,23 @@
 
 namespace kerf {
 
+namespace {
+
+double largest(const glm::dvec3& v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Whether the columns span space, as far as doubles tell, at whatever scale each of them is.
+bool span_space(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    // The largest numbers are divided out, so that the product neither overflows nor vanishes. 0 / 0 is no number.
+    const double volume = glm::dot(a / largest(a), glm::cross(b / largest(b), c / largest(c)));
+    return volume != 0.0 && std::isfinite(volume);
+}
+
+}  // namespace
+
 std::optional<Plane> Plane::at(Point point, Normal normal) noexcept
 {
     const auto found = core::Plane::through(to_core(point), to_core(normal));
@@ -19,7 +36,6 @@ std::optional<Plane> Plane::through(Vec3d a, Vec3d b, Vec3d c) noexcept
     const glm::dvec3 p = to_core(a), q = to_core(b), r = to_core(c);
     // The largest difference is divided out first, so that the product neither overflows nor vanishes.
     const glm::dvec3 e = q - p, f = r - p;
-    const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
     const double scale_e = largest(e), scale_f = largest(f);
     if (!(scale_e > 0.0) || !(scale_f > 0.0)) return std::nullopt;
     const glm::dvec3 n = glm::cross(e / scale_e, f / scale_f);
@@ -73,8 +89,7 @@ std::optional<Plane> Plane::to_local(const Mat4d& object_to_world) const noexcep
     const auto& m = object_to_world.m;
     if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0) return std::nullopt;
     const glm::dvec3 columns[3]{{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
-    const double volume = glm::dot(columns[0], glm::cross(columns[1], columns[2]));
-    if (volume == 0.0 || !std::isfinite(volume)) return std::nullopt;
+    if (!span_space(columns[0], columns[1], columns[2])) return std::nullopt;
     // n . (A p + t) = offset, so the normal of the object's plane is A^T n, and no inverse is needed.
     const glm::dvec3 n = to_core(normal_);
     const double moved = n.x * m[3][0] + n.y * m[3][1] + n.z * m[3][2];

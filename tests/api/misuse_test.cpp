@@ -24,6 +24,13 @@ concept MakesAPlane = requires(A a, B b)
     Plane::at(a, b);
 };
 template <class T>
+void take(T);
+template <class T>
+concept IsMadeOfBraces = requires
+{
+    take<T>({0.0, 0.0, 1.0});
+};
+template <class T>
 concept CutsAnObjectThatStays = requires(T& object, const Plane& plane)
 {
     cut(object, plane);
@@ -34,6 +41,7 @@ TEST(Misuse, WhatDoesNotCompile)
     static_assert(MakesAPlane<Point, Normal>);
     static_assert(!MakesAPlane<Normal, Point>, "the wrong order");
     static_assert(!MakesAPlane<Vec3d, Vec3d>, "two vectors, of which nobody knows which is which");
+    static_assert(!IsMadeOfBraces<Point> && !IsMadeOfBraces<Normal>, "three numbers, of which nobody knows what they are");
     static_assert(!std::is_default_constructible_v<Plane>, "a plane that nobody chose");
     static_assert(!std::is_copy_constructible_v<Object>, "a copy of millions of triangles that nobody saw");
     static_assert(!CutsAnObjectThatStays<Object>, "an object that is gone afterwards without std::move()");

@@ -127,6 +127,21 @@ TEST(Plane, HasNoPlaceInAnObjectWhoseMatrixHasNoInverse)
     EXPECT_FALSE(Plane::x(0.0)->to_local(endless));
 }
 
+TEST(Plane, HasAPlaceInAnObjectOfAnyScale)
+{
+    for (const double scale : {1e-300, 1e-108, 1e-3, 1e103, 1e300}) {
+        Mat4d matrix;
+        for (int i = 0; i < 3; ++i) matrix.m[i][i] = scale;
+        const std::optional<Plane> local = Plane::z(2.0 * scale)->to_local(matrix);
+        ASSERT_TRUE(local) << scale;
+        EXPECT_NEAR(local->offset(), 2.0, 1e-15) << scale;
+    }
+    Mat4d flat_and_long;
+    flat_and_long.m[0][0] = 1e-200;
+    flat_and_long.m[2][2] = 1e200;
+    EXPECT_TRUE(Plane::z(0.0)->to_local(flat_and_long));
+}
+
 /// A program's own vector: anything with x, y and z converts.
 struct GameVector
 {
