@@ -19,6 +19,12 @@ target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-m
   $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>,-Wshadow>
   # What GCC counts as a conversion: the signs of indices are not.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
+# A plug-in that holds the static library shows nothing of it, and can be unloaded: what is unique in a process stays.
+# (Shared libraries show one another the library's own code; cmake/kerf.map says what.)
+target_compile_options(kerf_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+if(NOT (KERF_INSTALL AND BUILD_SHARED_LIBS))
+  target_compile_options(kerf_flags INTERFACE -fvisibility=hidden -fvisibility-inlines-hidden)
+endif()
 if(KERF_WERROR)
   target_compile_options(kerf_flags INTERFACE -Werror)
 endif()

@@ -2,6 +2,7 @@
 
 #include <kerf/kerf.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <vector>
@@ -34,9 +35,9 @@ GameMesh cube()
     return mesh;
 }
 
-kerf::Result<kerf::Mesh> to_kerf(const GameMesh& mesh)
+/// Where Kerf finds all that. Nothing is copied; `colours` is used by the result.
+kerf::MeshInput input_of(const GameMesh& mesh, kerf::StreamInput& colours)
 {
-    kerf::StreamInput colours;
     colours.name = "colour";
     colours.values = mesh.vertices[0].colour;
     colours.width = 4;
@@ -49,7 +50,7 @@ kerf::Result<kerf::Mesh> to_kerf(const GameMesh& mesh)
     input.indices = mesh.indices.data();
     input.triangle_count = mesh.indices.size() / 3;
     input.streams = {&colours, 1};
-    return kerf::Mesh::make(input);
+    return input;
 }
 
 GameMesh from_kerf(const kerf::Mesh& mesh)
@@ -66,11 +67,33 @@ GameMesh from_kerf(const kerf::Mesh& mesh)
     return result;
 }
 
+/// The height of each vertex of a piece, from those of the cube's corners: as the piece would have it if the height were
+/// something that Kerf knows nothing of. Returns how far one is off, or -1 if the piece is none of the cube's.
+float height_from_corners(const kerf::Mesh& piece, const GameMesh& cube, const kerf::MeshInput& input)
+{
+    const std::span<const kerf::Vec3f> positions = piece.arrays().positions;
+    std::vector<kerf::VertexOrigin> origins(positions.size());
+    if (kerf::vertex_origins(piece, input, origins) != kerf::Status::done) return -1.0f;
+    float worst = 0.0f;
+    for (std::size_t v = 0; v < origins.size(); ++v) {
+        if (origins[v].vertices[0] == kerf::kNone) continue;  // of a cap
+        float height = 0.0f;
+        for (int i = 0; i < 3; ++i)
+            if (origins[v].weights[i] != 0.0f)
+                height += origins[v].weights[i] * cube.vertices[origins[v].vertices[i]].position[2];
+        worst = std::fmax(worst, std::fabs(height - positions[v].z));
+    }
+    return worst;
+}
+
 }  // namespace
 
 int main()
 {
-    const kerf::Result<kerf::Mesh> mesh = to_kerf(cube());
+    const GameMesh given = cube();
+    kerf::StreamInput given_colours;
+    const kerf::MeshInput input = input_of(given, given_colours);
+    const kerf::Result<kerf::Mesh> mesh = kerf::Mesh::make(input);
     if (!mesh) return std::fprintf(stderr, "%s\n", mesh.reason()), 1;
 
     // One cut of a mesh that is not kept: the linear back end has next to nothing to prepare.
@@ -88,7 +111,9 @@ int main()
         const GameMesh game = from_kerf(*piece);
 
         // Colours of the surface were interpolated: they still follow the corners. Caps are Kerf's own triangles.
+        // Every other triangle says which of the cube's twelve it was.
         std::size_t caps = 0;
+        std::uint32_t faces = 0;
         float worst = 0.0f;
         const kerf::MeshArrays arrays = piece->arrays();
         for (std::size_t t = 0; t < arrays.kinds.size(); ++t) {
@@ -96,16 +121,22 @@ int main()
                 ++caps;
                 continue;
             }
+            faces |= 1u << (arrays.sources[t] / 2);
             for (std::size_t c = 0; c < 3; ++c) {
                 const GameVertex& v = game.vertices[arrays.indices[3 * t + c]];
                 for (int axis = 0; axis < 3; ++axis) {
                     const float off = v.colour[axis] - (0.5f + 0.5f * v.position[axis]);
-                    worst = off > worst ? off : -off > worst ? -off : worst;
+                    worst = std::fmax(worst, std::fabs(off));
                 }
             }
         }
-        std::printf("%zu vertices, %zu triangles, %zu of them cap; colours off by %g\n", game.vertices.size(),
-                    game.indices.size() / 3, caps, static_cast<double>(worst));
-        if (caps == 0 || worst > 1e-6f) return 1;
+        const float height_off = height_from_corners(*piece, given, input);
+        std::printf("%zu vertices, %zu triangles, %zu of them cap; colours off by %g, heights by %g; faces:",
+                    game.vertices.size(), game.indices.size() / 3, caps, static_cast<double>(worst),
+                    static_cast<double>(height_off));
+        for (int face = 0; face < 6; ++face)
+            if ((faces & (1u << face)) != 0) std::printf(" %d", face);
+        std::printf("\n");
+        if (caps == 0 || worst > 1e-6f || height_off < 0.0f || height_off > 1e-6f) return 1;
     }
 }

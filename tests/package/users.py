@@ -78,9 +78,10 @@ def check_consumer(folder, compiler, *settings, model=MODEL):
 
 
 def check_built_parts(folder):
-    """A project that has Kerf in a folder builds the library, and none of what only Kerf's own programs need."""
+    """A project that has Kerf in a folder builds the library, none of what only Kerf's own programs need, and no CGAL."""
     places = (folder / "build/kerf", folder / "build/_deps/kerf-build")
-    built = {"/".join(path.relative_to(place).parts[:2]) for place in places for path in place.rglob("*.cpp.o")}
+    built = {"CGAL" if "caps_cgal" in str(path) else "/".join(path.relative_to(place).parts[:2]) for place in places for path in place.rglob("*.o")
+             if "kerf_precompiled" not in str(path)}
     wanted = {f"src/{room}" for room in ("api", "back_ends", "common", "halfedge", "linear")}
     if built != wanted:
         raise Failed(f"{folder.name}: it builds {', '.join(sorted(built))}, not {', '.join(sorted(wanted))}")
@@ -110,3 +111,15 @@ def check_examples(prefix, folder, compiler):
         if name == "draw_ranges":
             command = ["xvfb-run", "-a"] + command
         say(f"    {name}: " + run(*command, cwd=build).strip().splitlines()[-1])
+        if name == "plugin":
+            check_plugin(build / "libcutter.so")
+
+
+def check_plugin(library):
+    """It shows its own function and nothing of the Kerf inside it, but the compiler's and C++ library's own names."""
+    shown = [line.split(maxsplit=2) for line in run("nm", "-DC", "--defined-only", library).splitlines()]
+    kerf = [name for _, _, name in shown if "kerf::" in name]
+    unique = [name for _, kind, name in shown if kind == "u"]
+    if kerf or unique or "cut_in_two" not in [name for _, _, name in shown]:
+        raise Failed(f"{library.name} shows {len(kerf)} names of Kerf, and {len(unique)} that keep it loaded: "
+                     f"{(kerf + unique)[:3]}")
