@@ -41,7 +41,8 @@ TEST(Misuse, WhatDoesNotCompile)
     static_assert(MakesAPlane<Point, Normal>);
     static_assert(!MakesAPlane<Normal, Point>, "the wrong order");
     static_assert(!MakesAPlane<Vec3d, Vec3d>, "two vectors, of which nobody knows which is which");
-    static_assert(!IsMadeOfBraces<Point> && !IsMadeOfBraces<Normal>, "three numbers, of which nobody knows what they are");
+    static_assert(!IsMadeOfBraces<Point> && !IsMadeOfBraces<Normal>,
+                  "three numbers, of which nobody knows what they are");
     static_assert(!std::is_default_constructible_v<Plane>, "a plane that nobody chose");
     static_assert(!std::is_copy_constructible_v<Object>, "a copy of millions of triangles that nobody saw");
     static_assert(!CutsAnObjectThatStays<Object>, "an object that is gone afterwards without std::move()");
