@@ -84,6 +84,65 @@ TEST_P(WithoutCgal, CapsAreRightOrSaySo)
     EXPECT_GT(with_holes, 20u);
 }
 
+/// The surface of random voxels. Those that share only an edge or a corner touch there, and their loops do.
+IndexedMesh voxels(test::Random& random)
+{
+    constexpr int kSize = 6;
+    bool is_full[kSize + 2][kSize + 2][kSize + 2] = {};
+    for (int x = 1; x <= kSize; ++x)
+        for (int y = 1; y <= kSize; ++y)
+            for (int z = 1; z <= kSize; ++z) is_full[x][y][z] = random.below(2) == 0;
+    TriangleSoup soup;
+    soup.has_normals = false;
+    const auto add_face = [&](const glm::ivec3& voxel, int axis, int step) {
+        const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+        for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+            glm::vec3 corner(voxel);
+            corner[axis] += step > 0 ? 1.0f : 0.0f;
+            corner[(axis + 1) % 3] += float(step > 0 ? u : v);
+            corner[(axis + 2) % 3] += float(step > 0 ? v : u);
+            soup.vertices.push_back({corner, {0, 0, 1}, {0, 0}});
+        }
+        soup.triangles.push_back({first, first + 1, first + 2});
+        soup.triangles.push_back({first, first + 2, first + 3});
+    };
+    for (int x = 1; x <= kSize; ++x)
+        for (int y = 1; y <= kSize; ++y)
+            for (int z = 1; z <= kSize; ++z)
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const int step : {-1, 1}) {
+                        glm::ivec3 beside(x, y, z);
+                        beside[axis] += step;
+                        if (is_full[x][y][z] && !is_full[beside.x][beside.y][beside.z]) add_face({x, y, z}, axis, step);
+                    }
+    return test::repaired(std::move(soup));
+}
+
+TEST_P(WithoutCgal, CapsOfWhatTouchesItselfAreRight)
+{
+    test::Random random(3);
+    std::size_t cuts = 0;
+    for (int i = 0; i < 20; ++i) {
+        const auto object = backend_->prepare(voxels(random)).object;
+        ASSERT_NE(object, nullptr);
+        for (int k = 0; k < 12; ++k) {
+            // Through the middle of a layer, through its faces, and anyhow.
+            const glm::dvec3 normal = k < 6 ? glm::dvec3(k % 3 == 0, k % 3 == 1, k % 3 == 2) : random.direction();
+            const double height = k < 3 ? 3.5 : k < 6 ? 4.0 : 3.0 + 2.0 * random.uniform();
+            const CutResult result = cut(object->clone(), *Plane::through(glm::dvec3(height), normal));
+            if (result.status != Status::done) continue;
+            ++cuts;
+            const IndexedMesh piece = result.positive.front()->to_indexed_mesh();
+            EXPECT_EQ(referee::open_edges(piece), 0u) << i << ' ' << k;
+            const double covered =
+                referee::cap_area_in_plane(piece, Plane::through(glm::dvec3(height), normal)->normal);
+            EXPECT_NEAR(covered, result.section_area, 1e-5) << i << ' ' << k;
+            EXPECT_FALSE(result.caps_exceed_section) << i << ' ' << k;
+        }
+    }
+    EXPECT_GT(cuts, 200u);
+}
+
 TEST(WithoutCgalEither, NothingFindsWhereEdgesCross)
 {
     use_constrained_ways(nullptr);

@@ -5,8 +5,10 @@
 #include <glm/vec2.hpp>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "common/caps/loop_boxes.h"
+#include "common/caps/touching_loops.h"
 #include "common/geometry/turn.h"
 
 // Where a bridge leads decides only whether triangles are found: whatever is covered by triangles that all run
@@ -22,16 +24,21 @@ public:
     Bridger(const CapOutline& outline, std::uint64_t& looks_left) : outline_(outline), looks_left_(looks_left)
     {
         const Index n = static_cast<Index>(outline.points.size());
-        for (Index loop = 0; loop + 1 < outline.loop_starts.size(); ++loop)
-            for (Index i = outline.loop_starts[loop]; i < outline.loop_starts[loop + 1]; ++i) {
-                loop_of_.push_back(loop);
-                after_.push_back(outline.successor(i, loop));
-            }
+        Succession parted;
+        part_touching_loops(outline, parted);
+        shared_ = std::move(parted.shared);
+        after_ = std::move(parted.after);
         before_.resize(n);
         for (Index i = 0; i < n; ++i) {
             before_[after_[i]] = i;
             point_.push_back(i);
             link_.push_back(CapLink::to_outline(i));
+        }
+        loop_of_.assign(n, kNone);
+        for (Index first = 0; first < n; ++first) {
+            if (loop_of_[first] != kNone) continue;
+            for (Index i = first; loop_of_[i] == kNone; i = after_[i]) loop_of_[i] = static_cast<Index>(starts_.size());
+            starts_.push_back(first);
         }
         successor_ = after_;
         next_copy_.assign(n, kNone);
@@ -40,7 +47,7 @@ public:
     bool run(Rings& rings)
     {
         std::vector<Index> holes;  // the leftmost point of each
-        for (Index loop = 0; loop + 1 < outline_.loop_starts.size(); ++loop) {
+        for (Index loop = 0; loop < starts_.size(); ++loop) {
             is_joined_.push_back(twice_area(loop) >= 0.0);
             if (is_joined_[loop] == 0) holes.push_back(leftmost(loop));
         }
@@ -51,13 +58,9 @@ public:
             });
         rings.bridge_count = 0;
         for (const Index hole : holes) {
-            if (const Index corner = touched_by(hole); corner != kNone) {
-                merge(corner, hole);
-            } else {
-                const Index seen = seen_from(hole);
-                if (seen == kNone) return false;
-                build(rings.bridge_count++, seen, hole);
-            }
+            const Index seen = seen_from(hole);
+            if (seen == kNone) return false;
+            build(rings.bridge_count++, seen, hole);
             is_joined_[loop_of_[hole]] = 1;
         }
         collect(rings);
@@ -71,9 +74,9 @@ private:
 
     double twice_area(Index loop) const
     {
-        const Index first = outline_.loop_starts[loop];
+        const Index first = starts_[loop];
         double twice = 0.0;
-        for (Index i = first; i < outline_.loop_starts[loop + 1]; ++i) {
+        for (Index i = successor_[first]; i != first; i = successor_[i]) {
             const glm::dvec2 p = at(i) - at(first), q = at(successor_[i]) - at(first);
             twice += p.x * q.y - p.y * q.x;
         }
@@ -82,44 +85,10 @@ private:
 
     Index leftmost(Index loop) const
     {
-        Index found = outline_.loop_starts[loop];
-        for (Index i = found; i < outline_.loop_starts[loop + 1]; ++i)
+        Index found = starts_[loop];
+        for (Index i = successor_[found]; i != starts_[loop]; i = successor_[i])
             if (is_left_of(i, found)) found = i;
         return found;
-    }
-
-    /// A corner at the place of a hole's leftmost point, whose inside the hole's first edge runs in; kNone if there is none.
-    Index touched_by(Index hole)
-    {
-        const glm::dvec2& p = at(hole);
-        Box2 box;
-        box.add(p.x, p.y);
-        Index found = kNone;
-        edges_.any(box, [&](std::size_t i) {
-            if (looks_left_ == 0) return true;
-            --looks_left_;
-            if (at(Index(i)) != p || is_joined_[loop_of_[i]] == 0) return false;
-            found = copy_towards(Index(i), after_[hole]);
-            return found != kNone;
-        });
-        return found;
-    }
-
-    /// Joins a hole to a corner at its own place, where each goes on as the other did.
-    void merge(Index corner, Index hole)
-    {
-        const Index after_corner = after_[corner], after_hole = after_[hole];
-        const CapLink link = link_[corner];
-        join(corner, after_hole, link_[hole]);
-        join(hole, after_corner, link);
-        next_copy_[last_copy(hole)] = next_copy_[corner];
-        next_copy_[corner] = hole;
-    }
-
-    Index last_copy(Index corner) const
-    {
-        while (next_copy_[corner] != kNone) corner = next_copy_[corner];
-        return corner;
     }
 
     /// A corner that the leftmost point of a hole sees; kNone if there is none.
@@ -239,12 +208,14 @@ private:
             }
         }
         rings.starts.push_back(static_cast<Index>(rings.points.size()));
+        rings.shared = shared_;
     }
 
     const CapOutline& outline_;
     std::uint64_t& looks_left_;
-    std::vector<std::uint8_t> is_joined_;                    // by loop: outer ones, and holes that a bridge leads to
-    std::vector<Index> loop_of_, successor_;                 // of the outline's points
+    std::vector<std::uint8_t> is_joined_;              // by loop: outer ones, and holes that a bridge leads to
+    std::vector<Index> loop_of_, successor_, starts_;  // of the outline's points; a point of each loop
+    std::vector<Index> shared_;
     std::vector<Index> point_, before_, after_, next_copy_;  // of corners: the points, then what bridges add
     std::vector<CapLink> link_;
     LoopBoxes edges_;

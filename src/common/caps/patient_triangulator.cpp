@@ -47,6 +47,7 @@ private:
             if (!clip_ring(cap)) return false;
         }
         join_bridges(outline, cap);
+        cap.shared_points = rings_.shared;
         return true;
     }
 

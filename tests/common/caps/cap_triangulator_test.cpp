@@ -320,6 +320,53 @@ TEST(PatientTriangulator, LetsHolesTouchInPoints)
     EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
 }
 
+/// Loops that touch, each in its own way, and what they cover.
+struct Touching
+{
+    const char* name;
+    std::vector<std::vector<glm::dvec2>> loops;
+    double area;
+};
+
+std::vector<Touching> touching()
+{
+    const std::vector<glm::dvec2> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    std::vector<Touching> all{
+        {"a hole at a corner of its own loop", {square, {{0, 0}, {1, 2}, {2, 1}}}, 14.5},
+        {"a hole at two corners", {square, {{0, 0}, {1, 2}, {4, 4}, {2, 1}}}, 12.0},
+        {"two holes at one point", {square, {{2, 2}, {1, 1}, {1, 3}}, {{2, 2}, {3, 3}, {3, 1}}}, 14.0},
+        {"an island at a corner of its hole",
+         {{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{0, 0}, {2, 1}, {1, 2}}},
+         324 - 16 + 1.5},
+        {"a loop that runs through itself: two triangles at a point",
+         {{{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}},
+         2.0},
+        {"the same, the other way around the point", {{{0, 0}, {2, 0}, {1, 1}}, {{1, 1}, {2, 2}, {0, 2}}}, 2.0},
+    };
+    Touching board{"a chequerboard", {}, 32};
+    for (int x = 0; x < 8; ++x)
+        for (int y = x % 2; y < 8; y += 2)
+            board.loops.push_back({glm::dvec2(x, y), {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
+    all.push_back(board);
+    Touching grid{"a chequerboard of holes", {{{-1, -1}, {9, -1}, {9, 9}, {-1, 9}}}, 100 - 32};
+    for (const auto& loop : board.loops) grid.loops.push_back(reversed(loop));
+    all.push_back(grid);
+    return all;
+}
+
+TEST(PatientTriangulator, LetsLoopsTouchInPointsInEveryWay)
+{
+    for (const Touching& each : touching()) {
+        SCOPED_TRACE(each.name);
+        Outline outline;
+        for (const auto& loop : each.loops) outline.add(loop);
+        CapMesh cap;
+        ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), each.area, 1e-12);
+    }
+}
+
 TEST(PatientTriangulator, RefusesAHoleInNothingAndWhatHasNoEar)
 {
     CapMesh cap;
