@@ -104,10 +104,23 @@ const char* FileReport::file(std::size_t i) const noexcept
 
 namespace {
 
-Result<Mesh> mesh_of(io::LoadedMesh&& loaded, FileReport* report)
+/// `read` gives what is loaded. The report changes last: the name of the file may be the report's own.
+template <class Read>
+Result<Mesh> read_with_report(FileReport* report, Read read)
 {
-    if (report != nullptr) FileReportMaker::fill(*report, loaded);
-    return Mesh(new Mesh::Data(std::move(loaded.mesh)));
+    Result<Mesh> answer = answer_of_file<Result<Mesh>>([&]() -> Result<Mesh> {
+        io::LoadedMesh loaded = read();
+        if (report != nullptr) FileReportMaker::fill(*report, loaded);
+        return Mesh(new Mesh::Data(std::move(loaded.mesh)));
+    });
+    if (!answer && report != nullptr) *report = FileReport();
+    return answer;
+}
+
+Result<Mesh> no_name(FileReport* report, const char* reason)
+{
+    if (report != nullptr) *report = FileReport();
+    return {Status::invalid_argument, Sentence(reason)};
 }
 
 std::string_view text_of(std::span<const std::byte> file)
@@ -119,16 +132,14 @@ std::string_view text_of(std::span<const std::byte> file)
 
 Result<Mesh> read_mesh(const char* path, FileReport* report) noexcept
 {
-    if (report != nullptr) *report = FileReport();
-    if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
-    return answer_of_file<Result<Mesh>>([&] { return mesh_of(io::read_mesh(path), report); });
+    if (path == nullptr) return no_name(report, "there is no name of a file");
+    return read_with_report(report, [&] { return io::read_mesh(path); });
 }
 
 Result<Mesh> read_mesh(std::span<const std::byte> file, const char* format, FileReport* report) noexcept
 {
-    if (report != nullptr) *report = FileReport();
-    if (format == nullptr) return {Status::invalid_argument, Sentence("there is no name of a format")};
-    return answer_of_file<Result<Mesh>>([&] { return mesh_of(io::read_mesh(text_of(file), format), report); });
+    if (format == nullptr) return no_name(report, "there is no name of a format");
+    return read_with_report(report, [&] { return io::read_mesh(text_of(file), format); });
 }
 
 Outcome write_mesh(const Mesh& mesh, const char* path) noexcept

@@ -30,6 +30,22 @@ void read(const float* first, std::size_t stride, std::size_t i, float* to)
 }
 
 /// Empty, or one sentence that names the first fault of the arrays themselves. repair() looks at what is in them.
+bool strides_over(const MeshInput& input, std::size_t stride, std::size_t floats) noexcept
+{
+    return stride >= floats * sizeof(float) && stride <= std::size_t{PTRDIFF_MAX} / input.vertex_count;
+}
+
+}  // namespace
+
+bool has_right_strides(const MeshInput& input) noexcept
+{
+    return input.vertex_count == 0 || (strides_over(input, input.position_stride, 3) &&
+                                       (input.normals == nullptr || strides_over(input, input.normal_stride, 3)) &&
+                                       (input.uvs == nullptr || strides_over(input, input.uv_stride, 2)));
+}
+
+namespace {
+
 std::string fault_of(const MeshInput& input)
 {
     if (input.positions == nullptr || input.vertex_count == 0) return "there are no positions; give some";
@@ -40,12 +56,7 @@ std::string fault_of(const MeshInput& input)
         return "without indices each three vertices are a triangle, but there are " +
                std::to_string(input.vertex_count) + " vertices and " + std::to_string(input.triangle_count) +
                " triangles";
-    const auto strides_over = [&](std::size_t stride, std::size_t floats) {
-        return stride >= floats * sizeof(float) && stride <= std::size_t{PTRDIFF_MAX} / input.vertex_count;
-    };
-    if (!strides_over(input.position_stride, 3) ||
-        (input.normals != nullptr && !strides_over(input.normal_stride, 3)) ||
-        (input.uvs != nullptr && !strides_over(input.uv_stride, 2)))
+    if (!has_right_strides(input))
         return "a stride is shorter than what it strides over, or leads out of memory; it counts bytes, not numbers";
     if (!(input.crease_degrees >= 0.0f && input.crease_degrees <= 180.0f))
         return "the angle of creases is not 0 to 180 degrees; 40 is usual";
@@ -53,7 +64,7 @@ std::string fault_of(const MeshInput& input)
         if (stream.values == nullptr || stream.width == 0 || stream.width > kWidestStream)
             return "a stream has no values, or not 1 to 16 a vertex; complete it or leave it out";
     for (const StreamInput& stream : input.streams)
-        if (stream.stride != 0 && !strides_over(stream.stride, stream.width))
+        if (stream.stride != 0 && !strides_over(input, stream.stride, stream.width))
             return "the stride of a stream is shorter than its values, or leads out of memory; it counts bytes";
     return {};
 }

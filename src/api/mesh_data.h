@@ -12,6 +12,9 @@
 
 namespace kerf {
 
+/// Whether all strides are as long as what they stride over, and none leads out of memory.
+bool has_right_strides(const MeshInput& input) noexcept;
+
 /// What copies of a Mesh share: the mesh, proven or as a back end gave it, and its arrays once they have been asked
 /// for.
 class Mesh::Data

@@ -105,7 +105,8 @@ VertexOrigin origin_of(const glm::dvec3& p, std::size_t triangle, const InputTri
 
 Status vertex_origins(const Mesh& mesh, const MeshInput& input, std::span<VertexOrigin> origins) noexcept
 {
-    if (origins.size() != mesh.vertex_count() || input.positions == nullptr) return Status::invalid_argument;
+    if (origins.size() != mesh.vertex_count() || input.positions == nullptr || !has_right_strides(input))
+        return Status::invalid_argument;
     if (mesh.is_empty()) return Status::done;
     const core::IndexedMesh& inside = mesh.data()->mesh();
     const InputTriangles triangles(input);

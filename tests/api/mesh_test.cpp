@@ -285,6 +285,11 @@ TEST(VertexOrigins, OfAnotherInputAreRefused)
     EXPECT_EQ(vertex_origins(mesh, shorter, origins), Status::invalid_argument);
     EXPECT_EQ(vertex_origins(mesh, cube.input(), std::span(origins).first(3)), Status::invalid_argument);
     EXPECT_EQ(vertex_origins(mesh, MeshInput(), origins), Status::invalid_argument);
+    for (const std::size_t stride : {std::size_t{0}, std::size_t{11}, SIZE_MAX / 2}) {
+        MeshInput strided = cube.input();
+        strided.position_stride = stride;
+        EXPECT_EQ(vertex_origins(mesh, strided, origins), Status::invalid_argument) << stride;
+    }
 }
 
 TEST(VertexOrigins, OfPointsOnAnEdgeHaveTwoWeights)

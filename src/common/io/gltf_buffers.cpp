@@ -29,6 +29,13 @@ constexpr std::array<std::uint8_t, 256> kDigitValues = [] {
     return values;
 }();
 
+bool is_space(char c)
+{
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+}  // namespace
+
 std::optional<std::string> percent_decoded(std::string_view text)
 {
     const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10; };
@@ -45,13 +52,6 @@ std::optional<std::string> percent_decoded(std::string_view text)
     }
     return decoded;
 }
-
-bool is_space(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-}  // namespace
 
 bool is_data_uri(std::string_view uri)
 {

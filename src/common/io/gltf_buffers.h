@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ namespace kerf::core::io {
 
 /// Whether a reference holds its data itself. Schemes are the same in either case.
 bool is_data_uri(std::string_view uri);
+
+/// "%20" is a space, and so on; nothing if a % begins no byte.
+std::optional<std::string> percent_decoded(std::string_view text);
 
 /// The bytes that the buffers of a glTF file name: base64 inside the file, or files beside it.
 ///

@@ -51,7 +51,8 @@ std::string picture_of(const GltfDocument& document, const GltfJson& use)
     const GltfJson* image = texture != nullptr ? referred(document, *texture, "source", "images") : nullptr;
     if (image == nullptr || !image->contains("uri") || !(*image)["uri"].is_string()) return {};
     const std::string uri = (*image)["uri"].get<std::string>();
-    return is_data_uri(uri) ? std::string() : uri;
+    // Writers that encode nothing are common: what is not encoded is taken as it is.
+    return is_data_uri(uri) ? std::string() : percent_decoded(uri).value_or(uri);
 }
 
 /// Angles run counter-clockwise as one sees the picture, in which v runs down.
