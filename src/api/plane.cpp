@@ -18,8 +18,14 @@ double largest(const glm::dvec3& v)
 bool span_space(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
     // The largest numbers are divided out, so that the product neither overflows nor vanishes. 0 / 0 is no number.
-    const double volume = glm::dot(a / largest(a), glm::cross(b / largest(b), c / largest(c)));
-    return volume != 0.0 && std::isfinite(volume);
+    const glm::dvec3 p = a / largest(a), q = b / largest(b), r = c / largest(c);
+    const double volume = glm::dot(p, glm::cross(q, r));
+    // Share of the sum of the products by which rounding changes the volume at most: three divisions, two products, and
+    // the sums, each by half a unit in the last place.
+    constexpr double kRounding = 8.0 * 0x1p-53;
+    const glm::dvec3 sizes(std::abs(q.y * r.z) + std::abs(q.z * r.y), std::abs(q.z * r.x) + std::abs(q.x * r.z),
+                           std::abs(q.x * r.y) + std::abs(q.y * r.x));
+    return std::abs(volume) > kRounding * glm::dot(glm::abs(p), sizes);
 }
 
 }  // namespace

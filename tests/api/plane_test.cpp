@@ -119,6 +119,16 @@ TEST(Plane, HasNoPlaceInAnObjectWhoseMatrixHasNoInverse)
     Mat4d flat;
     flat.m[2][2] = 0.0;
     EXPECT_FALSE(Plane::x(0.0)->to_local(flat));
+    // Columns of which the third is in the plane of the other two, but for rounding.
+    for (const auto& [x, y] : {std::pair{2.0, -1.0}, {0.3, 0.7}, {-1.0 / 3.0, 1e5}}) {
+        Mat4d dependent;
+        for (int i = 0; i < 3; ++i) {
+            dependent.m[0][i] = 1.0 + 3 * i;
+            dependent.m[1][i] = 2.0 + 3.1 * i;
+            dependent.m[2][i] = x * dependent.m[0][i] + y * dependent.m[1][i];
+        }
+        EXPECT_FALSE(Plane::x(0.0)->to_local(dependent)) << x << ' ' << y;
+    }
     Mat4d projection;
     projection.m[0][3] = 1.0;
     EXPECT_FALSE(Plane::x(0.0)->to_local(projection));
