@@ -10,6 +10,8 @@ set(KERF_ROUNDING_OPTIONS -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-s
 add_library(kerf_flags INTERFACE)
 target_compile_features(kerf_flags INTERFACE cxx_std_20)
 target_compile_options(kerf_flags INTERFACE ${KERF_ROUNDING_OPTIONS} -fno-fast-math
+  # A project may do without them: inside, OpenMesh and mesh files need them.
+  -frtti -fexceptions
   # For plug-ins and shared libraries; the same for all targets, because compiled headers go by it. GCC must still inline:
   # nobody replaces a function of ours at run time.
   -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>

@@ -18,6 +18,7 @@ namespace {
 
 }  // namespace kerf::core
 
-/// By this name linkers are told to take this file (`-u`), which nothing else refers to.
-extern "C" [[gnu::visibility("default")]] const int kerf_component_halfedge;
+/// By this name linkers are told to take this file (`-u`), which nothing else refers to. Shown by shared libraries of Kerf
+/// alone: if one of somebody's showed it, linkers would take that for this, and leave this file out of the program.
+extern "C" const int kerf_component_halfedge;
 extern "C" const int kerf_component_halfedge = 1;

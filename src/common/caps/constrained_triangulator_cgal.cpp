@@ -723,6 +723,7 @@ constexpr ConstrainedWays kCgalWays{
 
 }  // namespace kerf::core
 
-/// By this name linkers are told to take this file (`-u`), which nothing else refers to.
-extern "C" [[gnu::visibility("default")]] const int kerf_component_caps_cgal;
+/// By this name linkers are told to take this file (`-u`), which nothing else refers to. Shown by shared libraries of Kerf
+/// alone: if one of somebody's showed it, linkers would take that for this, and leave this file out of the program.
+extern "C" const int kerf_component_caps_cgal;
 extern "C" const int kerf_component_caps_cgal = 1;
