@@ -30,7 +30,7 @@ struct BackEndFacts
 };
 
 /// How many back ends there are: those of the build, the best for many cuts first, and those that the program has
-/// added.
+/// added. Complete once main() has begun.
 ///
 ///     for (std::size_t i = 0; i < kerf::back_end_count(); ++i) offer(kerf::back_end(i).name);
 ///

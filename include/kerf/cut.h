@@ -43,7 +43,7 @@ struct [[nodiscard]] KERF_API Cut
     ///     for (std::size_t i = 0; kerf::Object* piece = cut.piece(kerf::Side::positive, i); ++i)
     ///         keep(std::move(*piece));
     Object* piece(Side side, std::size_t i) noexcept;
-    /// The piece of a side with the most triangles; null if nothing is there. Without CutOptions::components there is
+    /// The piece of a side with the most triangles, empty if it was moved from; null if nothing is there. Without CutOptions::components there is
     /// one piece at most.
     ///
     ///     if (kerf::Object* top = cut.one(kerf::Side::positive)) keep(std::move(*top));
@@ -84,7 +84,7 @@ KERF_API const char* outcome_name(Status status) noexcept;
 /// the second cut, the status is `out_of_memory` and the pieces of the first one are there.
 KERF_API Cut cut(Object&& object, const Plane& plane, const CutOptions& options = {}) noexcept;
 
-/// The same, and the object stays: it is copied before, O(n).
+/// The same, and the object stays: a copy of it is cut, O(n) more. `Cut::object` is always empty.
 KERF_API Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options = {}) noexcept;
 
 /// @}

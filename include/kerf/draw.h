@@ -45,7 +45,8 @@ struct DrawRange
 ///     for (const kerf::DrawRange& range : view.ranges) draw(view.buffers, range);
 struct KERF_API DrawView
 {
-    std::uint64_t buffers = 0;  ///< a serial number that no other buffers ever get: the key of your GPU buffers
+    std::uint64_t buffers =
+        0;  ///< a serial number that no other buffers of the program ever get: the key of your GPU buffers
     std::span<const DrawVertex> vertices;    ///< the whole vertex buffer
     std::span<const std::uint32_t> indices;  ///< the whole index buffer
     std::size_t new_vertices_from = 0;       ///< what stands before is on the GPU already, as mark_uploaded() was told

@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max()
 /// distances from the ends of the edge. A value that is not finite is 0. Borrowed for the call.
 struct StreamInput
 {
-    const char* name = "";          ///< UTF-8; Mesh::stream() and PLY files have it
+    const char* name = "";          ///< UTF-8; PLY files have it, with _ for what is no letter or digit
     const float* values = nullptr;  ///< `width` for each vertex
     std::uint32_t width = 1;        ///< floats of a vertex, 1 to 16
     std::size_t stride = 0;         ///< bytes from vertex to vertex; 0: width * 4
@@ -227,7 +227,7 @@ struct VertexOrigin
 ///
 /// @param origins  one for each vertex of `mesh`
 /// @return  `invalid_argument`, with nothing written, if there are fewer or more, or if `input` has no triangle that
-///          the mesh was made of
+///          the mesh was made of, or strides that Mesh::make() refuses
 KERF_API Status vertex_origins(const Mesh& mesh, const MeshInput& input, std::span<VertexOrigin> origins) noexcept;
 
 /// @}

@@ -81,8 +81,8 @@ public:
     std::uint64_t triangle_count() const noexcept;  ///< with caps; 0 of an empty object. O(1).
     /// The smallest box around it; empty of an empty object. O(1).
     Box bounds() const noexcept;
-    /// Volume, centre of mass and inertia. O(log n) with the half-edge back end, O(n) with the linear one. All 0 for an
-    /// empty object.
+    /// Volume, centre of mass and inertia. O(log n) with the half-edge back end, O(n) with the linear one. No volume
+    /// for an empty object.
     MassProperties mass_properties() const noexcept;
     /// A compact copy of the triangles: what to write or to hand on. O(n). Status: `out_of_memory`, `invalid_argument`
     /// for an empty object.
