@@ -166,13 +166,42 @@ Result<Mesh> Mesh::make(const MeshInput& input, MeshReport* report) noexcept
     }
 }
 
+namespace {
+
+/// The same triangles with the same sources, joined as those of a file are. Half-edges know how surfaces go on that lie on
+/// one another, back to back; the arrays of a piece do not.
+core::Proof joined_anew(const core::IndexedMesh& mesh)
+{
+    // A material for each group, so that each triangle keeps its own.
+    core::TriangleSoup soup{mesh.vertices, mesh.triangles, {}, mesh.streams, {}};
+    for (const core::TriangleGroup& group : mesh.groups) {
+        soup.triangle_materials.insert(soup.triangle_materials.end(), group.count,
+                                       static_cast<std::uint32_t>(soup.materials.size()));
+        soup.materials.push_back(mesh.materials[group.material]);
+    }
+    core::Repaired repaired = core::repair(std::move(soup));
+    if (!repaired.error.empty()) return {{}, std::move(repaired.error)};
+    core::IndexedMesh joined = *std::move(repaired.mesh);
+    joined.materials = mesh.materials;
+    for (core::TriangleGroup& group : joined.groups) {
+        group.kind = mesh.groups[group.material].kind;
+        group.material = mesh.groups[group.material].material;
+    }
+    for (std::uint32_t& source : joined.sources) source = mesh.sources[source];
+    return core::prove(std::move(joined));
+}
+
+}  // namespace
+
 core::PrepareResult Mesh::Data::prepare(const core::Backend& back_end, const core::PrepareOptions& options,
                                         bool is_last_owner)
 {
     if (is_proven_)
         return is_last_owner ? back_end.prepare(std::move(proven_), options) : back_end.prepare(proven_, options);
-    core::Proof proof = core::prove(is_last_owner ? std::move(plain_) : core::IndexedMesh(plain_));
+    core::Proof proof = core::prove(core::IndexedMesh(plain_));
+    if (!proof.error.empty()) proof = joined_anew(plain_);
     if (!proof.error.empty()) return {core::Status::invalid_mesh, nullptr, std::move(proof.error), false};
+    if (is_last_owner) plain_ = core::IndexedMesh();
     return back_end.prepare(std::move(proof.mesh), options);
 }
 

@@ -21,7 +21,7 @@ class Mesh::Data
 {
 public:
     explicit Data(core::ProvenMesh&& mesh) : proven_(std::move(mesh)), is_proven_(true) {}
-    /// Of a back end, which keeps what meshes promise: it is proven only if it is prepared again.
+    /// Of a back end. It is proven if it is prepared again, and joined anew if it has surfaces that lie on one another.
     explicit Data(core::IndexedMesh&& mesh) : plain_(std::move(mesh)) {}
 
     const core::IndexedMesh& mesh() const noexcept

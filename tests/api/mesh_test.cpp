@@ -1,4 +1,4 @@
-#include <kerf/mesh.h>
+#include <kerf/kerf.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
+#include <tuple>
 
 #include "api/objects.h"
 
@@ -290,6 +292,43 @@ TEST(VertexOrigins, OfAnotherInputAreRefused)
         strided.position_stride = stride;
         EXPECT_EQ(vertex_origins(mesh, strided, origins), Status::invalid_argument) << stride;
     }
+}
+
+TEST(MeshOfAPiece, CanBePreparedThoughSurfacesLieOnOneAnother)
+{
+    // A leaf: two triangles back to back. And a box with such a leaf beside it.
+    test::Arrays leaf;
+    leaf.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+    leaf.indices = {0, 1, 2, 0, 2, 1};
+    test::Arrays both = test::cube_arrays();
+    const auto first = static_cast<std::uint32_t>(both.positions.size());
+    for (const auto& p : leaf.positions) both.positions.push_back({p[0] + 3, p[1], p[2]});
+    for (const std::uint32_t corner : leaf.indices) both.indices.push_back(first + corner);
+    for (const test::Arrays& arrays : {leaf, both})
+        for (const std::string& name : test::back_end_names())
+            for (const double x : {0.5, 3.5}) {
+                Cut cut = kerf::cut(test::object_of(test::mesh_of(arrays), name), *Plane::x(x));
+                for (const Side side : {Side::positive, Side::negative}) {
+                    const Object* const piece = cut.one(side);
+                    if (piece == nullptr) continue;
+                    const Mesh mesh = *piece->mesh();
+                    PrepareOptions options;
+                    options.back_end_name = name.c_str();
+                    const Result<Object> again = prepare(mesh, options);
+                    ASSERT_TRUE(again) << name << ' ' << x << ": " << again.reason();
+                    EXPECT_EQ(again->triangle_count(), piece->triangle_count());
+                    EXPECT_NEAR(again->mass_properties().volume, piece->mass_properties().volume, 1e-12);
+                    // What each triangle is, and of which it was, in no order.
+                    const auto facts = [](const MeshArrays& a) {
+                        std::multiset<std::tuple<TriangleKind, std::uint32_t, std::uint32_t>> all;
+                        for (std::size_t t = 0; t < a.kinds.size(); ++t)
+                            all.emplace(a.kinds[t], a.sources[t], a.triangle_materials[t]);
+                        return all;
+                    };
+                    const Mesh mesh_again = *again->mesh();
+                    EXPECT_EQ(facts(mesh_again.arrays()), facts(mesh.arrays())) << name << ' ' << x;
+                }
+            }
 }
 
 TEST(VertexOrigins, OfPointsOnAnEdgeHaveTwoWeights)
