@@ -1,6 +1,7 @@
 #include "support/fixtures.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "common/repair/repair.h"
