@@ -182,12 +182,13 @@ public:
 
     std::uint64_t triangle_count() const noexcept;  ///< 0 of an empty mesh. O(1).
     std::uint64_t vertex_count() const noexcept;    ///< a place with a seam has several. O(1).
-    /// Whether the surface has no boundary, so that it bounds solids. O(n).
+    /// Whether the surface has no boundary, so that it bounds solids. O(1); O(n) of an object's mesh.
     bool is_closed() const noexcept;
     /// A warning: the shortest edge is so short, and the mesh so far from the origin or so large, that rounding to
-    /// float moves cut points by a considerable part of it. Cuts are closed all the same. O(n).
+    /// float moves cut points by a considerable part of it. Cuts are closed all the same. O(1); O(n) of an
+    /// object's mesh.
     bool has_coarse_coordinates() const noexcept;
-    Box bounds() const noexcept;  ///< of all vertices; empty of an empty mesh. O(n).
+    Box bounds() const noexcept;  ///< of all vertices; empty of an empty mesh. O(1); O(n) of an object's mesh.
 
     /// The arrays, made at the first call for each mesh: O(n) then and if memory runs out all of them are empty; O(1)
     /// afterwards.

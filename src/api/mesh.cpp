@@ -214,7 +214,7 @@ bool Mesh::Data::is_closed() const
 bool Mesh::Data::has_coarse_coordinates() const
 {
     if (!is_proven_) return core::measure(plain_).has_coarse_coordinates();
-    return core::has_coarse_coordinates(proven_.shortest_edge(), proven_->bounds());
+    return core::has_coarse_coordinates(proven_.shortest_edge(), proven_.bounds());
 }
 
 Mesh::Mesh(const Mesh& other) noexcept : data_(other.data_)
@@ -263,7 +263,7 @@ bool Mesh::has_coarse_coordinates() const noexcept
 
 Box Mesh::bounds() const noexcept
 {
-    return to_public(data_ != nullptr ? data_->mesh().bounds() : core::Box());
+    return to_public(data_ != nullptr ? data_->bounds() : core::Box());
 }
 
 MeshArrays Mesh::arrays() const noexcept

@@ -36,6 +36,7 @@ public:
     /// Prepares the mesh, which its only owner gives away. May throw std::bad_alloc.
     core::PrepareResult prepare(const core::Backend& back_end, const core::PrepareOptions& options, bool is_last_owner);
     bool is_closed() const;
+    core::Box bounds() const { return is_proven_ ? proven_.bounds() : plain_.bounds(); }
     bool has_coarse_coordinates() const;
 
     void add_owner() noexcept { owners_.fetch_add(1, std::memory_order_relaxed); }

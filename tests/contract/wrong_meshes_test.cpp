@@ -151,6 +151,7 @@ TEST(ProvenMesh, IsEmptyOnceItWasMovedAway)
     EXPECT_EQ(taken.triangles.size(), 12u);
     // NOLINTNEXTLINE(bugprone-use-after-move): that is what is tested
     EXPECT_EQ(mesh->triangles.size() + mesh->point_count, 0u);
+    EXPECT_TRUE(mesh.bounds().empty());
     for (const test::NamedBackend& backend : test::backends()) {
         const PrepareResult result = backend.make()->prepare(mesh);
         EXPECT_EQ(result.status, Status::invalid_mesh);

@@ -94,7 +94,7 @@ PrepareResult prepared(const ProvenMesh& mesh, Make make)
     try {
         if (mesh->triangles.empty())
             return {Status::invalid_mesh, nullptr, "the mesh has no triangles; give it one at least"};
-        const bool is_coarse = has_coarse_coordinates(mesh.shortest_edge(), mesh->bounds());
+        const bool is_coarse = has_coarse_coordinates(mesh.shortest_edge(), mesh.bounds());
         return {Status::done, make(), {}, is_coarse};
     } catch (const Cancelled&) {
         return {Status::cancelled, nullptr, "stopped"};

@@ -28,6 +28,7 @@ public:
     ProvenMesh(ProvenMesh&& other) noexcept
         : mesh_(std::move(other.mesh_)),
           adjacency_(std::move(other.adjacency_)),
+          bounds_(std::exchange(other.bounds_, Box())),
           shortest_edge_(std::exchange(other.shortest_edge_, kNoEdge)),
           is_closed_(std::exchange(other.is_closed_, true))
     {
@@ -37,6 +38,7 @@ public:
     {
         mesh_ = std::move(other.mesh_);
         adjacency_ = std::move(other.adjacency_);
+        bounds_ = other.bounds_;
         shortest_edge_ = other.shortest_edge_;
         is_closed_ = other.is_closed_;
         return *this;
@@ -49,6 +51,9 @@ public:
     /// Found by the proof; empty once the mesh has been taken out.
     const Adjacency& adjacency() const { return adjacency_; }
 
+    /// Smallest box around the vertices; empty without triangles, and once the mesh has been taken out.
+    const Box& bounds() const { return bounds_; }
+
     /// Length of the shortest edge, in mesh units; infinite without triangles, and once the mesh has been taken out.
     double shortest_edge() const { return shortest_edge_; }
 
@@ -59,6 +64,7 @@ public:
     IndexedMesh operator*() &&
     {
         adjacency_ = {};
+        bounds_ = {};
         shortest_edge_ = kNoEdge;
         is_closed_ = true;
         IndexedMesh mesh = std::move(mesh_);
@@ -83,6 +89,7 @@ private:
     ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency, double shortest_edge)
         : mesh_(std::move(mesh)),
           adjacency_(std::move(adjacency)),
+          bounds_(mesh_.bounds()),
           shortest_edge_(shortest_edge),
           is_closed_(std::find(adjacency_.opposite.begin(), adjacency_.opposite.end(), kNone) ==
                      adjacency_.opposite.end())
@@ -96,6 +103,7 @@ private:
 
     IndexedMesh mesh_;
     Adjacency adjacency_;
+    Box bounds_;
     double shortest_edge_ = kNoEdge;
     bool is_closed_ = true;
 };

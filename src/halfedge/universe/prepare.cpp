@@ -57,10 +57,11 @@ void counting_sort(std::vector<Item>& order, std::vector<Item>& scratch, std::si
 }
 
 /// Triangles by (group, shell, Morton code of the centre).
-std::vector<Index> spatial_order(const IndexedMesh& mesh, const std::vector<Index>& group_of, std::size_t groups,
-                                 const Adjacency& adjacency)
+std::vector<Index> spatial_order(const ProvenMesh& proven, const std::vector<Index>& group_of, std::size_t groups)
 {
-    const Box box = mesh.bounds();
+    const IndexedMesh& mesh = proven;
+    const Adjacency& adjacency = proven.adjacency();
+    const Box& box = proven.bounds();
     const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
     const double longest = std::max({size.x, size.y, size.z});
     const double scale = longest > 0.0 ? (kMortonCells - 1) / (3.0 * longest) : 0.0;
@@ -235,7 +236,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     const IndexedMesh& mesh = proven;
     const Adjacency& adjacency = proven.adjacency();
     const std::size_t n = mesh.triangles.size();
-    const Box bounds = mesh.bounds();
+    const Box& bounds = proven.bounds();
     u.reference = mass_reference(bounds);
     u.noise = plane_noise(bounds.largest_coordinate());
     u.set_materials(mesh.materials);
@@ -244,7 +245,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     // The shares are those that the steps have of the time, about.
     progress.at(0.0);
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
-    const std::vector<Index> order = spatial_order(mesh, group_of, u.groups.size(), adjacency);
+    const std::vector<Index> order = spatial_order(proven, group_of, u.groups.size());
     progress.at(0.25);
     const std::vector<Run> runs = find_runs(order, group_of, adjacency.shell);
     const Numbering numbering = number_by_first_use(mesh, order, u.slots);

@@ -45,6 +45,8 @@ void expect_facts(const TriangleSoup& soup, const Repaired& result)
 
     const IndexedMesh& mesh = result.mesh;
     EXPECT_EQ(facts.open_edges, surface_referee::judge(mesh).boundary_edges);
+    EXPECT_EQ(result.mesh.bounds().lo, mesh.bounds().lo);
+    EXPECT_EQ(result.mesh.bounds().hi, mesh.bounds().hi);
     EXPECT_EQ(result.mesh.shortest_edge(), shortest_edge(mesh.vertices, mesh.triangles));
 }
 
