@@ -26,6 +26,11 @@ namespace {
 class BaselineCuttable final : public linear::FragmentObject
 {
 public:
+    BaselineCuttable(ProvenMesh&& mesh, const BufferListener& listener, VertexLookup lookup)
+        : FragmentObject(std::move(mesh), listener), lookup_(lookup)
+    {
+    }
+
     BaselineCuttable(Fragment&& fragment, const BufferListener& listener, VertexLookup lookup,
                      const ReportCosts& costs = {})
         : FragmentObject(std::move(fragment), listener), lookup_(lookup), costs_(costs)
@@ -64,7 +69,7 @@ public:
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
-        return std::make_unique<BaselineCuttable>(linear::fragment_of(std::move(mesh)), options.listener, lookup_);
+        return std::make_unique<BaselineCuttable>(std::move(mesh), options.listener, lookup_);
     }
 
     VertexLookup lookup_;

@@ -9,6 +9,11 @@
 
 namespace kerf::core::linear {
 
+FragmentObject::FragmentObject(ProvenMesh&& mesh, const BufferListener& listener)
+    : fragment_(fragment_of(std::move(mesh))), identity_(listener)
+{
+}
+
 FragmentObject::FragmentObject(Fragment&& fragment, const BufferListener& listener)
     : fragment_(std::move(fragment)), identity_(listener)
 {
@@ -55,8 +60,8 @@ std::uint32_t FragmentObject::add_material(const Material& material)
 Fragment fragment_of(ProvenMesh&& mesh)
 {
     Fragment fragment;
+    fragment.bounds = mesh.bounds();
     fragment.mesh = *std::move(mesh);
-    fragment.bounds = fragment.mesh.bounds();
     fragment.noise = plane_noise(fragment.bounds.largest_coordinate());
     return fragment;
 }

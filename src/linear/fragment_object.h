@@ -12,6 +12,8 @@ namespace kerf::core::linear {
 class FragmentObject : public Cuttable
 {
 public:
+    /// All of a mesh.
+    FragmentObject(ProvenMesh&& mesh, const BufferListener& listener);
     FragmentObject(Fragment&& fragment, const BufferListener& listener);
 
     std::uint64_t triangle_count() const override { return fragment_.mesh.triangles.size(); }

@@ -38,7 +38,7 @@ public:
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
     {
-        return std::make_unique<LinearObject>(fragment_of(std::move(mesh)), options.listener);
+        return std::make_unique<LinearObject>(std::move(mesh), options.listener);
     }
 };
 
