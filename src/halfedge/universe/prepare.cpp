@@ -43,6 +43,8 @@ std::uint64_t spread(std::uint64_t v)
 
 constexpr std::uint32_t kMortonBits = 12;  // for each axis
 constexpr std::uint32_t kMortonCells = 1u << kMortonBits;
+/// With fewer triangles, counting to kMortonCells three times costs more than sorting by comparisons.
+constexpr std::size_t kFewTriangles = 256;
 
 /// One pass of a stable counting sort: `order` by key(item) < keys.
 template <class Item, class Key>
@@ -82,9 +84,15 @@ std::vector<Index> spatial_order(const ProvenMesh& proven, const std::vector<Ind
             spread(std::uint64_t(cell.x)) | (spread(std::uint64_t(cell.y)) << 1) | (spread(std::uint64_t(cell.z)) << 2);
         items[i].triangle = static_cast<Index>(i);
     }
-    for (std::uint32_t shift = 0; shift < 3 * kMortonBits; shift += kMortonBits)
-        counting_sort(items, scratch, kMortonCells,
-                      [shift](const Item& item) { return (item.code >> shift) & (kMortonCells - 1); });
+    if (items.size() < kFewTriangles) {
+        std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+            return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
+        });
+    } else {
+        for (std::uint32_t shift = 0; shift < 3 * kMortonBits; shift += kMortonBits)
+            counting_sort(items, scratch, kMortonCells,
+                          [shift](const Item& item) { return (item.code >> shift) & (kMortonCells - 1); });
+    }
     if (adjacency.shell_count > 1)
         counting_sort(items, scratch, adjacency.shell_count,
                       [&](const Item& item) { return adjacency.shell[item.triangle]; });
