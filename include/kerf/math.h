@@ -20,10 +20,10 @@ concept HasXyz = requires(const T& t)
 };
 
 /// A type of three coordinates that can be made of them.
-template <class T, class Number>
-concept IsMadeOfXyz = HasXyz<T> && requires(Number n)
+template <class T>
+concept IsMadeOfXyz = HasXyz<T> && requires(const T& t)
 {
-    T{n, n, n};
+    T{t.x, t.y, t.z};
 };
 
 /// A place in a texture, in single precision.
@@ -56,10 +56,10 @@ struct Vec3f
     }
 
     /// As the caller's own type.
-    template <IsMadeOfXyz<float> T>
+    template <IsMadeOfXyz T>
     explicit constexpr operator T() const
     {
-        return T{x, y, z};
+        return T{static_cast<decltype(T::x)>(x), static_cast<decltype(T::y)>(y), static_cast<decltype(T::z)>(z)};
     }
 
     friend bool operator==(const Vec3f&, const Vec3f&) = default;
@@ -84,10 +84,10 @@ struct Vec3d
     }
 
     /// As the caller's own type.
-    template <IsMadeOfXyz<double> T>
+    template <IsMadeOfXyz T>
     explicit constexpr operator T() const
     {
-        return T{x, y, z};
+        return T{static_cast<decltype(T::x)>(x), static_cast<decltype(T::y)>(y), static_cast<decltype(T::z)>(z)};
     }
 
     friend bool operator==(const Vec3d&, const Vec3d&) = default;

@@ -14,6 +14,13 @@ double largest(const glm::dvec3& v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+/// From one point to another, or half of that where it is larger than doubles are.
+glm::dvec3 direction(const glm::dvec3& from, const glm::dvec3& to)
+{
+    const glm::dvec3 whole = to - from;
+    return std::isfinite(largest(whole)) ? whole : 0.5 * to - 0.5 * from;
+}
+
 /// Whether the columns span space, as far as doubles tell, at whatever scale each of them is.
 bool span_space(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
@@ -41,7 +48,7 @@ std::optional<Plane> Plane::through(Vec3d a, Vec3d b, Vec3d c) noexcept
 {
     const glm::dvec3 p = to_core(a), q = to_core(b), r = to_core(c);
     // The largest difference is divided out first, so that the product neither overflows nor vanishes.
-    const glm::dvec3 e = q - p, f = r - p;
+    const glm::dvec3 e = direction(p, q), f = direction(p, r);
     const double scale_e = largest(e), scale_f = largest(f);
     if (!(scale_e > 0.0) || !(scale_f > 0.0)) return std::nullopt;
     const glm::dvec3 n = glm::cross(e / scale_e, f / scale_f);
@@ -57,6 +64,13 @@ std::optional<Plane> Plane::from_coefficients(double a, double b, double c, doub
         b *= kEnlarge;
         c *= kEnlarge;
         d *= kEnlarge;
+    }
+    // The length of the largest is no double; that of their halves is.
+    if (std::isinf(std::hypot(a, b, c))) {
+        a *= 0.5;
+        b *= 0.5;
+        c *= 0.5;
+        d *= 0.5;
     }
     const double length = std::hypot(a, b, c);
     if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(d / length)) return std::nullopt;

@@ -161,6 +161,20 @@ struct GameVector
 TEST(Plane, TakesTheVectorsOfPrograms)
 {
     EXPECT_EQ(Plane::at(Point(GameVector{0, 0, 2}), Normal(GameVector{0, 0, 1})), Plane::z(2.0));
+    const GameVector up(Plane::z(2.0)->normal()), single(Vec3f(1, 2, 3));
+    EXPECT_EQ(Vec3f(up), Vec3f(0, 0, 1));
+    EXPECT_EQ(Vec3f(single), Vec3f(1, 2, 3));
+}
+
+TEST(Plane, OfTheLargestNumbersIsValid)
+{
+    constexpr double kMost = std::numeric_limits<double>::max();
+    const auto expected = Plane::at(Point(0, 0, 0), Normal(1, 1, 1));
+    EXPECT_EQ(Plane::at(Point(0, 0, 0), Normal(kMost, kMost, kMost)), expected);
+    EXPECT_EQ(Plane::from_coefficients(kMost, kMost, kMost, 0.0), expected);
+    EXPECT_EQ(Plane::from_coefficients(kMost, kMost, kMost, kMost)->offset(), -1.0 / std::sqrt(3.0));
+    EXPECT_EQ(Plane::through({-kMost, 0, 0}, {kMost, 0, 0}, {0, kMost, 0}), Plane::z(0.0));
+    EXPECT_EQ(Plane::at(Point(0, 0, 0), Normal(std::numeric_limits<double>::infinity(), 0, 0)), std::nullopt);
 }
 
 TEST(Plane, OfTheSmallestNumbersIsValid)
