@@ -14,6 +14,7 @@
 
 #include "api/objects.h"
 #include "support/allocations.h"
+#include "support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -108,6 +109,24 @@ TEST(OutOfMemory, ShapesAndFilesSaySo)
             return said(read_mesh(file.bytes(), format, &report));
         });
     }
+}
+
+TEST(OutOfMemory, WritingOverAFileGivesTheOldOneOrTheNewOne)
+{
+    const Mesh torus = test::shape("torus", 60);
+    const std::string before = "what was there", after = [&] {
+        const FileBytes file = *mesh_file_bytes(torus, "off");
+        return std::string(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
+    }();
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("torus.off").string();
+    folder.write("torus.off", before);
+    fail_each([&] { return write_mesh(torus, path.c_str()).status(); },
+              [&](Status status) {
+                  EXPECT_EQ(folder.names_in_folder(), std::vector<std::string>{"torus.off"});
+                  EXPECT_EQ(folder.text_of("torus.off"), ok(status) ? after : before);
+                  folder.write("torus.off", before);
+              });
 }
 
 class ObjectOutOfMemory : public ::testing::TestWithParam<std::string>

@@ -150,13 +150,14 @@ void OutputFile::withdraw() noexcept
 
 void OutputFile::keep_previous()
 {
-    const fs::path name = temporary_beside(place_);
-    UnfinishedFile unfinished = remember_unfinished(name);
+    fs::path name = temporary_beside(place_);
+    previous_unfinished_ = remember_unfinished(name);
+    previous_ = std::move(name);  // before the link is there: afterwards memory could run out
     std::error_code error;
-    fs::create_hard_link(place_, name, error);
-    if (error) return;
-    previous_ = name;
-    previous_unfinished_ = std::move(unfinished);
+    fs::create_hard_link(place_, previous_, error);
+    if (!error) return;
+    previous_.clear();
+    previous_unfinished_.reset();
 }
 
 bool OutputFile::has_temporary() const noexcept
