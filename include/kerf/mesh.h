@@ -33,9 +33,10 @@ struct StreamInput
 /// "surface", "material 2".
 struct Material
 {
-    const char* name = "";                            ///< UTF-8; may be empty
-    float base_colour[4] = {1.0f, 1.0f, 1.0f, 1.0f};  ///< linear, with alpha
-    const char* base_colour_image = "";               ///< a file name, or "" for none
+    const char* name = "";  ///< UTF-8; may be empty
+    /// Linear, with alpha. A number that is not finite is taken as 1.
+    float base_colour[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+    const char* base_colour_image = "";  ///< a file name, or "" for none
 };
 
 /// A mesh as a program holds it: plain arrays with any stride, borrowed for the call and only read. Vertices with the

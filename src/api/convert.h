@@ -5,6 +5,7 @@
 #include <kerf/plane.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -76,7 +77,8 @@ inline core::Material to_core(const Material& material)
 {
     core::Material result;
     result.name = material.name != nullptr ? material.name : "";
-    for (int c = 0; c < 4; ++c) result.colour[c] = material.base_colour[c];
+    for (int c = 0; c < 4; ++c)
+        result.colour[c] = std::isfinite(material.base_colour[c]) ? material.base_colour[c] : 1.0f;
     result.texture = material.base_colour_image != nullptr ? material.base_colour_image : "";
     return result;
 }

@@ -141,6 +141,15 @@ TEST(Misuse, NumbersBeyondTheLastAreNothing)
     }
 }
 
+TEST(Misuse, AColourThatIsNoNumberIsOne)
+{
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+    Object object = test::cube("linear");
+    const Material material = object.material(object.add_material({"hot", {kNan, kInfinity, 0.5f, -kInfinity}}));
+    EXPECT_EQ(std::vector<float>(material.base_colour, material.base_colour + 4),
+              (std::vector<float>{1.0f, 1.0f, 0.5f, 1.0f}));
+}
+
 TEST(Misuse, ACapMaterialThatIsNotThereIsTheDefault)
 {
     for (const std::string& name : test::back_end_names()) {
