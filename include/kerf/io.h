@@ -77,10 +77,11 @@ KERF_API Result<Mesh> read_mesh(std::span<const std::byte> file, const char* for
                                 FileReport* report = nullptr) noexcept;
 
 /// Writes OBJ, PLY, STL, OFF or GLB, by the extension. The file appears complete or not at all. Positions, normals, uv
-/// and triangles of OBJ and PLY read back bit for bit; OBJ and GLB keep materials, PLY keeps streams. What a format has
-/// no place for is left out without a word: materials in PLY, STL and OFF, streams in all but PLY, normals and uv in STL
-/// and OFF (docs/files.md). O(n). Status: `unusable_file` (a format that is not written, a folder that is not there, a
-/// full disk), `invalid_mesh` for an empty mesh, `invalid_argument` for a null path, `out_of_memory`.
+/// and triangles of OBJ and PLY read back bit for bit, triangles sorted by solid and material if they were not; OBJ and
+/// GLB keep materials, PLY keeps streams. What a format has no place for is left out without a word: materials in PLY,
+/// STL and OFF, streams in all but PLY, normals and uv in STL and OFF (docs/files.md). O(n). Status: `unusable_file` (a
+/// format that is not written, a folder that is not there, a full disk), `invalid_mesh` for an empty mesh,
+/// `invalid_argument` for a null path, `out_of_memory`.
 KERF_API Outcome write_mesh(const Mesh& mesh, const char* path) noexcept;
 
 /// A file in memory.

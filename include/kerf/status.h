@@ -19,7 +19,7 @@ enum class Status : unsigned char
     open_section = 2,      ///< of a cut: done, but the mesh has holes where it was cut, and these stay open
     invalid_argument = 3,  ///< an argument says something that can't be; nothing was done
     invalid_mesh = 4,      ///< what was given is no mesh that can be cut; nothing was done
-    out_of_memory = 5,     ///< nothing was done, and everything is as it was
+    out_of_memory = 5,     ///< nothing was done, and every object is as it was
     cancelled = 6,         ///< the caller asked to stop; nothing was done
     unusable_file = 7,     ///< a file that can't be read or written; nothing was done
 };
