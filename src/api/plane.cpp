@@ -57,21 +57,11 @@ std::optional<Plane> Plane::through(Vec3d a, Vec3d b, Vec3d c) noexcept
 
 std::optional<Plane> Plane::from_coefficients(double a, double b, double c, double d) noexcept
 {
-    // The smallest numbers have too few digits to divide by: enlarged, which is exact, they have all.
-    constexpr double kSmall = 0x1p-900, kEnlarge = 0x1p200;
-    if (std::max({std::abs(a), std::abs(b), std::abs(c)}) < kSmall) {
-        a *= kEnlarge;
-        b *= kEnlarge;
-        c *= kEnlarge;
-        d *= kEnlarge;
-    }
-    // The length of the largest is no double; that of their halves is.
-    if (std::isinf(std::hypot(a, b, c))) {
-        a *= 0.5;
-        b *= 0.5;
-        c *= 0.5;
-        d *= 0.5;
-    }
+    // The smallest numbers have too few digits to divide by: enlarged, which is exact, they have all. The length of the
+    // largest is no double; that of their halves is.
+    constexpr double kSmall = 0x1p-900, kEnlarge = 0x1p200, kLarge = 0x1p1000, kHalve = 0.5;
+    const double most = largest({a, b, c}), scale = most < kSmall ? kEnlarge : most > kLarge ? kHalve : 1.0;
+    for (double* number : {&a, &b, &c, &d}) *number *= scale;
     const double length = std::hypot(a, b, c);
     if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(d / length)) return std::nullopt;
     return Plane(Normal(a / length, b / length, c / length), -d / length);
