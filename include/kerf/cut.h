@@ -43,8 +43,8 @@ struct [[nodiscard]] KERF_API Cut
     ///     for (std::size_t i = 0; kerf::Object* piece = cut.piece(kerf::Side::positive, i); ++i)
     ///         keep(std::move(*piece));
     Object* piece(Side side, std::size_t i) noexcept;
-    /// The piece of a side with the most triangles, empty if it was moved from; null if nothing is there. Without CutOptions::components there is
-    /// one piece at most.
+    /// The piece of a side with the most triangles, empty if it was moved from; null if nothing is there. Without
+    /// CutOptions::components there is one piece at most.
     ///
     ///     if (kerf::Object* top = cut.one(kerf::Side::positive)) keep(std::move(*top));
     Object* one(Side side) noexcept;

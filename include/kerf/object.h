@@ -133,9 +133,9 @@ private:
 
 /// Makes an object of a mesh. O(n). The half-edge back end copies what it keeps of the mesh; the linear one keeps its
 /// arrays, and copies them only if there are other copies of the mesh: give it yours by std::move(). It is gone then,
-/// whatever becomes of it; who wants to try again keeps a copy. The mesh of a piece on which surfaces lie on one another
-/// is repaired before, as Mesh::make() does. Status: `invalid_mesh` for an empty mesh, `invalid_argument` for a back end
-/// that this build lacks, `cancelled`, `out_of_memory`.
+/// whatever becomes of it; who wants to try again keeps a copy. The mesh of a piece on which surfaces lie on one
+/// another is repaired before, as Mesh::make() does. Status: `invalid_mesh` for an empty mesh, `invalid_argument` for a
+/// back end that this build lacks, `cancelled`, `out_of_memory`.
 ///
 ///     kerf::PrepareOptions options;
 ///     options.cuts_expected = 1;
