@@ -1,10 +1,11 @@
 """Which stages a report consists of: what is run with which arguments, and about how long it takes."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from report.judged_caps import WorstFan
-from report.names import ASTEROID, BACKENDS, GALLERY, Kind, SIZES
+from report.names import ASTEROID, BACKENDS, FASTEST, GALLERY, Kind, QUADRATIC, SIZES, SUBQUADRATIC
 from report.student_report import report_rows
 
 VIEWER_SIZE = "160x90"  # drawn by a program on most machines: small, so that drawing does not hide cutting
@@ -71,6 +72,11 @@ def bench_stage(name: str, pattern: str, extent: Extent, min_time: float, second
     return Stage(name, Kind.BENCH, (pattern, str(extent.repetitions), str(min_time)), seconds * extent.repetitions)
 
 
+def among(backends: Iterable[str]) -> str:
+    """The part of a pattern that these back ends alone match."""
+    return "(" + "|".join(backends) + ")/"
+
+
 def growth_seconds(size: int, with_quadratic: bool) -> float:
     """The quadratic lookups stop at 30 000 triangles, where they take most of the time."""
     return 26.0 if size == 30_000 and with_quadratic else 3.5 + size / 45_000
@@ -84,17 +90,18 @@ def bench_stages(extent: Extent) -> list[Stage]:
         if size > extent.most_triangles:
             continue
         tail = f"{size}/manual_time$"
-        linear = "" if size <= extent.most_quadratic else "(halfedge|baseline/(hash|remap))/"
-        stages.append(bench_stage(f"growth-{size}", f"^(Scale|Geometry)/{linear}.*/{tail}", extent, 0.05,
-                                  growth_seconds(size, not linear)))
+        with_quadratic = size <= extent.most_quadratic
+        growing = among(BACKENDS if with_quadratic else SUBQUADRATIC)
+        stages.append(bench_stage(f"growth-{size}", f"^(Scale|Geometry)/{growing}.*/{tail}", extent, 0.05,
+                                  growth_seconds(size, with_quadratic)))
         if size in (10_000, 100_000, 1_000_000):
             stages.append(bench_stage(f"chain-{size}", f"^(Recut|Prepare)/.*/{tail}", extent, 0.01, 1 + size / 60_000))
             stages.append(bench_stage(f"long-{size}", f"^Chain/.*/{size}/iterations:1/manual_time$", extent, 0.01,
                                       0.7 + size / 200_000))
             stages.append(many_stage(size, extent))
             # A dictionary's swipes of a million triangles take longer than all others together.
-            swiping = ".*" if size < 1_000_000 else "(halfedge|baseline/remap)/.*"
-            swipe = f"^Swipe/{swiping}/{size}/iterations:[0-9]+/manual_time$"
+            swiping = among(BACKENDS if size < 1_000_000 else FASTEST)
+            swipe = f"^Swipe/{swiping}.*/{size}/iterations:[0-9]+/manual_time$"
             stages.append(bench_stage(f"swipe-{size}", swipe, extent, 0.01, 1 + size / 40_000))
     stages.append(bench_stage("pieces", "^(Pieces|Physics)/", extent, 0.01, 12))
     return stages
@@ -113,8 +120,8 @@ def gallery_stages(fans: list[WorstFan]) -> list[Stage]:
 def many_stage(size: int, extent: Extent) -> Stage:
     """Once: each of the many cuts is the median of five already. A dictionary takes long: in a short report only up to
     where the quadratic lookups go."""
-    backends = "(halfedge|baseline/remap)/" if extent is QUICK and size > extent.most_quadratic else ""
-    pattern = f"^Many/{backends}.*/{size}/iterations:1/manual_time$"
+    backends = FASTEST if extent is QUICK and size > extent.most_quadratic else BACKENDS
+    pattern = f"^Many/{among(backends)}.*/{size}/iterations:1/manual_time$"
     return Stage(f"many-{size}", Kind.BENCH, (pattern, "1", "0.01"), 3.0 + size / 6_000 if size <= 100_000 else 36.0)
 
 
@@ -133,10 +140,10 @@ def viewer_stages(extent: Extent, scratch: Path) -> list[Stage]:
     stages = []
     for model in [row["model"] for row in report_rows()]:
         stages.append(viewer_stage(f"viewer-{model}", model_file(model), extent.viewer_backends))
-    linear = tuple(name for name in extent.viewer_backends if name.split("/")[-1] not in ("scan", "two_bucket_hash"))
+    backends = tuple(name for name in extent.viewer_backends if name not in QUADRATIC)
     file = str(scratch / f"{ASTEROID}-{extent.viewer_triangles}.ply")
     shape = (ASTEROID, "--triangles", str(extent.viewer_triangles), "--out", file)
-    stages.append(viewer_stage(f"viewer-{ASTEROID}", file, linear, shape))
+    stages.append(viewer_stage(f"viewer-{ASTEROID}", file, backends, shape))
     return stages
 
 

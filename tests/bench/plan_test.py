@@ -26,6 +26,13 @@ class Plans(unittest.TestCase):
         self.assertTrue(patterns["growth-100000"].search("Scale/baseline/hash/shuffled/100000/manual_time"))
         self.assertFalse(patterns["growth-10000"].search("Scale/halfedge/asteroid/100000/manual_time"))
 
+    def test_every_other_back_end_is_measured_at_every_size(self):
+        for stage in plan(FULL, Path("scratch")):
+            kind, _, size = stage.name.partition("-")
+            if kind == "growth":
+                for name in ("baseline/hash", "baseline/remap", "linear", "halfedge"):
+                    self.assertRegex(f"Scale/{name}/asteroid/{size}/manual_time", stage.arguments[0])
+
     def test_vtk_has_a_stage_only_if_it_is_there(self):
         for with_vtk in (False, True):
             self.assertEqual(any(stage.kind == Kind.VTK for stage in plan(QUICK, Path("scratch"), with_vtk)), with_vtk)

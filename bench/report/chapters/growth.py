@@ -2,6 +2,7 @@
 
 from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
+from report.names import QUADRATIC
 from report.tables.growth_tables import (EXTENTS, ORDERS, counter_exponents_table, counters_table, crossing_table,
                                          crossovers_table, phases_table, scaling_points_table, scaling_table)
 from report.tables.numbers import count_short, digits, percent, rounded, timed
@@ -68,7 +69,7 @@ def quadratic(found: Measurements, facts: Facts) -> str:
     if last is None:
         return ""
     times = [c["real_time"][0] for shape, _ in ORDERS for (name, size), c in found.growth("Scale", shape).items()
-             if size == last and name in ("baseline/scan", "baseline/two_bucket_hash")]
+             if size == last and name in QUADRATIC]
     return (f"The quadratic look-ups stop at {facts.say('largest quadratic size', last, count_short)} triangles, "
             f"where a cut takes {facts.say('least quadratic ms', min(times), rounded)} to "
             f"{facts.say('most quadratic ms', max(times), rounded)} ms.")
