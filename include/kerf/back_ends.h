@@ -15,9 +15,9 @@ enum class BackEnd : unsigned char
 {
     /// `halfedge` if it is built and `cuts_expected` cuts pay its preparing back, otherwise `linear`.
     automatic = 0,
-    /// A loop over all triangles. Prepares in 6 ns a triangle; each cut costs O(n). Best for one cut or two.
+    /// A loop over all triangles. Prepares in O(1); each cut costs O(n). Best for one cut or two.
     linear = 1,
-    /// A tree and a walk over neighbours. Prepares in 200 to 330 ns a triangle; each cut costs what its section costs.
+    /// A tree and a walk over neighbours. Prepares in 200 to 390 ns a triangle; each cut costs what its section costs.
     halfedge = 2,
 };
 
