@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
 #include "common/cutting/back_end_helpers.h"
 #include "common/geometry/dominant_axis.h"
 #include "common/mesh/float_range.h"
 #include "common/mesh/plane_frame.h"
+#include "common/support/order_by.h"
 
 namespace kerf::core::baseline {
 
@@ -79,11 +79,9 @@ std::vector<std::uint32_t> close_with_fan(SideBuilder& builder, Crossings& cross
     const glm::vec3 normal(builder.side() == Side::negative ? plane.normal : -plane.normal);
     const auto cap_vertex = [&](const glm::vec3& p) { return Vertex{p, normal, frame.uv(p)}; };
 
-    std::vector<std::uint32_t> order(paths.size());
-    std::iota(order.begin(), order.end(), 0u);
+    std::vector<std::uint32_t> order;
     const auto solid_of = [&](std::uint32_t path) { return section.edges[paths[path].edges.front()].solid; };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return solid_of(a) < solid_of(b); });
+    order_by(order, paths.size(), solid_of);
 
     for (const std::uint32_t p : order) {
         const SectionPath& path = paths[p];

@@ -1,7 +1,5 @@
 #include "linear/right_caps.h"
 
-#include <algorithm>
-#include <numeric>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
@@ -9,6 +7,7 @@
 #include "common/cutting/back_end_helpers.h"
 #include "common/geometry/disjoint_sets.h"
 #include "common/mesh/plane_frame.h"
+#include "common/support/order_by.h"
 #include "linear/split_points.h"
 
 namespace kerf::core::linear {
@@ -101,11 +100,8 @@ void RightCaps::append_caps(SideBuilder& builder, Crossings& crossings, const Li
     const auto solid_of = [&](const CapSet& set) {
         return linked.section.edges[linked.paths[path_of_set_[set.set]].edges.front()].solid;
     };
-    std::vector<std::uint32_t> sets(caps_.sets.size());
-    std::iota(sets.begin(), sets.end(), 0u);
-    std::stable_sort(sets.begin(), sets.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return solid_of(caps_.sets[a]) < solid_of(caps_.sets[b]);
-    });
+    std::vector<std::uint32_t> sets;
+    order_by(sets, caps_.sets.size(), [&](std::uint32_t set) { return solid_of(caps_.sets[set]); });
     for (const std::uint32_t s : sets) {
         const CapSet& set = caps_.sets[s];
         for (std::size_t i = set.first; i < set.first + set.count; ++i) {

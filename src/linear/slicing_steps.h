@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "common/cutting/cut_geometry.h"
 #include "common/mesh/plane_noise.h"
 #include "common/mesh/tolerances.h"
+#include "common/support/order_by.h"
 #include "common/support/stopwatch.h"
 #include "linear/closing.h"
 #include "linear/parts_and_pieces.h"
@@ -19,6 +19,9 @@
 #include "linear/vertex_sides.h"
 
 namespace kerf::core::linear {
+
+/// Room for the section of a small mesh is taken at once, not in steps of one, two, four and eight triangles.
+constexpr std::size_t kFewCrossings = 16;
 
 /// One cut by a loop over all triangles, step by step: what does not cross goes to its side, what crosses is divided,
 /// and both sides are closed. `Self` derives from this and adds what differs from lookup to lookup:
@@ -81,11 +84,10 @@ protected:
     {
         // Groups of one kind, material and solid one after the other, so that they stay together however often they are
         // cut.
-        group_order_.resize(mesh_.groups.size());
-        std::iota(group_order_.begin(), group_order_.end(), 0u);
-        std::stable_sort(group_order_.begin(), group_order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const TriangleGroup &p = mesh_.groups[a], &q = mesh_.groups[b];
-            return std::tie(p.kind, p.material, p.solid) < std::tie(q.kind, q.material, q.solid);
+        crossings_.triangles.reserve(kFewCrossings);
+        order_by(group_order_, mesh_.groups.size(), [&](std::uint32_t g) {
+            const TriangleGroup& group = mesh_.groups[g];
+            return std::tie(group.kind, group.material, group.solid);
         });
         for (const std::uint32_t g : group_order_) {
             if (classes_.on > 0)

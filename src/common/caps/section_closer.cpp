@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
@@ -11,8 +10,17 @@
 #include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "common/geometry/dominant_axis.h"
+#include "common/support/order_by.h"
 
 namespace kerf::core {
+
+namespace {
+
+/// With fewer cap triangles, sorting by comparisons is faster than by counting to 1024 twice: 0.1 us and 1 us for 6, the
+/// same for about 55.
+constexpr std::size_t kFewTriangles = 48;
+
+}  // namespace
 
 SectionCloser::SectionCloser()
     : ways_{make_convex_triangulator(), make_clipping_triangulator(),
@@ -34,10 +42,7 @@ void SectionCloser::close(const Plane& plane, std::span<const CapLoop> loops, st
     excess_ = 0.0;
     mesh_.steps = 0;
 
-    by_set_.resize(loops.size());
-    std::iota(by_set_.begin(), by_set_.end(), std::size_t{0});
-    std::stable_sort(by_set_.begin(), by_set_.end(),
-                     [&](std::size_t a, std::size_t b) { return loops[a].set < loops[b].set; });
+    order_by(by_set_, loops.size(), [&](std::size_t i) { return loops[i].set; });
     for (std::size_t first = 0, last; first < by_set_.size(); first = last) {
         const Index set = loops[by_set_[first]].set;
         for (last = first; last < by_set_.size() && loops[by_set_[last]].set == set;) ++last;
@@ -189,7 +194,16 @@ void SectionCloser::order_spatially(const CapSet& cap)
         cell *= scale;
         keys_.emplace_back(morton(std::uint32_t(cell.x), std::uint32_t(cell.y)), static_cast<Index>(t));
     }
-    // Two stable counting passes of ten bits.
+    if (keys_.size() < kFewTriangles)
+        std::sort(keys_.begin(), keys_.end());
+    else
+        sort_by_counting();
+    for (const auto& [key, t] : keys_) caps_->order.push_back(t);
+}
+
+void SectionCloser::sort_by_counting()
+{
+    // Two stable passes of ten bits.
     sorted_.resize(keys_.size());
     for (std::uint32_t shift = 0; shift < 20; shift += 10) {
         std::array<std::uint32_t, 1025> start{};
@@ -198,7 +212,6 @@ void SectionCloser::order_spatially(const CapSet& cap)
         for (const auto& item : keys_) sorted_[start[(item.first >> shift) & 1023u]++] = item;
         keys_.swap(sorted_);
     }
-    for (const auto& [key, t] : keys_) caps_->order.push_back(t);
 }
 
 }  // namespace kerf::core

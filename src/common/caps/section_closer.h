@@ -91,6 +91,8 @@ private:
     /// Joins two edges: of cap triangles, or outline edges.
     void connect(CapLink a, CapLink b);
     void order_spatially(const CapSet& cap);
+    /// Sorts `keys_`, which are in the order of their triangles.
+    void sort_by_counting();
     glm::dvec2 projected(const glm::vec3& p) const { return {p[axis_u_], p[axis_v_]}; }
     const std::vector<glm::vec3>& section_points() const { return *points_in_; }
 

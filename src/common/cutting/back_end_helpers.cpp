@@ -51,11 +51,14 @@ std::optional<std::uint32_t> cap_number(std::string_view name)
 }
 
 /// A number that no name has: there are more numbers than names, so some part of the numbers has fewer names than
-/// numbers, and a part of that again. Four passes, without memory: back ends call this when nothing may fail any more.
+/// numbers, and a part of that again. At most four passes (one for fewer than 256 materials: larger parts can't be full
+/// then), without memory: back ends call this when nothing may fail any more.
 std::uint32_t free_cap_number(const std::vector<Material>& materials)
 {
     std::uint64_t first = 0;
-    for (int bits = 24; bits >= 0; bits -= 8) {
+    int bits = 24;
+    while (bits > 0 && materials.size() < std::size_t(1) << bits) bits -= 8;
+    for (; bits >= 0; bits -= 8) {
         std::array<std::uint64_t, 256> names{};
         for (const Material& material : materials)
             if (const auto number = cap_number(material.name); number && *number >= first)
