@@ -18,10 +18,10 @@ namespace kerf::core::halfedge {
 /// page costs more than the work of a cut on it. Elements beyond size() may be written up to capacity(); they become
 /// part of the array by extend(), which can't fail. Elements are trivial.
 ///
-/// Elements never move: room behind them is reserved as addresses (memory_block.h) and touched bit by bit when it runs
-/// out, so that the cost of growth depends on what is added, not on what is there. If addresses run out as well, the
-/// elements are copied, and the old ones stay where they are until the buffer ends. So who reads elements that were
-/// there once may go on while others are appended.
+/// A large buffer never moves: room behind it is reserved as addresses (memory_block.h) and touched bit by bit when it
+/// runs out, so that the cost of growth depends on what is added, not on what is there. A small one has addresses for
+/// twice what it was made for. If addresses run out, the elements are copied, and the old ones stay where they are until
+/// the buffer ends. So who reads elements that were there once may go on while others are appended.
 ///
 /// Key: what an element is found by, a number or an id.
 template <class T, class Key = std::size_t>
