@@ -1,10 +1,13 @@
 #include "halfedge/universe/append_buffer.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "support/allocations.h"
@@ -129,6 +132,28 @@ TEST(AppendBuffer, MovingTakesTheMemoryAndLeavesNothing)
     Numbers assigned = numbers(2);
     assigned = std::move(moved);
     EXPECT_EQ(contents(assigned), first_numbers(5));
+}
+
+TEST(AppendBuffer, ALargeOneGrowsWhereItStands)
+{
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) GTEST_SKIP() << "addresses are short";
+    constexpr std::uint32_t kMany = 1 << 22;  // 16 MB, and 32 MB of addresses are asked for
+    Numbers buffer = numbers(kMany);
+    const std::uint32_t* const first = buffer.data();
+    buffer.reserve(4 * kMany);
+    EXPECT_EQ(buffer.data(), first);
+    EXPECT_EQ(buffer[kMany - 1], kMany - 1);
+}
+
+TEST(AppendBuffer, WhoReadsASmallOneGoesOnWhenItMoves)
+{
+    Numbers buffer = numbers(1000);
+    const std::span<const std::uint32_t> read(buffer.data(), buffer.size());
+    buffer.reserve(100'000);
+    ASSERT_NE(buffer.data(), read.data());
+    buffer[0] = 77;
+    EXPECT_TRUE(std::ranges::equal(read, first_numbers(1000)));
 }
 
 TEST(AppendBuffer, IsUnchangedWhenThereIsNoMemory)
