@@ -32,16 +32,19 @@ void run(const ConvertOptions& options)
     if (!options.out.empty() && options.files.size() > 1)
         throw CLI::ValidationError("--out is for one file; use --to for several");
     if (!options.folder.empty() && options.format.empty()) throw CLI::ValidationError("--folder goes with --to");
+    MeshFileSet written;
+    std::string done;
     for (const std::string& file : options.files) {
         const std::filesystem::path out = converted_name(file, options);
         const LoadedFile loaded = load(file);
-        MeshFileSet written(loaded.report);
+        check(written.protect(loaded.report));
         check(written.add(out.c_str(), loaded.mesh));
-        check(written.commit());
         const std::string repairs = describe(loaded.repairs()).c_str();
-        print(out.string() + ": " + counted(loaded.mesh.triangle_count(), "triangle") +
-              (repairs.empty() ? "" : "; repaired: " + repairs) + "\n");
+        done += out.string() + ": " + counted(loaded.mesh.triangle_count(), "triangle") +
+                (repairs.empty() ? "" : "; repaired: " + repairs) + "\n";
     }
+    check(written.commit());
+    print(done);
 }
 
 }  // namespace
@@ -59,7 +62,8 @@ void add_convert_command(CLI::App& program)
         ->type_name("FOLDER");
     command->footer(
         "Meshes are repaired as by `kerf repair`; the line that is printed says so. STL and OFF hold positions alone; "
-        "PLY\nkeeps every attribute, OBJ and GLB keep materials.\n\n"
+        "PLY\nkeeps every attribute, OBJ and GLB keep materials. If one mesh cannot be read or written, nothing is "
+        "written.\n\n"
         "Examples:\n"
         "  kerf convert rook.obj -o rook.glb\n"
         "  kerf convert parts/*.stl --to ply --folder out");

@@ -134,6 +134,11 @@ public:
     /// Writes a mesh as write_mesh() does, under a temporary name beside its place. Refuses to replace an input, and to
     /// write two files to one place. Status as write_mesh().
     Outcome add(const char* path, const Mesh& mesh) noexcept;
+    /// Files that must not be replaced, besides those before: for a set of what was read from several files. Refused,
+    /// with the set unchanged, if a file that was added would replace one of them. Status: `unusable_file`,
+    /// `out_of_memory`.
+    /// @param inputs  whose files must not be replaced
+    Outcome protect(const FileReport& inputs) noexcept;
     /// Gives all files their names. If one cannot have its name, none has, and the set is spent: add the files to
     /// another one. Status: `unusable_file`, `out_of_memory`.
     Outcome commit() noexcept;

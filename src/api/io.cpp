@@ -209,21 +209,17 @@ const char* writable_format(std::size_t i) noexcept
 
 struct MeshFileSet::Data
 {
-    std::optional<io::MeshFileSet> files;
+    io::MeshFileSet files;
+
+    /// The files of a set that may have none yet.
+    static io::MeshFileSet& files_of(Data*& set)
+    {
+        if (set == nullptr) set = new Data;
+        return set->files;
+    }
 };
 
-MeshFileSet::MeshFileSet(const FileReport& inputs) noexcept
-    : data_(answer_or(static_cast<Data*>(nullptr),
-                      [&] {
-                          std::vector<std::filesystem::path> kept;
-                          for (std::size_t i = 0; i < inputs.file_count(); ++i) kept.push_back(inputs.file(i));
-                          auto data = std::make_unique<Data>();
-                          data->files.emplace(std::move(kept));
-                          return data.release();
-                      })),
-      is_unprotected_(data_ == nullptr)
-{
-}
+MeshFileSet::MeshFileSet(const FileReport& inputs) noexcept : is_unprotected_(!protect(inputs)) {}
 
 MeshFileSet::MeshFileSet(MeshFileSet&& other) noexcept
     : data_(std::exchange(other.data_, nullptr)), is_unprotected_(other.is_unprotected_)
@@ -243,18 +239,23 @@ MeshFileSet::~MeshFileSet()
     delete data_;
 }
 
+Outcome MeshFileSet::protect(const FileReport& inputs) noexcept
+{
+    return answer_of_file<Outcome>([&] {
+        std::vector<std::filesystem::path> paths;
+        for (std::size_t i = 0; i < inputs.file_count(); ++i) paths.emplace_back(inputs.file(i));
+        Data::files_of(data_).protect(paths);
+        return Outcome();
+    });
+}
+
 Outcome MeshFileSet::add(const char* path, const Mesh& mesh) noexcept
 {
     if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
     if (is_unprotected_) return {Status::out_of_memory, Sentence(kNoMemory)};
     return answer_of_file<Outcome>([&] {
-        if (data_ == nullptr) {
-            auto data = std::make_unique<Data>();
-            data->files.emplace();
-            data_ = data.release();
-        }
-        data_->files->add(path, mesh.data()->mesh());
+        Data::files_of(data_).add(path, mesh.data()->mesh());
         return Outcome();
     });
 }
@@ -263,7 +264,7 @@ Outcome MeshFileSet::commit() noexcept
 {
     if (data_ == nullptr) return {};
     return answer_of_file<Outcome>([&] {
-        data_->files->commit();
+        data_->files.commit();
         return Outcome();
     });
 }

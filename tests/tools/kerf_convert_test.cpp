@@ -33,6 +33,37 @@ TEST_F(KerfConvert, TakesSeveralFilesBesideWhatIsReadOrIntoAFolder)
         EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
 }
 
+TEST_F(KerfConvert, NeverReplacesAnotherFileThatItReads)
+{
+    for (const char* order : {"same.obj same.ply", "same.ply same.obj"}) {
+        SCOPED_TRACE(order);
+        ASSERT_EQ(kerf("shape cone --triangles 100 -o same.obj").status, 0);
+        ASSERT_EQ(kerf("shape box --triangles 300 -o same.ply").status, 0);
+        const std::string before = text_of("same.ply");
+        expect_unusable(kerf("convert " + std::string(order) + " --to ply"), "it would replace what is read");
+        EXPECT_EQ(text_of("same.ply"), before);
+    }
+}
+
+TEST_F(KerfConvert, NeverWritesTwoFilesToOnePlace)
+{
+    for (const char* folder : {"one", "two", "out"}) std::filesystem::create_directory(folder_ / folder);
+    ASSERT_EQ(kerf("shape cone --triangles 100 -o one/part.obj").status, 0);
+    ASSERT_EQ(kerf("shape box --triangles 300 -o two/part.obj").status, 0);
+    expect_unusable(kerf("convert one/part.obj two/part.obj --to ply --folder out"), "another file of the same call");
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
+}
+
+TEST_F(KerfConvert, WritesAllOrNothing)
+{
+    ASSERT_EQ(kerf("shape cone --triangles 100 -o good.obj").status, 0);
+    write("bad.obj", "this is no mesh\n");
+    const Outcome outcome = kerf("convert good.obj bad.obj --to ply");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "good.ply"));
+}
+
 TEST_F(KerfConvert, SaysIfAMeshHadToBeRepaired)
 {
     write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");

@@ -202,6 +202,12 @@ void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
     }
 }
 
+void MeshFileSet::protect(const std::vector<fs::path>& inputs)
+{
+    for (const OutputFile& file : impl_->files) refuse_to_replace(file.path(), inputs);
+    impl_->inputs.insert(impl_->inputs.end(), inputs.begin(), inputs.end());
+}
+
 void MeshFileSet::commit()
 {
     std::vector<OutputFile>& files = impl_->files;

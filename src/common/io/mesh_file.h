@@ -93,6 +93,10 @@ public:
     /// @throws FileError
     void add(const std::filesystem::path& path, const IndexedMesh& mesh);
 
+    /// More files that must not be replaced, with all of the set unchanged if a file of it would.
+    /// @throws FileError
+    void protect(const std::vector<std::filesystem::path>& inputs);
+
     /// Gives all files their names. If one cannot have its name, the ones renamed before are removed again.
     /// @throws FileError
     void commit();
