@@ -184,13 +184,14 @@ std::string row_text(const ComparisonRow& row)
     return text;
 }
 
-std::string tally_text(const std::string& name, const Tally& tally)
+/// @param first  what the caps of the back end beside halfedge are called
+std::string tally_text(const std::string& name, const std::string& first, const Tally& tally)
 {
     std::string text =
         name + ": " + counted(tally.cut, "cut") + ", " + grouped(tally.missed) + " missed; surfaces " +
         (tally.surfaces_differ == 0 ? "equal bit for bit" : "differ in " + grouped(tally.surfaces_differ));
     if (tally.pieces_differ > 0) text += "; pieces differ in " + grouped(tally.pieces_differ);
-    text += "; fan wrong in " + grouped(tally.fans_wrong);
+    text += "; " + first + " wrong in " + grouped(tally.fans_wrong);
     if (tally.fans_wrong > 0) text += formatted(" (at worst by %+.3g %%)", 100.0 * tally.worst_fan);
     text += ", half-edge cap in " + grouped(tally.caps_wrong) + formatted(" (worst %+.1e)", tally.worst_cap);
     if (tally.crossed_sections > 0)
@@ -299,8 +300,10 @@ void run(const CompareCommandOptions& options)
 {
     const std::string baseline = full_name(options.first, options.lookup), halfedge = full_name("halfedge");
     if (halfedge.empty()) throw std::runtime_error("this kerf was built without the half-edge back end");
+    const std::string first_family = family_of(options.first);
+    const std::string first_caps = first_family == "baseline" ? "fan" : first_family + " cap";
     ComparisonOptions comparison = options.comparison;
-    comparison.caps_alike = options.first != "baseline";
+    comparison.caps_alike = first_family != "baseline";
     comparison.mix = options.random_only ? PlaneMix::random : PlaneMix::nasty;
     if (options.only) {
         comparison.first_plane = *options.only;
@@ -362,7 +365,7 @@ void run(const CompareCommandOptions& options)
         }
         for (const std::string& failure : mesh.failures) print(name + ": FAILS: " + failure + "\n");
         print(tally_text(name + ", " + counted(mesh.triangles, "triangle") + (mesh.closed ? ", closed" : ", open"),
-                         tally) +
+                         first_caps, tally) +
               (options.quiet ? "" : "\n"));
     }
     if (options.json)
@@ -375,7 +378,7 @@ void run(const CompareCommandOptions& options)
     else if (options.files.size() > 1)
         print(tally_text("all " + counted(options.files.size(), "file") +
                              (unusable_files > 0 ? ", " + grouped(unusable_files) + " of them NOT COMPARED" : ""),
-                         total));
+                         first_caps, total));
     std::string failed;
     if (total.failed > 0 || bad_meshes > 0)
         failed = "the comparison failed in " + grouped(total.failed) + " of " + counted(total.rows, "row") +
@@ -384,6 +387,13 @@ void run(const CompareCommandOptions& options)
         failed += (failed.empty() ? "" : "; ") + grouped(unusable_files) + " of " +
                   counted(options.files.size(), "file") + " could not be compared";
     if (!failed.empty()) throw std::runtime_error(failed);
+}
+
+std::vector<std::string> choices_beside_halfedge()
+{
+    std::vector<std::string> choices = backend_choices();
+    std::erase(choices, "halfedge");
+    return choices;
 }
 
 }  // namespace
@@ -405,10 +415,11 @@ void add_compare_command(CLI::App& program)
         ->transform(command_line::whole_number(1, 16))
         ->capture_default_str();
     command
-        ->add_option("--with", options->first,
-                     "The back end beside halfedge: baseline, or linear, whose caps must have the same areas. Rows and "
-                     "fields call it baseline")
-        ->check(CLI::IsMember({"baseline", "linear"}))
+        ->add_option(
+            "--with", options->first,
+            "The back end beside halfedge: baseline, or baseline/LOOKUP, or linear, whose caps must have the same "
+            "areas. Rows and fields call it baseline")
+        ->check(CLI::IsMember(choices_beside_halfedge()).description(""))
         ->capture_default_str();
     command->add_option("--lookup", options->lookup, "How the baseline looks up vertices: see kerf cut --help");
     command->add_flag("--random-only", options->random_only,

@@ -110,7 +110,7 @@ CutReport perform(const CutCommandOptions& options)
     report.plane = *plane;
     report.capped = !options.no_cap;
     for (const BackendFamily& entry : backend_families())
-        if (entry.name == options.backend) report.closes_with_fan = entry.closes_with_fan;
+        if (entry.name == family_of(options.backend)) report.closes_with_fan = entry.closes_with_fan;
     report.has_coarse_coordinates = loaded.mesh.has_coarse_coordinates();
 
     core::Stopwatch watch;
@@ -240,18 +240,11 @@ std::string list_of_backends()
     std::string list;
     for (const BackendFamily& backend : backend_families()) {
         list += "  " + backend.name + "  " + backend.description + "\n";
-        if (!backend.lookups.empty()) list += "    lookups: ";
+        if (!backend.lookups.empty()) list += "    lookups, also as " + backend.name + "/LOOKUP: ";
         for (std::size_t i = 0; i < backend.lookups.size(); ++i)
             list += backend.lookups[i] + (i + 1 < backend.lookups.size() ? ", " : "\n");
     }
     return list;
-}
-
-std::vector<std::string> backend_names()
-{
-    std::vector<std::string> names;
-    for (const BackendFamily& backend : backend_families()) names.push_back(backend.name);
-    return names;
 }
 
 /// Who asks for a lookup, even for one that does not exist, wants a back end that has some.
@@ -304,7 +297,7 @@ void add_cut_command(CLI::App& program)
         ->excludes(point)
         ->excludes(normal);
     CLI::Option* backend = command->add_option("--backend", options->backend, "Which way to cut; see below")
-                               ->check(CLI::IsMember(backend_names()).description(""))
+                               ->check(CLI::IsMember(backend_choices()).description(""))
                                ->capture_default_str();
     CLI::Option* lookup = command->add_option("--lookup", options->lookup,
                                               "How the baseline, which this implies, looks up vertices; see below");

@@ -55,8 +55,30 @@ const std::vector<BackendFamily>& backend_families()
     return all;
 }
 
+std::vector<std::string> backend_choices()
+{
+    std::vector<std::string> choices;
+    for (const BackendFamily& family : backend_families()) {
+        choices.push_back(family.name);
+        for (const std::string& lookup : family.lookups) choices.push_back(family.name + "/" + lookup);
+    }
+    return choices;
+}
+
+std::string family_of(const std::string& name)
+{
+    return name.substr(0, name.find('/'));
+}
+
 std::string full_name(const std::string& name, const std::string& lookup)
 {
+    if (const std::string family = family_of(name); family != name) {
+        const std::string named = name.substr(family.size() + 1);
+        if (!lookup.empty() && lookup != named)
+            throw std::invalid_argument("the back end " + name + " has a lookup already, which is not '" + lookup +
+                                        "'");
+        return full_name(family, named);
+    }
     for (const BackendFamily& family : backend_families()) {
         if (family.name != name) continue;
         if (lookup.empty()) return family.lookups.empty() ? name : name + "/" + family.lookups.front();

@@ -237,7 +237,9 @@ TEST_F(KerfCompare, FindsThatTheLinearBackEndClosesAsTheHalfEdgeOneDoes)
         ASSERT_EQ(kerf("shape " + std::string(shape) + " --triangles 600 -o a.ply").status, 0);
         const Outcome outcome = kerf("compare a.ply --with linear --planes 25 --depth 2 --quiet");
         EXPECT_EQ(outcome.status, 0) << shape << ": " << outcome.out << outcome.err;
+        EXPECT_EQ(outcome.out.find("fan wrong"), std::string::npos) << outcome.out;
     }
+    EXPECT_EQ(kerf("compare a.ply --with baseline/remap --planes 5").status, 0);
     EXPECT_EQ(kerf("compare a.ply --with linear --lookup hash").status, 2);
     EXPECT_EQ(kerf("compare a.ply --with halfedge").status, 2);
 }

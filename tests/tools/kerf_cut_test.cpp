@@ -172,6 +172,17 @@ TEST_F(KerfCut, CutsWithTheHalfEdgeBackEndUnlessToldOtherwise)
     EXPECT_EQ(kerf_json(plane + " --lookup remap")["backend"], "baseline/remap");
 }
 
+TEST_F(KerfCut, TakesTheNamesOfBackEndsThatItPrints)
+{
+    make("box", 12);
+    const std::string plane = "cut in.ply --normal 0,1,0 --out a --backend ";
+    for (const std::string lookup : {"hash", "remap", "two_bucket_hash", "scan"})
+        EXPECT_EQ(kerf_json(plane + "baseline/" + lookup)["backend"], "baseline/" + lookup);
+    EXPECT_EQ(kerf_json(plane + "baseline/scan --lookup scan")["backend"], "baseline/scan");
+    for (const char* wrong : {"baseline/", "baseline/guess", "linear/hash", "/hash", "baseline/scan --lookup hash"})
+        EXPECT_EQ(kerf(plane + wrong).status, 2) << wrong;
+}
+
 TEST_F(KerfCut, SaysWhichBackEndHasWhichLookupsWhenOneIsNotThere)
 {
     make("box", 12);
