@@ -80,8 +80,9 @@ public:
     Plane flipped() const noexcept;
 
     /// This plane of the world as the object sees it that the matrix places there. The sides stay those of the world,
-    /// so a matrix that mirrors or shears is right, too. Nothing if the matrix has no inverse, as far as doubles tell,
-    /// or its last row is not 0, 0, 0, 1, or the plane leaves the range of double.
+    /// so a matrix that mirrors or shears is right, too. A last row 0, 0, 0, w divides by w: that of an inverse of
+    /// floats is 1 up to rounding only. Nothing if the matrix has no inverse, as far as doubles tell, or its last row is
+    /// another one, or the plane leaves the range of double.
     std::optional<Plane> to_local(const Mat4d& object_to_world) const noexcept;
 
     /// Signed distance of a point, in the units of the mesh: positive on the positive side.

@@ -97,14 +97,15 @@ Plane Plane::flipped() const noexcept
 std::optional<Plane> Plane::to_local(const Mat4d& object_to_world) const noexcept
 {
     const auto& m = object_to_world.m;
-    if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0) return std::nullopt;
+    const double w = m[3][3];
+    if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || w == 0.0 || !std::isfinite(w)) return std::nullopt;
     const glm::dvec3 columns[3]{{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
     if (!span_space(columns[0], columns[1], columns[2])) return std::nullopt;
-    // n . (A p + t) = offset, so the normal of the object's plane is A^T n, and no inverse is needed.
-    const glm::dvec3 n = to_core(normal_);
+    // n . (A p + t) / w = offset, so the normal of the object's plane is A^T n, and no inverse is needed.
+    const glm::dvec3 n = w > 0.0 ? to_core(normal_) : -to_core(normal_);
     const double moved = n.x * m[3][0] + n.y * m[3][1] + n.z * m[3][2];
     return from_coefficients(glm::dot(columns[0], n), glm::dot(columns[1], n), glm::dot(columns[2], n),
-                             moved - offset_);
+                             moved - offset_ * std::abs(w));
 }
 
 double Plane::distance(Vec3d p) const noexcept
