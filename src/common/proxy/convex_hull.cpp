@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 
@@ -103,6 +104,15 @@ std::vector<glm::vec3> to_common_size(std::span<const glm::vec3> points, const B
     return scaled;
 }
 
+// Throws std::bad_alloc if there is no memory for a hull of so many points: Bullet takes its memory without a look at
+// whether it was given any, and its allocator belongs to the whole program. Another thread may take what was there.
+void expect_memory_for(std::size_t points)
+{
+    // btConvexHullComputer.cpp: for each point a vertex of 128 bytes, six half-edges of 48, three places in lists.
+    constexpr std::size_t kBytesAPoint = 512, kBytesInAnyCase = std::size_t(1) << 16;
+    ::operator delete(::operator new(kBytesInAnyCase + kBytesAPoint * points));
+}
+
 // The hull of the finite points, if some are not.
 ConvexHull hull_of_finite(std::span<const glm::vec3> points)
 {
@@ -130,6 +140,7 @@ ConvexHull convex_hull(std::span<const glm::vec3> points)
     for (const glm::vec3& p : points) box.add(p);
 
     const std::vector<glm::vec3> scaled = to_common_size(points, box);
+    expect_memory_for(scaled.size());
     btConvexHullComputer computer;
     computer.compute(&scaled.front().x, int(sizeof(glm::vec3)), int(scaled.size()), btScalar(0), btScalar(0));
     for (int i = 0; i < computer.original_vertex_index.size(); ++i) {
