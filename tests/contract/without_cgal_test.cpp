@@ -143,6 +143,26 @@ TEST_P(WithoutCgal, CapsOfWhatTouchesItselfAreRight)
     EXPECT_GT(cuts, 200u);
 }
 
+TEST_P(WithoutCgal, PiecesStayClosedWhereCapsRunThroughOneAnother)
+{
+    // The planes turn about nearly one line, along which caps of thin triangles pile up. Rounding to float makes them
+    // run through one another, so that the next section has several points in one place, time and again.
+    for (const auto& [triangles, step] : {std::pair{200, 0.05}, {800, 0.087}}) {
+        CutResult half = cut(backend_->prepare(test::repaired(shapes::asteroid(std::uint64_t(triangles), 1))).object,
+                             *Plane::through({0, 0, 0}, {0, 0, 1}));
+        std::unique_ptr<Cuttable> object = std::move(half.negative.front());
+        for (int i = 0; i < 12; ++i) {
+            SCOPED_TRACE(std::to_string(triangles) + " triangles, cut " + std::to_string(i));
+            CutResult result = cut(std::move(object), *Plane::through({0.0, 0.0, -0.05 - 0.01 * i},
+                                                                      {2.0 * step * i, 1.0 - step * i, -1.0}));
+            ASSERT_EQ(result.status, Status::done);
+            for (const auto* side : {&result.negative, &result.positive})
+                EXPECT_EQ(referee::open_edges(side->front()->to_indexed_mesh()), 0u);
+            object = std::move(result.negative.front());
+        }
+    }
+}
+
 TEST(WithoutCgalEither, NothingFindsWhereEdgesCross)
 {
     use_constrained_ways(nullptr);

@@ -118,6 +118,22 @@ TEST(Connectivity, SurvivesAChainOnAMeshOfManyTunnels)
     expect_a_good_chain(test::repaired(io::read_soup(file)), kCuts / 4);
 }
 
+TEST(Connectivity, IsConsistentWhereCapsRunThroughOneAnother)
+{
+    // The planes turn about nearly one line, along which caps of thin triangles pile up. Rounding to float makes them
+    // run through one another, so that the next section has several points in one place, time and again.
+    CutResult half = cut(prepared(test::repaired(shapes::asteroid(8000, 1))), *Plane::through({0, 0, 0}, {0, 0, 1}));
+    std::unique_ptr<Cuttable> object = std::move(half.negative[0]);
+    for (int i = 0; object->triangle_count() < 20'000; ++i) {
+        SCOPED_TRACE("cut " + std::to_string(i));
+        CutResult result =
+            cut(std::move(object), *Plane::through({0.0, 0.0, -0.05 - 0.01 * i}, {0.1 * i, 1.0 - 0.05 * i, -1.0}));
+        ASSERT_EQ(result.status, Status::done);
+        expect_consistent(result);
+        object = std::move(result.negative[0]);
+    }
+}
+
 TEST(Connectivity, ACloneIsConsistentAndIndependent)
 {
     CutResult result = cut(prepared(test::closed_shape("sphere_in_sphere")), *Plane::through({0, 0, 0.1}, {0, 0, 1}));

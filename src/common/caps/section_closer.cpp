@@ -145,8 +145,33 @@ void SectionCloser::close_outline()
     const auto way =
         std::find_if(ways_.begin(), ways_.end(), [&](const auto& each) { return each->triangulate(outline, mesh_); });
     take_over();
-    // The first two turn no triangle over.
-    if (way - ways_.begin() >= 2) excess_ += 2.0 * turned_area();
+    // The first two turn no triangle over, and name each corner by its own point.
+    if (way - ways_.begin() < 2) return;
+    excess_ += 2.0 * turned_area();
+    share_ends_of_links(outline);
+}
+
+void SectionCloser::share_ends_of_links(const CapOutline& outline)
+{
+    const auto compare = [&](Index a, Index b) {
+        if (a != b) caps_->shared_points.insert(caps_->shared_points.end(), {global_[a], global_[b]});
+    };
+    successor_.resize(outline.points.size());
+    for (Index loop = 0; loop + 1 < outline.loop_starts.size(); ++loop)
+        for (Index i = outline.loop_starts[loop]; i < outline.loop_starts[loop + 1]; ++i)
+            successor_[i] = outline.successor(i, loop);
+    for (const CapTriangle& t : mesh_.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Index from = t.corner[i], to = t.corner[(i + 1) % 3];
+            if (const CapLink link = t.link[i]; link.is_outline()) {
+                compare(from, link.outline_edge());
+                compare(to, successor_[link.outline_edge()]);
+            } else {
+                const auto& beyond = mesh_.triangles[link.triangle()].corner;
+                compare(from, beyond[(link.corner() + 1) % 3]);
+                compare(to, beyond[link.corner()]);
+            }
+        }
 }
 
 double SectionCloser::turned_area() const

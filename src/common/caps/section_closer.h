@@ -86,6 +86,9 @@ private:
     void close_outline();
     /// Appends `mesh_` to the caps.
     void take_over();
+    /// Counts points as shared if two triangles, or a triangle and the outline, name one end of the edge between them by
+    /// them: that they lie in one place does not make them one.
+    void share_ends_of_links(const CapOutline& outline);
     /// Area of the triangles in `mesh_` that are turned over, in the projection.
     double turned_area() const;
     /// Joins two edges: of cap triangles, or outline edges.
@@ -108,9 +111,10 @@ private:
     std::vector<glm::dvec2> points_;
     std::vector<glm::vec3> positions_;
     std::vector<Index> starts_;
-    std::vector<Index> global_;  ///< point of the section of each local point
-    std::vector<CapLink> edge_;  ///< what leaves each local point: the outline edge of a point, or an edge of a cap
-    Box2 box_;                   ///< of the set's points
+    std::vector<Index> global_;     ///< point of the section of each local point
+    std::vector<Index> successor_;  ///< of each local point in its loop, if share_ends_of_links() was called
+    std::vector<CapLink> edge_;     ///< what leaves each local point: the outline edge of a point, or an edge of a cap
+    Box2 box_;                      ///< of the set's points
     CapMesh mesh_;
     double excess_ = 0.0;
     std::vector<std::pair<std::uint32_t, Index>> keys_, sorted_;
