@@ -27,17 +27,23 @@ std::size_t crossings_of_one_cut(std::size_t triangles)
     return 64 + static_cast<std::size_t>(4.0 * std::sqrt(static_cast<double>(triangles)));
 }
 
-void reserve(Universe& u, const UniverseSize& size, std::size_t crossings)
+void reserve(Universe& u, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress)
 {
+    // The shares are those of the bytes, about.
     u.mesh.reserve(size.points + kPoints * crossings, size.edges + kEdges * crossings,
-                   size.triangles + kFaces * crossings);
+                   size.triangles + kFaces * crossings, progress.part(0.0, 0.55));
     u.vertices.reserve(size.vertices + kVertices * crossings);
+    progress.at(0.7);
     for (Stream& stream : u.streams) stream.values.reserve((size.vertices + kVertices * crossings) * stream.width);
+    progress.at(0.75);
     u.slots.reserve(size.triangles + kSlots * crossings);
+    progress.at(0.85);
     u.face_of_slot.reserve(size.triangles + kSlots * crossings);
     u.source_of_face.reserve(size.triangles + kFaces * crossings);
     u.stamp_of_face.reserve(size.triangles + kFaces * crossings);
+    progress.at(0.95);
     u.tree.reserve(size.nodes + crossings + (crossings >> kNodesShift) + kNodesInAnyCase);
+    progress.at(1.0);
 }
 
 }  // namespace kerf::core::halfedge

@@ -22,7 +22,7 @@ std::size_t reserved_crossings(std::size_t triangles);
 std::size_t crossings_of_one_cut(std::size_t triangles);
 
 /// Makes room in all arrays for `size` and, by an estimate, for cuts that cross `crossings` triangles in all; touches
-/// the room. Throws std::bad_alloc.
-void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings);
+/// the room. Throws std::bad_alloc, and Cancelled, after which the universe is good for nothing.
+void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core::halfedge

@@ -254,11 +254,12 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     // The shares are those that the steps have of the time, about.
     progress.at(0.0);
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
+    progress.at(0.01);
     const std::vector<Index> order = spatial_order(proven, group_of, u.groups.size());
-    progress.at(0.25);
+    progress.at(0.13);
     const std::vector<Run> runs = find_runs(order, group_of, adjacency.shell);
     const Numbering numbering = number_by_first_use(mesh, order, u.slots);
-    progress.at(0.4);
+    progress.at(0.26);
     const auto boundary =
         static_cast<std::size_t>(std::count(adjacency.opposite.begin(), adjacency.opposite.end(), kNone));
     u.has_boundary = boundary > 0;
@@ -266,13 +267,17 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     UniverseSize size{numbering.point_count, (3 * n + boundary) / 2, n, numbering.old_vertex.size(), 0};
     // All leaves but the last of a run are full.
     for (const Run& run : runs) size.nodes += 2 * (std::size_t{run.count - 1} / kLeafTriangles + 1);
-    reserve(u, size, reserved_crossings(n));
+    reserve(u, size, reserved_crossings(n), {progress, 0.26, 0.78});
     u.mesh.resize(size.points, size.edges, size.triangles);
-    build_connectivity(u, numbering.corner_points, opposite_in_order(adjacency.opposite, order));
-    progress.at(0.55);
+    progress.at(0.79);
+    const auto opposites = opposite_in_order(adjacency.opposite, order);
+    progress.at(0.83);
+    build_connectivity(u, numbering.corner_points, opposites);
+    progress.at(0.9);
     copy_vertices(mesh, numbering.old_vertex, u);
+    progress.at(0.91);
     copy_faces(mesh, order, numbering.corner_points, u);
-    progress.at(0.7);
+    progress.at(0.94);
     return plant_trees(runs, adjacency.shell_count, u);
 }
 

@@ -24,7 +24,7 @@ SurfaceMesh::SurfaceMesh(const SurfaceMesh& other)
         std::copy_n(other.mesh_.points(), other.points(), const_cast<decltype(mesh_)::Point*>(mesh_.points()));
 }
 
-void SurfaceMesh::reserve(std::size_t points, std::size_t edges, std::size_t faces)
+void SurfaceMesh::reserve(std::size_t points, std::size_t edges, std::size_t faces, const ProgressOfStep& progress)
 {
     if (points > kMost || edges > kMost || faces > kMost) throw std::bad_alloc();
     const Sizes wanted{std::max(points, room_.points), std::max(edges, room_.edges), std::max(faces, room_.faces)};
@@ -34,6 +34,14 @@ void SurfaceMesh::reserve(std::size_t points, std::size_t edges, std::size_t fac
         // OpenMesh tells no address but that of an element, so one edge must exist.
         mesh_.resize(v, std::max<std::size_t>(e, 1), f);
         prefer_huge_pages(&mesh_.edge(EdgeId(0)), wanted.edges * kEdgeBytes);
+    }
+    // The first touch of this memory is most of what it takes to prepare tens of millions of triangles.
+    constexpr std::size_t kEdgesTouchedAtOnce = std::size_t(1) << 20;
+    const std::size_t parts = 1 + (wanted.edges - e) / kEdgesTouchedAtOnce;
+    for (std::size_t part = 1; part <= parts; ++part) {
+        const auto so_far = [&](std::size_t from, std::size_t to) { return from + (to - from) / parts * part; };
+        mesh_.resize(so_far(v, wanted.points), so_far(e, wanted.edges), so_far(f, wanted.faces));
+        progress.at(static_cast<double>(part) / static_cast<double>(parts));
     }
     mesh_.resize(wanted.points, wanted.edges, wanted.faces);
     mesh_.resize(v, e, f);

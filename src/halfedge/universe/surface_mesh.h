@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "common/cutting/progress.h"
 #include "halfedge/universe/ids.h"
 
 // The half-edge mesh behind the back end: OpenMesh for connectivity and positions, nothing else. What else is known of
@@ -69,8 +70,8 @@ public:
     void resize(std::size_t points, std::size_t edges, std::size_t faces) { mesh_.resize(points, edges, faces); }
 
     /// Makes room for so many elements in all and touches it. As in AppendBuffer, memory for as much again is asked for
-    /// but not touched. Throws std::bad_alloc.
-    void reserve(std::size_t points, std::size_t edges, std::size_t faces);
+    /// but not touched. Throws std::bad_alloc, and Cancelled, after which the mesh is good for nothing.
+    void reserve(std::size_t points, std::size_t edges, std::size_t faces, const ProgressOfStep& progress = {});
 
     /// Makes room for more elements; returns the bytes by which the arrays grew. O(added elements), unless the memory
     /// that was asked for is used up.
