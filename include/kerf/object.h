@@ -107,7 +107,7 @@ public:
     /// Whether many cuts have scattered the object over shared buffers, so that it is worth to compact() it.
     bool is_scattered() const noexcept;
     /// Moves the object into buffers of its own that hold nothing else. Nothing of the object changes but where it
-    /// lies: all of it is to be uploaded again. O(n). Status: `done`, `invalid_argument` for an empty object, or
+    /// lies: all of it is to be uploaded again. Of `linear`, whose objects share nothing, nothing changes. O(n). Status: `done`, `invalid_argument` for an empty object, or
     /// `out_of_memory`, and the object is as it was.
     Status compact() noexcept;
 

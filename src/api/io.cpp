@@ -132,7 +132,7 @@ std::string_view text_of(std::span<const std::byte> file)
 
 Result<Mesh> read_mesh(const char* path, FileReport* report) noexcept
 {
-    if (path == nullptr) return no_name(report, "there is no name of a file");
+    if (path == nullptr || *path == '\0') return no_name(report, "there is no name of a file");
     return read_with_report(report, [&] { return io::read_mesh(path); });
 }
 
@@ -144,7 +144,7 @@ Result<Mesh> read_mesh(std::span<const std::byte> file, const char* format, File
 
 Outcome write_mesh(const Mesh& mesh, const char* path) noexcept
 {
-    if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
+    if (path == nullptr || *path == '\0') return {Status::invalid_argument, Sentence("there is no name of a file")};
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
     return answer_of_file<Outcome>([&] {
         io::write_mesh(path, mesh.data()->mesh());
@@ -251,7 +251,7 @@ Outcome MeshFileSet::protect(const FileReport& inputs) noexcept
 
 Outcome MeshFileSet::add(const char* path, const Mesh& mesh) noexcept
 {
-    if (path == nullptr) return {Status::invalid_argument, Sentence("there is no name of a file")};
+    if (path == nullptr || *path == '\0') return {Status::invalid_argument, Sentence("there is no name of a file")};
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
     if (is_unprotected_) return {Status::out_of_memory, Sentence(kNoMemory)};
     return answer_of_file<Outcome>([&] {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <kerf/io.h>
 #include <kerf/mesh.h>
+#include <kerf/shapes.h>
 
 #include <filesystem>
 #include <string>
@@ -48,6 +49,41 @@ TEST(Files, KeepTheNamesOfImages)
             }
         }
     }
+}
+
+TEST(Files, WithoutANameAreRefused)
+{
+    const Mesh mesh = *make_shape("box", 12);
+    MeshFileSet set;
+    for (const char* name : {static_cast<const char*>(nullptr), ""}) {
+        EXPECT_EQ(read_mesh(name).status(), Status::invalid_argument);
+        EXPECT_STREQ(read_mesh(name).reason(), "there is no name of a file");
+        EXPECT_EQ(write_mesh(mesh, name).status(), Status::invalid_argument);
+        EXPECT_EQ(set.add(name, mesh).status(), Status::invalid_argument);
+    }
+}
+
+TEST(Files, OfASetAreProtectedWheneverTheyAreNamed)
+{
+    const test::TemporaryFolder folder;
+    const std::string first = folder.file("first.ply").string(), second = folder.file("second.ply").string();
+    ASSERT_TRUE(write_mesh(*make_shape("box", 12), first.c_str()));
+    ASSERT_TRUE(write_mesh(*make_shape("cone", 100), second.c_str()));
+    FileReport first_read, second_read;
+    const Mesh mesh = *read_mesh(first.c_str(), &first_read);
+    ASSERT_TRUE(read_mesh(second.c_str(), &second_read));
+    {
+        MeshFileSet set(first_read);
+        ASSERT_TRUE(set.protect(second_read));
+        EXPECT_EQ(set.add(first.c_str(), mesh).status(), Status::unusable_file);
+        EXPECT_EQ(set.add(second.c_str(), mesh).status(), Status::unusable_file);
+    }
+    // What was added before it is known to be read is refused then, and stays as it was.
+    MeshFileSet set(first_read);
+    ASSERT_TRUE(set.add(second.c_str(), mesh));
+    EXPECT_EQ(set.protect(second_read).status(), Status::unusable_file);
+    ASSERT_TRUE(set.commit());
+    EXPECT_EQ(read_mesh(second.c_str())->triangle_count(), 12u);
 }
 
 }  // namespace
