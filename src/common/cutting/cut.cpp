@@ -64,7 +64,7 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     }
     if (object != nullptr) {
         Cuttable::Memory memory = object->memory;
-        memory.is_of_solid = memory.is_of_solid && options.build_caps;
+        memory.is_of_solid = memory.is_of_solid && options.build_caps && result.status != Status::open_section;
         for (auto* side : {&result.positive, &result.negative})
             for (const std::unique_ptr<Cuttable>& piece : *side) piece->memory = memory;
     }
