@@ -132,8 +132,7 @@ CutReport perform(const CutCommandOptions& options)
     report.caps_exceed_section = result.caps_exceed_section;
     report.read = std::move(loaded.report);
     if (result.status == Status::missed) return report;
-    if (result.status == Status::out_of_memory)
-        throw std::runtime_error(options.file + ": there is not enough memory to cut it; divide it or free some");
+    if (*result.reason() != '\0') throw std::runtime_error(options.file + ": " + result.reason());
     if (result.status != Status::done && result.status != Status::open_section)
         throw std::runtime_error(options.file + ": it could not be cut (" + std::string(outcome_name(result.status)) +
                                  ")");

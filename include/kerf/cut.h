@@ -36,6 +36,11 @@ struct [[nodiscard]] KERF_API Cut
     /// to close it exactly. Caps are closed all the same, and have the section's signed area.
     bool caps_exceed_section = false;
 
+    /// Why it was not cut, in one sentence; "" if it was, or was missed. Never null; valid for ever.
+    ///
+    ///     if (!ok(cut.status)) log(cut.reason());
+    const char* reason() const noexcept;
+
     /// How many pieces a side has.
     std::size_t count(Side side) const noexcept;
     /// Piece i of a side; null beyond the last.
@@ -67,6 +72,7 @@ struct [[nodiscard]] KERF_API Cut
 private:
     friend struct CutMaker;
     Data* data_ = nullptr;
+    const char* refusal_ = "";  ///< what reason() says of an invalid argument
 };
 
 /// What became of a cut in one word, for logs and files: "cut", "missed", "open_section", ... Never null.

@@ -41,6 +41,16 @@ struct CutMaker
         return cut.data_ != nullptr;
     }
 
+    /// One that was not made: the object comes back. `reason` is a literal.
+    static Cut refused(Object&& object, const char* reason)
+    {
+        Cut result;
+        result.status = Status::invalid_argument;
+        result.object = std::move(object);
+        result.refusal_ = reason;
+        return result;
+    }
+
     /// The pieces of `more` belong to `cut`, too.
     static void append(Cut& cut, Cut&& more)
     {
@@ -80,14 +90,6 @@ void add(CutStatistics& sum, const CutStatistics& more)
     sum.bytes_to_upload += more.bytes_to_upload;
     sum.bytes_grown += more.bytes_grown;
     for (std::size_t i = 0; i < kPhaseCount; ++i) sum.phase_ms[i] += more.phase_ms[i];
-}
-
-Cut not_cut(Object&& object, Status status) noexcept
-{
-    Cut result;
-    result.status = status;
-    result.object = std::move(object);
-    return result;
 }
 
 /// Cuts by a blade without width. The object comes back in the result if it was not cut.
@@ -141,7 +143,8 @@ bool cut_below(Object& piece, const Plane& lower, const CutOptions& options, Cut
 Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options) noexcept
 {
     const std::optional<Plane> upper = plane.moved(0.5 * options.gap), lower = plane.moved(-0.5 * options.gap);
-    if (!upper || !lower) return not_cut(std::move(object), Status::invalid_argument);
+    if (!upper || !lower)
+        return CutMaker::refused(std::move(object), "a side of the gap is beyond the range of double");
     Cut result = cut_once(std::move(object), *upper, options);
     if (result.status == Status::missed && result.side_of_object == Side::negative) {
         const CutStatistics above = result.statistics();
@@ -164,24 +167,33 @@ Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options)
     return result;
 }
 
-bool is_valid(const CutOptions& options)
+/// What is wrong with the arguments, or null.
+const char* fault_of(const Object& object, const CutOptions& options)
 {
-    return std::isfinite(options.cap_uv_scale) && std::isfinite(options.gap) && options.gap >= 0.0;
+    if (object.is_empty()) return "the object is empty: it was cut, or moved from";
+    if (!std::isfinite(options.gap) || options.gap < 0.0) return "the gap must be a finite width, 0 or more";
+    if (!std::isfinite(options.cap_uv_scale)) return "the uv scale of caps must be finite";
+    return nullptr;
 }
 
 }  // namespace
 
 Cut cut(Object&& object, const Plane& plane, const CutOptions& options) noexcept
 {
-    if (object.is_empty() || !is_valid(options)) return not_cut(std::move(object), Status::invalid_argument);
+    if (const char* fault = fault_of(object, options)) return CutMaker::refused(std::move(object), fault);
     if (options.gap == 0.0) return cut_once(std::move(object), plane, options);
     return cut_with_gap(std::move(object), plane, options);
 }
 
 Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options) noexcept
 {
+    if (const char* fault = fault_of(object, options)) return CutMaker::refused({}, fault);
     Result<Object> copy = object.clone();
-    if (!copy) return not_cut({}, copy.status());
+    if (!copy) {
+        Cut result;
+        result.status = copy.status();
+        return result;
+    }
     Cut result = cut(*std::move(copy), plane, options);
     result.object = Object();
     return result;
@@ -218,7 +230,8 @@ Cut::Cut(Cut&& other) noexcept
       object(std::move(other.object)),
       section_area(other.section_area),
       caps_exceed_section(other.caps_exceed_section),
-      data_(std::exchange(other.data_, nullptr))
+      data_(std::exchange(other.data_, nullptr)),
+      refusal_(other.refusal_)
 {
 }
 
@@ -231,12 +244,25 @@ Cut& Cut::operator=(Cut&& other) noexcept
     section_area = taken.section_area;
     caps_exceed_section = taken.caps_exceed_section;
     std::swap(data_, taken.data_);
+    refusal_ = taken.refusal_;
     return *this;
 }
 
 Cut::~Cut()
 {
     delete data_;
+}
+
+const char* Cut::reason() const noexcept
+{
+    switch (status) {
+        case Status::invalid_argument:
+            return refusal_;
+        case Status::out_of_memory:
+            return "there is not enough memory to cut it; divide it or free some";
+        default:
+            return "";
+    }
 }
 
 std::size_t Cut::count(Side side) const noexcept

@@ -199,12 +199,22 @@ TEST_P(CutTest, OfNumbersThatMeanNothingIsRefusedAndGivesTheObjectBack)
             (which == 0 ? options.gap : options.cap_uv_scale) = bad;
             Cut refused = cut(std::move(object), Plane::x(0.0).value(), options);
             EXPECT_EQ(refused.status, Status::invalid_argument);
+            EXPECT_STREQ(refused.reason(), which == 0 ? "the gap must be a finite width, 0 or more"
+                                                      : "the uv scale of caps must be finite");
             object = std::move(refused.object);
             EXPECT_EQ(object.triangle_count(), 12u);
         }
     CutOptions options;
     options.gap = -1.0;
-    EXPECT_EQ(cut(std::move(object), Plane::x(0.0).value(), options).status, Status::invalid_argument);
+    Cut refused = cut(std::move(object), Plane::x(0.0).value(), options);
+    EXPECT_EQ(refused.status, Status::invalid_argument);
+    EXPECT_STREQ(refused.reason(), "the gap must be a finite width, 0 or more");
+    EXPECT_STREQ(cut_copy(refused.object, Plane::x(0.0).value(), options).reason(), refused.reason());
+    const Cut moved = std::move(refused);
+    EXPECT_STREQ(moved.reason(), "the gap must be a finite width, 0 or more");
+    // What was cut, or missed, needs no reason.
+    EXPECT_STREQ(cut(test::cube(GetParam()), Plane::x(0.0).value()).reason(), "");
+    EXPECT_STREQ(cut(test::cube(GetParam()), Plane::x(9.0).value()).reason(), "");
 }
 
 TEST(Cut, IsTheSameByEveryBackEndOnItsSurface)

@@ -57,7 +57,9 @@ TEST(Misuse, AnObjectThatWasCutIsEmpty)
         const Cut first = cut(std::move(object), Plane::x(0.0).value());
         EXPECT_EQ(first.status, Status::done);
         EXPECT_TRUE(object.is_empty());  // NOLINT(bugprone-use-after-move): that is what is tested
-        EXPECT_EQ(cut(std::move(object), Plane::x(0.0).value()).status, Status::invalid_argument);
+        const Cut second = cut(std::move(object), Plane::x(0.0).value());
+        EXPECT_EQ(second.status, Status::invalid_argument);
+        EXPECT_STREQ(second.reason(), "the object is empty: it was cut, or moved from");
         // NOLINTNEXTLINE(bugprone-use-after-move)
         EXPECT_EQ(cut_copy(object, Plane::x(0.0).value()).status, Status::invalid_argument);
     }
