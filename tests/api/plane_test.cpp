@@ -106,11 +106,17 @@ RC_GTEST_PROP(Plane, OfTheWorldHasTheSameSidesInTheObject, (std::uint64_t seed))
     const Plane world = Plane::at(Point(number(random), number(random), number(random)),
                                   Normal(number(random), number(random), number(random)))
                             .value();
-    const Plane local = world.to_local(matrix).value();
-    for (int i = 0; i < 20; ++i) {
-        const Vec3d p{number(random), number(random), number(random)};
-        const double distance = world.distance(times(matrix, p));
-        if (std::abs(distance) > 1e-9) RC_ASSERT(local.side_of(p) == world.side_of(times(matrix, p)));
+    // The last number of the matrix divides: that of an inverse of floats is hardly ever 1 to the last digit.
+    for (const double w : {1.0, 2.0, -2.0, 1.0 + 0x1p-23, 1.0 - 0x1p-24, -1e-3}) {
+        Mat4d divided = matrix;
+        for (auto& column : divided.m)
+            for (double& entry : column) entry *= w;
+        const Plane local = world.to_local(divided).value();
+        for (int i = 0; i < 20; ++i) {
+            const Vec3d p{number(random), number(random), number(random)};
+            const double distance = world.distance(times(matrix, p));
+            if (std::abs(distance) > 1e-9) RC_ASSERT(local.side_of(p) == world.side_of(times(matrix, p)));
+        }
     }
 }
 
@@ -140,27 +146,6 @@ TEST(Plane, HasNoPlaceInAnObjectWhoseMatrixHasNoInverse)
     Mat4d endless;
     endless.m[0][0] = kInfinite;
     EXPECT_FALSE(Plane::x(0.0)->to_local(endless));
-}
-
-RC_GTEST_PROP(Plane, KeepsItsSidesWhereTheMatrixDividesByItsLastNumber, (std::uint64_t seed))
-{
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> number(-3.0, 3.0);
-    const Mat4d matrix = random_matrix(random);
-    const Plane world = Plane::at(Point(number(random), number(random), number(random)),
-                                  Normal(number(random), number(random), number(random)))
-                            .value();
-    for (const double w : {2.0, -2.0, 1.0 + 0x1p-23, 1.0 - 0x1p-24, -1e-3}) {
-        Mat4d larger = matrix;
-        for (auto& column : larger.m)
-            for (double& entry : column) entry *= w;
-        const Plane local = world.to_local(larger).value();
-        for (int i = 0; i < 20; ++i) {
-            const Vec3d p{number(random), number(random), number(random)};
-            const double distance = world.distance(times(matrix, p));
-            if (std::abs(distance) > 1e-9) RC_ASSERT(local.side_of(p) == world.side_of(times(matrix, p)));
-        }
-    }
 }
 
 TEST(Plane, HasAPlaceInAnObjectOfAnyScale)
