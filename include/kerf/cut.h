@@ -37,8 +37,6 @@ struct [[nodiscard]] KERF_API Cut
     bool caps_exceed_section = false;
 
     /// Why it was not cut, in one sentence; "" if it was, or was missed. Never null; valid for ever.
-    ///
-    ///     if (!ok(cut.status)) log(cut.reason());
     const char* reason() const noexcept;
 
     /// How many pieces a side has.
