@@ -141,7 +141,7 @@ TEST(AppendBuffer, ALargeOneGrowsWhereItStands)
     constexpr std::uint32_t kMany = 1 << 22;  // 16 MB, and 32 MB of addresses are asked for
     Numbers buffer = numbers(kMany);
     const std::uint32_t* const first = buffer.data();
-    buffer.reserve(4 * kMany);
+    buffer.reserve(std::size_t{4} * kMany);
     EXPECT_EQ(buffer.data(), first);
     EXPECT_EQ(buffer[kMany - 1], kMany - 1);
 }
