@@ -132,10 +132,8 @@ CutReport perform(const CutCommandOptions& options)
     report.caps_exceed_section = result.caps_exceed_section;
     report.read = std::move(loaded.report);
     if (result.status == Status::missed) return report;
-    if (*result.reason() != '\0') throw std::runtime_error(options.file + ": " + result.reason());
     if (result.status != Status::done && result.status != Status::open_section)
-        throw std::runtime_error(options.file + ": it could not be cut (" + std::string(outcome_name(result.status)) +
-                                 ")");
+        throw std::runtime_error(options.file + ": " + result.reason());
 
     MeshFileSet files(report.read);
     report.positive = add_side(files, options, result, Side::positive);

@@ -107,8 +107,8 @@ public:
     /// Whether many cuts have scattered the object over shared buffers, so that it is worth to compact() it.
     bool is_scattered() const noexcept;
     /// Moves the object into buffers of its own that hold nothing else. Nothing of the object changes but where it
-    /// lies: all of it is to be uploaded again. Of `linear`, whose objects share nothing, nothing changes. O(n). Status: `done`, `invalid_argument` for an empty object, or
-    /// `out_of_memory`, and the object is as it was.
+    /// lies: all of it is to be uploaded again. Of `linear`, whose objects share nothing, nothing changes. O(n). Status:
+    /// `done`, `invalid_argument` for an empty object, or `out_of_memory`, and the object is as it was.
     Status compact() noexcept;
 
     /// Adds a material, for caps of later cuts. Returns its number, or kNone if there is no memory or the object is
