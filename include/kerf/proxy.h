@@ -34,9 +34,12 @@ public:
     /// @}
     ~Hull();
 
-    /// Its corners, all of them vertices of the object.
+    /// The points that it is spanned by, all of them vertices of the object at different places: what a physics engine
+    /// wants to know. Of a bounded hull, few may lie on a side of it or, by rounding, within.
     std::span<const Vec3f> points() const noexcept;
-    /// Corners of its triangles, three each, counter-clockwise from outside.
+    /// The points that are corners of its triangles, three each, counter-clockwise from outside. Those of a bounded hull
+    /// are found when first asked for, O(points log(points)): a game that leaves them to its physics engine does not
+    /// wait for them. None of a flat object, and if there is no memory for them. Any thread.
     std::span<const std::uint32_t> indices() const noexcept;
 
     /// @cond For the library itself.
@@ -52,8 +55,9 @@ private:
 /// `out_of_memory`.
 KERF_API Result<Sphere> bounding_sphere(const Object& object) noexcept;
 
-/// The hull of the vertices that lie farthest along 32 directions: what games use. O(log n) for ordinary shapes with
-/// the half-edge back end, O(n) with the linear one. A flat object has points and no triangles. Status as above.
+/// The hull of the vertices that lie farthest along 32 directions: what games use. Its points come in the order of the
+/// directions. O(log n) for ordinary shapes with the half-edge back end, O(n) with the linear one. A flat object has
+/// points and no triangles. Status as above.
 ///
 ///     if (const kerf::Result<kerf::Hull> hull = kerf::bounded_hull(piece)) add_body(hull->points());
 KERF_API Result<Hull> bounded_hull(const Object& object) noexcept;

@@ -2,6 +2,8 @@
 #include <kerf/proxy.h>
 
 #include <memory>
+#include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,8 @@ namespace kerf {
 struct Hull::Data
 {
     std::vector<glm::vec3> points;
+    std::mutex mutex;  // of what follows
+    bool has_faces = false;
     std::vector<core::Triangle> faces;
 };
 
@@ -39,7 +43,17 @@ std::span<const Vec3f> Hull::points() const noexcept
 
 std::span<const std::uint32_t> Hull::indices() const noexcept
 {
-    if (data_ == nullptr || data_->faces.empty()) return {};
+    if (data_ == nullptr) return {};
+    const std::lock_guard lock(data_->mutex);
+    if (!data_->has_faces) {
+        try {
+            data_->faces = core::hull_faces(data_->points);
+            data_->has_faces = true;
+        } catch (const std::bad_alloc&) {
+            return {};  // the next call tries again
+        }
+    }
+    if (data_->faces.empty()) return {};
     return {data_->faces.front().data(), 3 * data_->faces.size()};
 }
 
@@ -52,6 +66,7 @@ Result<Hull> hull_of(const Object& object, core::ProxyKind kind) noexcept
         core::CollisionProxy proxy = core::collision_proxy(*object.inside(), kind);
         auto data = std::make_unique<Hull::Data>();
         data->points = std::move(proxy.points);
+        data->has_faces = kind == core::ProxyKind::full_hull;
         data->faces = std::move(proxy.faces);
         return Hull(data.release());
     });

@@ -157,6 +157,12 @@ TEST_P(ObjectOutOfMemory, WhatOnlyReadsSaysSo)
     fail_each([&] { return said(full_hull(whole)); }, check);
     fail_each(
         [&] {
+            const Hull hull = *bounded_hull(whole);
+            return hull.indices().empty() ? Status::out_of_memory : Status::done;
+        },
+        check);
+    fail_each(
+        [&] {
             DrawView view;
             const Status status = whole.draw(view);
             EXPECT_EQ(view.ranges.empty(), !ok(status));

@@ -46,6 +46,7 @@ const std::vector<Read>& reads()
         [](const Object& object) { return double(object.loop_count() > 0 ? object.loop(0).points.size() : 0); },
         [](const Object& object) { return double(object.material(0).base_colour[0]); },
         [](const Object& object) { return double(bounded_hull(object)->points().size()); },
+        [](const Object& object) { return double(bounded_hull(object)->indices().size()); },
         [](const Object& object) { return double(full_hull(object)->points().size()); },
         [](const Object& object) { return cut_copy(object, Plane::z(0.01).value()).section_area; },
     };

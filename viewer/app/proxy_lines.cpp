@@ -58,12 +58,14 @@ void add_sphere(const glm::vec3& centre, float radius, Lines& lines)
 
 void add_hull(const sim::CollisionProxy& proxy, Lines& lines)
 {
-    for (const auto& face : proxy.faces)
+    const std::span<const std::uint32_t> corners =
+        proxy.hull ? proxy.hull->indices() : std::span<const std::uint32_t>();
+    for (std::size_t face = 0; face + 3 <= corners.size(); face += 3)
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = face[i], b = face[(i + 1) % 3];
+            const std::uint32_t a = corners[face + i], b = corners[face + (i + 1) % 3];
             if (a < b) lines.add(proxy.points[a], proxy.points[b]);  // each edge has two faces
         }
-    if (!proxy.faces.empty()) return;
+    if (!corners.empty()) return;
     const glm::vec3 extent = glm::vec3(proxy.box.hi) - glm::vec3(proxy.box.lo);
     const float size = 0.01f * glm::max(extent.x, glm::max(extent.y, extent.z));
     for (const glm::vec3& p : proxy.points)

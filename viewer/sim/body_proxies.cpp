@@ -1,8 +1,7 @@
 #include "viewer/sim/body_proxies.h"
 
-#include <kerf/proxy.h>
-
 #include <new>
+#include <utility>
 
 #include "baseline/report_back_ends.h"
 
@@ -16,12 +15,11 @@ T value_of(Result<T> result)
     return *std::move(result);
 }
 
-void take_hull(const Hull& hull, CollisionProxy& proxy)
+void take_hull(Hull hull, CollisionProxy& proxy)
 {
+    proxy.points.reserve(hull.points().size());
     for (const Vec3f& p : hull.points()) proxy.points.emplace_back(p.x, p.y, p.z);
-    const std::span<const std::uint32_t> corners = hull.indices();
-    for (std::size_t i = 0; i + 3 <= corners.size(); i += 3)
-        proxy.faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    proxy.hull = std::make_shared<const Hull>(std::move(hull));
 }
 
 }  // namespace

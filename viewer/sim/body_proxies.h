@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kerf/object.h>
+#include <kerf/proxy.h>
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -35,12 +37,11 @@ std::optional<ProxyKind> find_proxy(std::string_view name);
 struct CollisionProxy
 {
     ProxyKind kind = ProxyKind::box;
-    Box box;                                          ///< bounds of the object; every kind
-    glm::vec3 centre{0.0f};                           ///< of a sphere
-    float radius = 0.0f;                              ///< of a sphere
-    std::vector<glm::vec3> points;                    ///< of hulls
-    std::vector<std::array<std::uint32_t, 3>> faces;  ///< of hulls, counter-clockwise seen from outside; none of a flat
-                                                      ///< object and of `points`
+    Box box;                           ///< bounds of the object; every kind
+    glm::vec3 centre{0.0f};            ///< of a sphere
+    float radius = 0.0f;               ///< of a sphere
+    std::vector<glm::vec3> points;     ///< of hulls
+    std::shared_ptr<const Hull> hull;  ///< of hulls but `points`: knows their triangles, which only drawing asks for
 };
 
 /// The proxy of an object; `points` are made as the report's program does, which is quadratic.

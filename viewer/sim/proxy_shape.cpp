@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <span>
+#include <utility>
 
 #include "viewer/sim/bullet_glm.h"
 
@@ -24,6 +27,9 @@ constexpr double kThinnestSide = 2e-3;
 /// seen. Thin shapes get less: this share of their thinnest side.
 constexpr double kMargin = 0.01;
 constexpr double kMarginShare = 0.05;
+/// Points no farther from a plane than this share of their extent count as flat: what a lattice of 10 216 steps along
+/// each axis, as Bullet computes hulls on, can't tell from rounding (two steps).
+constexpr double kFlatShare = 2e-4;
 
 /// A hull whose box is that of its points as they stand. Bullet's own is the box around the turned box, up to three
 /// times as wide, and most pairs that it hands to the narrow phase are nowhere near each other.
@@ -45,6 +51,31 @@ public:
         hi += outside + margin;
     }
 };
+
+/// Whether a plane through three of the points passes within kFlatShare of them all: through one, the one farthest from
+/// it, and the one farthest from their line. O(points).
+bool are_flat(std::span<const glm::vec3> points)
+{
+    if (points.size() < 4) return true;
+    const auto from_first = [&](const glm::vec3& p) { return glm::dvec3(p) - glm::dvec3(points.front()); };
+    const auto largest = [&](auto measure) {
+        double most = 0.0;
+        glm::dvec3 where(0.0);
+        for (const glm::vec3& p : points)
+            if (const double m = measure(from_first(p)); m > most) {
+                most = m;
+                where = from_first(p);
+            }
+        return std::pair(most, where);
+    };
+    const auto [extent, far] = largest([](const glm::dvec3& p) { return glm::length(p); });
+    if (!(extent > 0.0)) return true;
+    const glm::dvec3 along = far / extent;
+    const auto [width, aside] = largest([&](const glm::dvec3& p) { return glm::length(glm::cross(along, p)); });
+    if (!(width > kFlatShare * extent)) return true;
+    const glm::dvec3 normal = glm::normalize(glm::cross(along, aside));
+    return largest([&](const glm::dvec3& p) { return std::abs(glm::dot(normal, p)); }).first <= kFlatShare * extent;
+}
 
 double length(const btVector3& v)
 {
@@ -73,7 +104,7 @@ ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, co
     const double thinnest = std::min({side.x, side.y, side.z});
 
     const bool is_hull = proxy_.kind != ProxyKind::box && proxy_.points.size() >= 4 && thinnest >= kThinnestSide &&
-                         (proxy_.kind == ProxyKind::points || !proxy_.faces.empty());
+                         (proxy_.kind == ProxyKind::points || !are_flat(proxy_.points));
     auto hull = std::make_unique<TightHullShape>();
     if (is_hull) {
         for (const glm::vec3& p : proxy_.points) hull->addPoint(local(glm::dvec3(p)), false);

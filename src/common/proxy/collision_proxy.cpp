@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/mesh/float_range.h"
+#include "common/mesh/is_finite.h"
 #include "common/mesh/support_points.h"
 #include "common/proxy/convex_hull.h"
 
@@ -19,11 +20,13 @@ Box box_around(std::span<const Vertex> vertices)
     return box;
 }
 
-void use_hull(CollisionProxy& proxy, std::span<const glm::vec3> points)
+// Those that are finite, each place once, in their order.
+void use_places(CollisionProxy& proxy, const std::array<glm::vec3, kSupportDirections>& points)
 {
-    ConvexHull hull = convex_hull(points);
-    for (const std::uint32_t i : hull.corners) proxy.points.push_back(points[i]);
-    proxy.faces = std::move(hull.faces);
+    proxy.points.reserve(points.size());
+    for (const glm::vec3& p : points)
+        if (is_finite(p) && std::find(proxy.points.begin(), proxy.points.end(), p) == proxy.points.end())
+            proxy.points.push_back(p);
 }
 
 }  // namespace
@@ -50,8 +53,16 @@ CollisionProxy bounded_hull(const Box& box, const std::array<glm::vec3, kSupport
     CollisionProxy proxy;
     proxy.kind = ProxyKind::bounded_hull;
     proxy.box = box;
-    if (!box.empty()) use_hull(proxy, points);
+    if (!box.empty()) use_places(proxy, points);
     return proxy;
+}
+
+std::vector<Triangle> hull_faces(std::span<const glm::vec3> points)
+{
+    ConvexHull hull = convex_hull(points);
+    for (Triangle& face : hull.faces)
+        for (std::uint32_t& corner : face) corner = hull.corners[corner];
+    return std::move(hull.faces);
 }
 
 CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices)
@@ -81,7 +92,7 @@ CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices)
         case ProxyKind::bounded_hull: {
             const std::array<glm::vec3, kSupportDirections> points = support_points(vertices);
             for (const glm::vec3& p : points) proxy.box.add(p);  // the axes are among the directions
-            use_hull(proxy, points);
+            use_places(proxy, points);
             break;
         }
         case ProxyKind::full_hull: {
@@ -89,7 +100,9 @@ CollisionProxy collision_proxy(ProxyKind kind, std::span<const Vertex> vertices)
             std::vector<glm::vec3> points;
             points.reserve(vertices.size());
             for (const Vertex& v : vertices) points.push_back(v.position);
-            use_hull(proxy, points);
+            ConvexHull hull = convex_hull(points);
+            for (const std::uint32_t i : hull.corners) proxy.points.push_back(points[i]);
+            proxy.faces = std::move(hull.faces);
             break;
         }
         case ProxyKind::points:

@@ -40,7 +40,7 @@ std::array<glm::vec3, kSupportDirections> brute_force(std::span<const Vertex> ve
 double volume_of(const CollisionProxy& proxy)
 {
     double volume = 0.0;
-    for (const Triangle& t : proxy.faces) {
+    for (const Triangle& t : proxy.kind == ProxyKind::full_hull ? proxy.faces : hull_faces(proxy.points)) {
         const glm::dvec3 a(proxy.points[t[0]]), b(proxy.points[t[1]]), c(proxy.points[t[2]]);
         volume += glm::dot(a, glm::cross(b, c)) / 6.0;
     }
@@ -188,12 +188,40 @@ TEST(BoundedHull, OfOnePointOrAFlatSetHasNoFaces)
     const Vertex one{{1, 2, 3}, {0, 0, 1}, {0, 0}};
     const CollisionProxy point = collision_proxy(ProxyKind::bounded_hull, {&one, 1});
     EXPECT_EQ(point.points, (std::vector<glm::vec3>{{1, 2, 3}}));
-    EXPECT_TRUE(point.faces.empty());
+    EXPECT_TRUE(hull_faces(point.points).empty());
     std::vector<Vertex> square;
     for (int i = 0; i < 16; ++i) square.push_back({{i % 4, i / 4, 7}, {0, 0, 1}, {0, 0}});
     const CollisionProxy flat = collision_proxy(ProxyKind::bounded_hull, square);
     EXPECT_EQ(flat.points.size(), 4u);
-    EXPECT_TRUE(flat.faces.empty());
+    EXPECT_TRUE(hull_faces(flat.points).empty());
+}
+
+TEST(BoundedHull, HasTheFirstPointOfEachPlaceInTheOrderOfTheDirections)
+{
+    for (const std::string& name : shapes::names()) {
+        SCOPED_TRACE(name);
+        const TriangleSoup soup = *shapes::make(name, 500, 1);
+        std::vector<glm::vec3> places;
+        for (const glm::vec3& p : brute_force(soup.vertices))
+            if (std::count(places.begin(), places.end(), p) == 0) places.push_back(p);
+        EXPECT_EQ(collision_proxy(ProxyKind::bounded_hull, soup.vertices).points, places);
+    }
+}
+
+TEST(HullFaces, AreThoseOfTheConvexHullOverTheGivenPoints)
+{
+    // A cube with its centre and the middle of a side, which are no corners.
+    std::vector<glm::vec3> points{{0, 0, 0}, {0.5f, 0.5f, 0}};
+    for (int i = 0; i < 8; ++i) points.emplace_back((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+    for (glm::vec3& p : points) p.z += 0.25f;
+    const std::vector<Triangle> faces = hull_faces(points);
+    EXPECT_EQ(faces.size(), 12u);
+    double volume = 0.0;
+    for (const Triangle& t : faces) {
+        for (const std::uint32_t corner : t) EXPECT_GE(corner, 2u);
+        volume += glm::dot(glm::dvec3(points[t[0]]), glm::cross(glm::dvec3(points[t[1]]), glm::dvec3(points[t[2]])));
+    }
+    EXPECT_NEAR(volume / 6.0, 8.0, 1e-5);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(ProxyLines, HullShowsEachEdgeOnce)
     for (const ProxyKind kind : {ProxyKind::bounded_hull, ProxyKind::full_hull}) {
         const CollisionProxy proxy = proxy_of_ball(kind);
         // Euler: a closed hull of f triangles has 3 f / 2 edges.
-        EXPECT_EQ(lines_of(kind).size(), 2 * (3 * proxy.faces.size() / 2));
+        EXPECT_EQ(lines_of(kind).size(), 2 * (proxy.hull->indices().size() / 2));
     }
 }
 
@@ -57,7 +57,7 @@ TEST(ProxyLines, HullWithoutFacesShowsItsPoints)
 {
     CollisionProxy proxy = proxy_of_ball(ProxyKind::full_hull);
     proxy.kind = ProxyKind::points;
-    proxy.faces.clear();
+    proxy.hull.reset();
     std::vector<glm::vec3> lines;
     app::append_proxy_lines(proxy, glm::mat4(1.0f), lines);
     EXPECT_EQ(lines.size(), 6 * proxy.points.size());
