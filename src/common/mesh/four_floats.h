@@ -3,6 +3,10 @@
 #include <cstddef>
 #include <cstring>
 
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
+
 namespace kerf::core {
 
 /// Four floats: what every x86-64 and every 64-bit ARM computes in one step.
@@ -17,6 +21,18 @@ inline Four larger(Four a, Four b)
 inline Four smaller(Four a, Four b)
 {
     return a < b ? a : b;
+}
+
+/// In which lanes two are equal: bit i for lane i.
+inline unsigned equal_lanes(Four a, Four b)
+{
+#ifdef __SSE__
+    return unsigned(_mm_movemask_ps(_mm_cmpeq_ps(a, b)));
+#else
+    unsigned lanes = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) lanes |= unsigned{a[i] == b[i]} << i;
+    return lanes;
+#endif
 }
 
 inline Four load(const float* p)

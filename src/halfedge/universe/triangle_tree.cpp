@@ -1,8 +1,11 @@
 #include "halfedge/universe/triangle_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "common/cutting/cut_geometry.h"
 #include "common/mesh/four_floats.h"
@@ -217,6 +220,134 @@ void TriangleTree::append_runs(NodeId root, std::vector<Run>& runs) const
     }
 }
 
+namespace {
+
+/// Directions of search, one bit each.
+using Directions = std::uint32_t;
+static_assert(kSupportDirections <= 32);
+
+/// The corners of a leaf, coordinate by coordinate.
+class LeafCorners
+{
+public:
+    LeafCorners(const TreeGeometry& geometry, const Node& leaf)
+    {
+        std::size_t corner = 0;
+        glm::vec3 p(0.0f);
+        assert(leaf.count <= kMaxLeafTriangles);
+        for (SlotId s = leaf.first; s < leaf.first + leaf.count; ++s)
+            for (const Index v : geometry.triangle(s)) put(corner++, p = geometry.vertices[v].position);
+        groups_ = (corner + kLanes - 1) / kLanes;
+        while (corner < groups_ * kLanes) put(corner++, p);
+    }
+
+    /// Calls visit(position) for each corner whose support value along a direction is `value`.
+    template <class Visit>
+    void for_each_with(const glm::vec3& d, float value, Visit visit) const
+    {
+        for (std::size_t g = 0; g < groups_; ++g) {
+            // The order of operations is that of support_value().
+            const Four values =
+                (d.x * load(&x_[g * kLanes]) + d.y * load(&y_[g * kLanes])) + d.z * load(&z_[g * kLanes]);
+            for (unsigned lanes = equal_lanes(values, Four{} + value); lanes != 0; lanes &= lanes - 1) {
+                const std::size_t i = g * kLanes + std::size_t(std::countr_zero(lanes));
+                visit(glm::vec3(x_[i], y_[i], z_[i]));
+            }
+        }
+    }
+
+private:
+    void put(std::size_t corner, const glm::vec3& p)
+    {
+        x_[corner] = p.x;
+        y_[corner] = p.y;
+        z_[corner] = p.z;
+    }
+
+    std::size_t groups_ = 0;
+    std::array<float, 3 * kMaxLeafTriangles> x_, y_, z_;
+};
+static_assert(3 * kMaxLeafTriangles % kLanes == 0);
+
+/// One walk over the tree for the extreme vertices along all directions: most leaves that hold one hold several.
+class SupportSearch
+{
+public:
+    SupportSearch(const TriangleTree& tree, const TreeGeometry& geometry, std::span<const NodeId> roots)
+        : tree_(tree), geometry_(geometry)
+    {
+        for (const NodeId root : roots) best_.add(tree.supports[root]);
+        points_.fill(glm::vec3(0.0f));
+        constexpr std::size_t kUsualDepth = 64;
+        stack_.reserve(roots.size() + kUsualDepth);
+        for (auto root = roots.rbegin(); root != roots.rend(); ++root) visit_later(*root, ~Directions(0));
+        while (!stack_.empty()) {
+            const auto [node, directions] = stack_.back();
+            stack_.pop_back();
+            visit(node, directions);
+        }
+    }
+
+    const std::array<glm::vec3, kSupportDirections>& points() const { return points_; }
+
+private:
+    void visit_later(NodeId n, Directions directions)
+    {
+        if ((directions &= reached_by(n)) != 0) stack_.push_back({n, directions});
+    }
+
+    /// Along which directions a subtree reaches as far as any.
+    Directions reached_by(NodeId n) const
+    {
+        const Support& support = tree_.supports[n];
+        Directions reached = 0;
+        for (std::size_t d = 0; d < kSupportDirections; d += kLanes)
+            reached |= Directions{equal_lanes(load(&support.best[d]), load(&best_.best[d]))} << d;
+        return reached;
+    }
+
+    void visit(NodeId n, Directions directions)
+    {
+        const Node& node = tree_.nodes[n];
+        // Several vertices may share the maximum (all of a flat side): a box whose least corner does not come before
+        // the point found holds nothing better.
+        for (Directions found = directions & found_; found != 0; found &= found - 1) {
+            const int d = std::countr_zero(found);
+            if (!lexicographically_less(node.box.lo, points_[std::size_t(d)])) directions &= ~(Directions(1) << d);
+        }
+        if (directions == 0) return;
+        if (node.is_leaf()) {
+            search(node, directions);
+            return;
+        }
+        const bool left_first = lexicographically_less(tree_.nodes[node.left].box.lo, tree_.nodes[node.right].box.lo);
+        visit_later(left_first ? node.right : node.left, directions);
+        visit_later(left_first ? node.left : node.right, directions);
+    }
+
+    void search(const Node& leaf, Directions directions)
+    {
+        const LeafCorners corners(geometry_, leaf);
+        for (; directions != 0; directions &= directions - 1) {
+            const auto d = std::size_t(std::countr_zero(directions));
+            glm::vec3& point = points_[d];
+            corners.for_each_with(support_directions()[d], best_.best[d], [&](const glm::vec3& p) {
+                if ((found_ >> d & 1) == 0 || lexicographically_less(p, point)) point = p;
+                found_ |= Directions(1) << d;
+            });
+        }
+    }
+
+    const TriangleTree& tree_;
+    const TreeGeometry& geometry_;
+    Support best_ = Support::none();
+    Directions found_ = 0;  ///< those that a point was found for
+    std::array<glm::vec3, kSupportDirections> points_;
+    std::vector<std::pair<NodeId, Directions>> stack_;
+};
+
+}  // namespace
+
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, NodeId root, const Plane& plane,
                     double limit, int sign, std::uint64_t& visited)
 {
@@ -249,41 +380,7 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Node
 std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
                                                          std::span<const NodeId> roots)
 {
-    Support best = Support::none();
-    for (const NodeId root : roots) best.add(tree.supports[root]);
-
-    std::array<glm::vec3, kSupportDirections> points;
-    std::vector<NodeId> stack;
-    for (std::size_t d = 0; d < kSupportDirections; ++d) {
-        const glm::vec3& direction = support_directions()[d];
-        bool found = false;
-        glm::vec3 point{0.0f};
-        // Several vertices may share the maximum (all of a flat side): a box whose least corner does not come before
-        // the point found holds nothing better.
-        stack.assign(roots.rbegin(), roots.rend());
-        while (!stack.empty()) {
-            const NodeId n = stack.back();
-            stack.pop_back();
-            if (tree.supports[n].best[d] != best.best[d]) continue;
-            const Node& node = tree.nodes[n];
-            if (found && !lexicographically_less(node.box.lo, point)) continue;
-            if (node.is_leaf()) {
-                for (SlotId s = node.first; s < node.first + node.count; ++s)
-                    for (const std::uint32_t v : geometry.triangle(s)) {
-                        const glm::vec3& p = geometry.vertices[v].position;
-                        if (support_value(direction, p) != best.best[d]) continue;
-                        if (!found || lexicographically_less(p, point)) point = p;
-                        found = true;
-                    }
-                continue;
-            }
-            const bool left_first = lexicographically_less(tree.nodes[node.left].box.lo, tree.nodes[node.right].box.lo);
-            stack.push_back(left_first ? node.right : node.left);
-            stack.push_back(left_first ? node.left : node.right);
-        }
-        points[d] = point;
-    }
-    return points;
+    return SupportSearch(tree, geometry, roots).points();
 }
 
 }  // namespace kerf::core::halfedge
