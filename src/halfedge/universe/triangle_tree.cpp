@@ -10,6 +10,11 @@
 #include "common/cutting/cut_geometry.h"
 #include "common/mesh/four_floats.h"
 #include "common/mesh/mass_moments.h"
+#include "common/support/processor.h"
+
+#ifdef KERF_AVX2
+#include <immintrin.h>
+#endif
 
 namespace kerf::core::halfedge {
 
@@ -94,6 +99,60 @@ private:
     std::array<Index, kEntries> table_;
 };
 
+Support find_maxima_by_four(const TreeGeometry& geometry, SlotId first, std::uint32_t count)
+{
+    const Lines& l = lines();
+    SupportSum sum;
+    SeenVertices seen;
+    seen.clear();
+    for (SlotId s = first; s < first + count; ++s)
+        for (const Index v : geometry.triangle(s))
+            if (seen.is_new(v)) sum.add(l, geometry.vertices[v].position);
+    return sum.support();
+}
+
+#ifdef KERF_AVX2
+/// The same. Eight at a time, looking at a vertex again costs less than a branch on whether it was seen.
+KERF_AVX2 Support find_maxima_by_eight(const TreeGeometry& geometry, SlotId first, std::uint32_t count)
+{
+    static_assert(kLines == 16);
+    const float* const x = reinterpret_cast<const float*>(lines().x.data());
+    const float* const y = reinterpret_cast<const float*>(lines().y.data());
+    const float* const z = reinterpret_cast<const float*>(lines().z.data());
+    const __m256 x0 = _mm256_loadu_ps(x), x1 = _mm256_loadu_ps(x + 8);
+    const __m256 y0 = _mm256_loadu_ps(y), y1 = _mm256_loadu_ps(y + 8);
+    const __m256 z0 = _mm256_loadu_ps(z), z1 = _mm256_loadu_ps(z + 8);
+    const __m256 infinity = _mm256_set1_ps(std::numeric_limits<float>::infinity());
+    __m256 low0 = infinity, low1 = infinity, high0 = -infinity, high1 = -infinity;
+    for (SlotId s = first; s < first + count; ++s)
+        for (const Index v : geometry.triangle(s)) {
+            const glm::vec3& p = geometry.vertices[v].position;
+            const __m256 px = _mm256_broadcast_ss(&p.x), py = _mm256_broadcast_ss(&p.y), pz = _mm256_broadcast_ss(&p.z);
+            // The order of operations is that of support_value().
+            const __m256 value0 = (x0 * px + y0 * py) + z0 * pz, value1 = (x1 * px + y1 * py) + z1 * pz;
+            high0 = _mm256_max_ps(value0, high0);
+            high1 = _mm256_max_ps(value1, high1);
+            low0 = _mm256_min_ps(value0, low0);
+            low1 = _mm256_min_ps(value1, low1);
+        }
+    Support support;
+    _mm256_storeu_ps(&support.best[0], high0);
+    _mm256_storeu_ps(&support.best[8], high1);
+    // Rounding is symmetric, so the value along -d is the negative of the value along d.
+    _mm256_storeu_ps(&support.best[kLines], -low0);
+    _mm256_storeu_ps(&support.best[kLines + 8], -low1);
+    return support;
+}
+#endif
+
+Support find_maxima(const TreeGeometry& geometry, SlotId first, std::uint32_t count)
+{
+#ifdef KERF_AVX2
+    if (has_avx2()) return find_maxima_by_eight(geometry, first, count);
+#endif
+    return find_maxima_by_four(geometry, first, count);
+}
+
 }  // namespace
 
 Support Support::none()
@@ -128,14 +187,7 @@ Box Support::box() const
 
 NodeId TriangleTree::make_leaf(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group)
 {
-    const Lines& l = lines();
-    SupportSum sum;
-    SeenVertices seen;
-    seen.clear();
-    for (SlotId s = first; s < first + count; ++s)
-        for (const Index v : geometry.triangle(s))
-            if (seen.is_new(v)) sum.add(l, geometry.vertices[v].position);
-    const Support support = sum.support();
+    const Support support = find_maxima(geometry, first, count);
     nodes.push({support.box(), NodeId(), NodeId(), first, count, group});
     moments.push(mass_moments(geometry.vertices, geometry.slots.subspan(first.number(), count), geometry.reference));
     supports.push(support);
