@@ -153,17 +153,31 @@ MassProperties Fragment::mass_properties() const
     // A small fragment far from the universe's centre loses digits to cancellation; it is cheap to sum it anew.
     constexpr std::uint64_t kFew = 4096;
     const bool few = triangle_count_ <= kFew;
-    const glm::dvec3 reference = few ? mass_reference(box_) : u.reference;
+    if (few) return mass_summed_anew();
     MassMoments moments;
-    for (const ShellRoot& shell : shells_) {
-        if (few)
-            for_each_slot(u, shell.root, [&](SlotId slot) {
-                const Triangle& t = u.slots[slot];
-                moments.add(reference, u.vertices[t[0]].position, u.vertices[t[1]].position, u.vertices[t[2]].position);
-            });
-        else
-            moments.add(u.tree.moments[shell.root]);
-    }
+    for (const ShellRoot& shell : shells_) moments.add(u.tree.moments[shell.root]);
+    return moments.properties(u.reference);
+}
+
+/// The caller holds the lock. The sums depend on the order of the triangles alone and not on where they lie, so they stay
+/// the same if the object moves to buffers of its own.
+MassProperties Fragment::mass_summed_anew() const
+{
+    const Universe& u = universe();
+    const glm::dvec3 reference = mass_reference(box_);
+    MassMoments moments;
+    std::array<Triangle, 512> block;
+    std::size_t count = 0;
+    const auto add_block = [&] {
+        moments.add(mass_moments({u.vertices.data(), u.vertices.size()}, std::span(block).first(count), reference));
+        count = 0;
+    };
+    for (const ShellRoot& shell : shells_)
+        for_each_slot(u, shell.root, [&](SlotId slot) {
+            block[count++] = u.slots[slot];
+            if (count == block.size()) add_block();
+        });
+    add_block();
     return moments.properties(reference);
 }
 

@@ -51,6 +51,7 @@ private:
     /// The fragments that a cut will fill, with their loops and without shells.
     FragmentsBySide planned_fragments(const Cutter& cutter) const;
     void release();
+    MassProperties mass_summed_anew() const;
     std::vector<NodeId> roots() const;
     /// DrawView::ranges. The caller holds the lock.
     std::vector<DrawRange> draw_ranges() const;

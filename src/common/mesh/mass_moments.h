@@ -51,7 +51,7 @@ struct MassMoments
     MassProperties properties(const glm::dvec3& reference) const;
 };
 
-/// Sums the moments of triangles about `reference`. For back ends: indices must be in range. It takes two triangles at
+/// Sums the moments of triangles about `reference`. For back ends: indices must be in range. It takes four triangles at
 /// a time, so the last bits differ from those of one add() after the other; equal inputs give equal bits. Cheapest
 /// about the origin. O(triangles).
 MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,

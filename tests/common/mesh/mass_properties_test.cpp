@@ -10,6 +10,7 @@
 
 #include "common/mesh/mass_moments.h"
 #include "common/shapes/shapes.h"
+#include "common/support/processor.h"
 
 namespace kerf::core {
 namespace {
@@ -157,6 +158,22 @@ RC_GTEST_PROP(MassMoments, AddUpOverAnyDivisionOfTheTriangles, ())
         RC_ASSERT(glm::length(a.centre - b.centre) < 1e-9);
         for (int i = 0; i < 3; ++i) RC_ASSERT(glm::length(a.inertia[i] - b.inertia[i]) < 1e-8);
     }
+}
+
+RC_GTEST_PROP(MassMoments, AreTheSameBitsOnEveryProcessor, ())
+{
+    const TriangleSoup soup = shapes::asteroid(100, *rc::gen::inRange<std::uint64_t>(0, 1000));
+    const double x = double(*rc::gen::inRange(-2, 3));
+    const glm::dvec3 reference{x, 0.5 * x, -0.1 * x};
+    const auto triangles =
+        std::span<const Triangle>(soup.triangles).first(*rc::gen::inRange<std::size_t>(0, soup.triangles.size()));
+    const MassMoments wide = mass_moments(soup.vertices, triangles, reference);
+    const WithoutAvx2 without;
+    const MassMoments narrow = mass_moments(soup.vertices, triangles, reference);
+    RC_ASSERT(wide.volume6 == narrow.volume6);
+    RC_ASSERT(wide.first24 == narrow.first24);
+    RC_ASSERT(wide.squares120 == narrow.squares120);
+    RC_ASSERT(wide.products120 == narrow.products120);
 }
 
 RC_GTEST_PROP(MassMoments, OfAClosedMeshDoNotDependOnTheReference, ())
