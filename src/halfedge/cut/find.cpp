@@ -1,5 +1,7 @@
 #include "halfedge/cut/find.h"
 
+#include "halfedge/cut/leaf_distances.h"
+
 namespace kerf::core::halfedge {
 
 namespace {
@@ -115,35 +117,27 @@ private:
     TreeOp open_leaf(NodeId n)
     {
         const Node& node = u_.tree.nodes[n];
-        const Plane plane = plane_;
-        const Vertex* const vertices = u_.vertices.data();
+        distances_.find(plane_, {u_.vertices.data(), u_.vertices.size()}, {&u_.slots[node.first], node.count});
         const std::size_t first_entry = found_.entries.size();
         found_.entries.resize(first_entry + node.count);
         LeafEntry* const entries = &found_.entries[first_entry];
         BySide<std::uint32_t> kept{};
         std::uint32_t crossing = 0;
-        for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
-            const Triangle& t = u_.slots[slot];
-            const std::array<double, 3> d{plane.signed_distance(vertices[t[0]].position),
-                                          plane.signed_distance(vertices[t[1]].position),
-                                          plane.signed_distance(vertices[t[2]].position)};
+        for (std::uint32_t i = 0; i < node.count; ++i) {
+            const SlotId slot = node.first + i;
             // What classify() says, without branches: which side a triangle is on can't be predicted here.
-            const bool above = (unsigned{d[0] > 0.0} | unsigned{d[1] > 0.0} | unsigned{d[2] > 0.0}) != 0;
-            const bool below = (unsigned{d[0] < 0.0} | unsigned{d[1] < 0.0} | unsigned{d[2] < 0.0}) != 0;
+            const bool above = distances_.is_above(i), below = distances_.is_below(i);
             if (above & below) {
-                entries[slot - node.first] = LeafEntry::to_crossing(static_cast<Index>(found_.crossings.size()));
-                add_crossing(slot, node.group, t, d);
+                entries[i] = LeafEntry::to_crossing(static_cast<Index>(found_.crossings.size()));
+                add_crossing(slot, node.group, u_.slots[slot], distances_.of(i));
                 ++crossing;
                 continue;
             }
-            const bool on = (unsigned{d[0] == 0.0} | unsigned{d[1] == 0.0} | unsigned{d[2] == 0.0}) != 0;
-            const Side side =
-                on ? kept_side(plane, {vertices[t[0]].position, vertices[t[1]].position, vertices[t[2]].position}, d)
-                   : static_cast<Side>(above);
+            const bool on = distances_.is_on(i);
+            const Side side = on ? side_on_plane(slot, distances_.of(i)) : static_cast<Side>(above);
             ++kept[side];
-            entries[slot - node.first] = LeafEntry::to_target(target(side));
-            if (on && (d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) >= 2)
-                add_in_plane_edges(u_.face_of_slot[slot], side, t, d, node.group);
+            entries[i] = LeafEntry::to_target(target(side));
+            if (on) add_in_plane_edges(slot, side, distances_.of(i), node.group);
         }
         if (crossing == 0 && (kept[Side::negative] == 0 || kept[Side::positive] == 0)) {
             found_.entries.resize(first_entry);
@@ -152,6 +146,13 @@ private:
         }
         for (const Side side : kSides) present_[side] |= crossing > 0 || kept[side] > 0;
         return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)};
+    }
+
+    Side side_on_plane(SlotId slot, const std::array<double, 3>& d) const
+    {
+        const Triangle& t = u_.slots[slot];
+        const auto corner = [&](std::size_t i) { return u_.vertices[t[i]].position; };
+        return kept_side(plane_, {corner(0), corner(1), corner(2)}, d);
     }
 
     void add_crossing(SlotId slot, GroupId group, const Triangle& t, const std::array<double, 3>& d)
@@ -170,8 +171,11 @@ private:
 
     /// Edges in the plane at a face, each once: by the face on the negative side where the two are kept on different
     /// sides, by the one of the smaller half-edge otherwise.
-    void add_in_plane_edges(FaceId face, Side side, const Triangle& t, const std::array<double, 3>& d, GroupId group)
+    void add_in_plane_edges(SlotId slot, Side side, const std::array<double, 3>& d, GroupId group)
     {
+        if ((d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) < 2) return;
+        const FaceId face = u_.face_of_slot[slot];
+        const Triangle& t = u_.slots[slot];
         HalfedgeId h = u_.mesh.halfedge_of(face);
         for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
             if (d[i] != 0.0 || d[(i + 1) % 3] != 0.0) continue;
@@ -208,6 +212,7 @@ private:
     const Index shell_;
     std::vector<std::pair<NodeId, bool>>& stack_;
     Found& found_;
+    LeafDistances distances_;
     BySide<bool> present_{};
 };
 
