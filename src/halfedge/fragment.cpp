@@ -9,6 +9,7 @@
 #include "common/mesh/mass_moments.h"
 #include "common/mesh/support_points.h"
 #include "halfedge/cut/cutter.h"
+#include "halfedge/cut/workspace_pool.h"
 #include "halfedge/universe/compaction.h"
 #include "halfedge/universe/export.h"
 
@@ -56,6 +57,7 @@ std::unique_ptr<Cuttable> Fragment::clone() const
     const std::shared_lock lock(universe().mutex);
     // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
     const bool most = 2 * triangle_count_ > universe().slots.size();
+    if (most) make_room_for_cut(universe().slots.size());
     auto copy = most ? std::make_unique<Fragment>(std::make_shared<SharedUniverse>(*shared_), shells_, material_count_)
                      : compacted();
     copy->loops_ = loops_;
@@ -67,7 +69,7 @@ std::unique_ptr<Fragment> Fragment::compacted() const
 {
     auto shared = std::make_shared<SharedUniverse>(shared_->identity.listener());
     const std::vector<ShellRoot> shells = compact_copy(universe(), shells_, shared->universe);
-    shared->make_room(shared->universe.slots.size());
+    make_room_for_cut(shared->universe.slots.size());
     return std::make_unique<Fragment>(std::move(shared), shells, material_count_);
 }
 
@@ -245,7 +247,8 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
     const std::unique_lock lock(universe().mutex);
     CutResult result;
-    Cutter cutter(shared_->universe, shared_->workspace, shells_, material_count_);
+    const BorrowedWorkspace workspace;
+    Cutter cutter(shared_->universe, *workspace, shells_, material_count_);
     if (!cutter.plan(plane, options, result)) return result;
     FragmentsBySide fragments = planned_fragments(cutter);
     result.negative.reserve(fragments[Side::negative].size());

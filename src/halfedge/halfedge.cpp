@@ -1,5 +1,6 @@
 #include "halfedge/halfedge.h"
 
+#include "halfedge/cut/workspace_pool.h"
 #include "halfedge/fragment.h"
 
 namespace kerf::core::halfedge {
@@ -21,7 +22,7 @@ private:
     {
         auto shared = std::make_shared<SharedUniverse>(options.listener);
         const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe, options.progress);
-        shared->make_room(mesh->triangles.size());
+        make_room_for_cut(mesh->triangles.size());
         return std::make_unique<Fragment>(std::move(shared), shells, mesh->materials.size());
     }
 };

@@ -26,13 +26,16 @@ class Cutter
 {
 public:
     /// @param universe        locked by the caller, until the cutter has ended
-    /// @param workspace       in which cuts in this universe are planned
+    /// @param workspace       in which the cut is planned; no other cut uses it meanwhile
     /// @param material_count  of the object: the first of the universe's materials
     Cutter(Universe& universe, CutWorkspace& workspace, const std::vector<ShellRoot>& shells,
            std::size_t material_count)
         : u_(universe), w_(workspace), shells_(shells), material_count_(material_count)
     {
     }
+    ~Cutter() { w_.end(u_); }
+    Cutter(const Cutter&) = delete;
+    Cutter& operator=(const Cutter&) = delete;
 
     /// Does all steps from FIND to the caps, and makes room for the rest. Returns false if the plane misses; `result`
     /// then has only the cost of finding that out. May throw std::bad_alloc.

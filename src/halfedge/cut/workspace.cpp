@@ -16,11 +16,15 @@ void CutWorkspace::reserve(std::size_t crossings)
 void CutWorkspace::begin(Universe& u)
 {
     // Stamps of earlier cuts lie below the base. Starting again from 1 once in 2^31 crossing triangles costs O(n).
-    u.stamp_base += stamps_used();
     if (u.stamp_base >= std::numeric_limits<Index>::max() / 2) {
         std::fill(u.stamp_of_face.begin(), u.stamp_of_face.end(), Index(0));
         u.stamp_base = 1;
     }
+}
+
+void CutWorkspace::end(Universe& u)
+{
+    u.stamp_base += found.crossings.size() + part_finder.stamps_used();
     part_finder.forget_stamps();
     found.clear();
     section.clear();

@@ -13,7 +13,7 @@
 
 namespace kerf::core::halfedge {
 
-/// The steps of a cut and their results. All of it keeps its memory from cut to cut.
+/// The steps of a cut and their results. All of it keeps its memory from cut to cut, and nothing else.
 struct CutWorkspace
 {
     Found found;
@@ -30,10 +30,10 @@ struct CutWorkspace
 
     /// Makes room for a cut that crosses so many triangles, and touches it.
     void reserve(std::size_t crossings);
-    /// Forgets the last cut of the universe.
+    /// Before a cut in a universe.
     void begin(Universe& universe);
-    /// Stamps, from the universe's `stamp_base` on, that the last cut has put on faces.
-    std::uint64_t stamps_used() const { return found.crossings.size() + part_finder.stamps_used(); }
+    /// After it, also if it failed: forgets all of it. What end() has not seen yet belongs to this universe.
+    void end(Universe& universe);
 };
 
 }  // namespace kerf::core::halfedge
