@@ -14,6 +14,7 @@ void register_scale_benchmarks();
 void register_chain_benchmarks();
 void register_long_benchmarks();
 void register_hard_benchmarks();
+void register_real_benchmarks();
 #ifdef KERF_HAS_VIEWER
 void register_sim_benchmarks();
 #endif
@@ -34,6 +35,7 @@ int main(int argc, char** argv)
         kerf::bench::register_chain_benchmarks();
         kerf::bench::register_long_benchmarks();
         kerf::bench::register_hard_benchmarks();
+        kerf::bench::register_real_benchmarks();
 #ifdef KERF_HAS_VIEWER
         kerf::bench::register_sim_benchmarks();
 #endif
