@@ -28,8 +28,8 @@ KERF_API const char* version() noexcept;
 /// The version of the results' bits. The same object, plane and options give the same bytes as long as this number
 /// stays: with every back end, compiler, optimisation and machine with IEEE floats. A release in which a surface, a
 /// cap or a written file gets other bytes has a higher number. Whoever keeps results beside their inputs (a cache, a
-/// replay, a lockstep game) keeps this number, too. A program with `caps_cgal` may close sections that have holes or
-/// cross themselves otherwise than one without it.
+/// replay, a lockstep game) keeps this number, too. A program with `caps_cgal` may close sections that
+/// cross or run along themselves, or wind like a spiral, otherwise than one without it.
 ///
 ///     if (stored.bits_version != kerf::bits_version()) stored = cut_anew();
 KERF_API std::uint32_t bits_version() noexcept;

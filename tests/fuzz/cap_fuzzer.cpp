@@ -10,7 +10,7 @@
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/convex_triangulator.h"
-#include "common/caps/patient_triangulator.h"
+#include "common/caps/nested_triangulator.h"
 #include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "fuzz/byte_reader.h"
@@ -188,6 +188,7 @@ void fuzz_cap(Bytes input)
         std::vector<Way> all;
         all.push_back({"convex", make_convex_triangulator(), false, true});
         all.push_back({"clipping", make_clipping_triangulator(), false, true});
+        all.push_back({"nested", make_nested_triangulator(), false, true});
         all.push_back({"patient", make_patient_triangulator(), false, true});
         all.push_back({"constrained", make_constrained_triangulator(), false, false});
         all.push_back({"untangling", make_untangling_triangulator(make_constrained_triangulator(), make_route_finder()),

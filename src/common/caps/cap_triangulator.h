@@ -11,8 +11,8 @@
 
 // How a section is closed: an outline goes in; triangles come out, with links across each of their edges. Each way
 // takes the outlines that it can. SectionCloser tries them in this order: one convex loop (convex_triangulator.h), one
-// simple loop (clipping_triangulator.h), nested and crossing loops (untangling_triangulator.h, which needs
-// constrained_triangulator.h, or without CGAL patient_triangulator.h), and whatever is left
+// simple loop (clipping_triangulator.h), nested ones (nested_triangulator.h), crossing ones (untangling_triangulator.h,
+// which needs constrained_triangulator.h, or without CGAL nested_triangulator.h again), and whatever is left
 // (topological_triangulator.h).
 
 namespace kerf::core {

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "common/caps/patient_triangulator.h"
+#include "common/caps/nested_triangulator.h"
 
 // Without CGAL sections are closed with patience, however they wind and nest. Those that cross themselves go to the ways
 // after these, which close them, cover too much, and say so.

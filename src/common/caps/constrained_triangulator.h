@@ -7,7 +7,7 @@
 
 // The ways that need CGAL, which is GPL. They are defined in one file, in the library `caps_cgal`, which puts them in place
 // when a program that links it starts. Until then, and in programs without it, the first is that of
-// patient_triangulator.h, and the second refuses everything.
+// nested_triangulator.h, and the second refuses everything.
 
 namespace kerf::core {
 

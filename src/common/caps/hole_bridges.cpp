@@ -52,10 +52,12 @@ public:
             if (is_joined_[loop] == 0) holes.push_back(leftmost(loop));
         }
         std::sort(holes.begin(), holes.end(), [&](Index a, Index b) { return is_left_of(a, b); });
-        if (!holes.empty())
+        if (!holes.empty()) {
+            measure_rows();
             edges_.build(outline_.points.size(), [&](std::size_t i, Box2& box) {
                 for (const Index end : {Index(i), successor_[i]}) box.add(at(end).x, at(end).y);
             });
+        }
         rings.bridge_count = 0;
         for (const Index hole : holes) {
             const Index seen = seen_from(hole);
@@ -68,6 +70,19 @@ public:
     }
 
 private:
+    /// Each row is so many times as long as the one before.
+    static constexpr double kNextRow = 8.0;
+
+    /// The first row is as long as points are apart if they are spread over the outline's box.
+    void measure_rows()
+    {
+        Box2 box;
+        for (const glm::dvec2& p : outline_.points) box.add(p.x, p.y);
+        left_end_ = box.lo_x;
+        const double width = box.hi_x - box.lo_x;
+        first_row_ = std::max(width / std::sqrt(double(outline_.points.size())), width * 1e-3);
+    }
+
     const glm::dvec2& at(Index corner) const { return outline_.points[point_[corner]]; }
 
     bool is_left_of(Index a, Index b) const { return std::tie(at(a).x, at(a).y, a) < std::tie(at(b).x, at(b).y, b); }
@@ -94,15 +109,32 @@ private:
     /// A corner that the leftmost point of a hole sees; kNone if there is none.
     Index seen_from(Index hole)
     {
-        // The nearest edge on its left that has the inside on its right: it runs downwards.
         const glm::dvec2& p = at(hole);
-        constexpr double kFar = std::numeric_limits<double>::infinity();
-        double hit = -kFar;
+        // It is near as a rule: rows that get longer are looked through until one holds it.
+        double hit = 0.0;
         Index edge = kNone;
+        for (double length = first_row_;; length *= kNextRow) {
+            const double end = p.x - length;
+            const bool is_last = !(end > left_end_);
+            if (!find_edge_on_the_left(p, is_last ? left_end_ : end, hit, edge)) return kNone;
+            if (edge != kNone && (is_last || hit >= end)) break;
+            if (is_last) return kNone;
+        }
+        const Index end = at(edge).x < at(successor_[edge]).x ? edge : successor_[edge];
+        // Corners between hide it: of these the one nearest to the ray, by its angle, is seen.
+        const Index corner = nearest_between(hole, {hit, p.y}, end);
+        return looks_left_ == 0 ? kNone : corner;
+    }
+
+    /// The nearest edge on the left of a place, of those that come as far to the right as `row_end`, that has the inside on
+    /// its right: it runs downwards. False if no look is left.
+    bool find_edge_on_the_left(const glm::dvec2& p, double row_end, double& hit, Index& edge)
+    {
         Box2 row;
-        row.add(-kFar, p.y);
+        row.add(row_end, p.y);
         row.add(p.x, p.y);
-        const bool stopped = edges_.any(row, [&](std::size_t e) {
+        edge = kNone;
+        return !edges_.any(row, [&](std::size_t e) {
             if (looks_left_ == 0) return true;
             --looks_left_;
             const glm::dvec2 &a = at(Index(e)), &b = at(successor_[e]);
@@ -114,11 +146,6 @@ private:
             }
             return false;
         });
-        if (stopped || edge == kNone) return kNone;
-        const Index end = at(edge).x < at(successor_[edge]).x ? edge : successor_[edge];
-        // Corners between hide it: of these the one nearest to the ray, by its angle, is seen.
-        const Index corner = nearest_between(hole, {hit, p.y}, end);
-        return looks_left_ == 0 ? kNone : corner;
     }
 
     /// The corner in the triangle of a hole's leftmost point, the place that its ray hits, and an end of the edge there,
@@ -219,9 +246,23 @@ private:
     std::vector<Index> point_, before_, after_, next_copy_;  // of corners: the points, then what bridges add
     std::vector<CapLink> link_;
     LoopBoxes edges_;
+    double left_end_ = 0.0, first_row_ = 0.0;
 };
 
 }  // namespace
+
+void join_bridges(const CapOutline& outline, const Rings& rings, CapMesh& cap)
+{
+    if (rings.bridge_count == 0) return;
+    const Index n = static_cast<Index>(outline.points.size());
+    std::vector<CapLink> sides(2 * rings.bridge_count);
+    for (Index t = 0; t < cap.triangles.size(); ++t)
+        for (Index i = 0; i < 3; ++i)
+            if (const CapLink link = cap.triangles[t].link[i]; link.is_outline() && link.outline_edge() >= n)
+                sides[link.outline_edge() - n] = CapLink::to_triangle(t, i);
+    for (std::size_t bridge = 0; bridge < rings.bridge_count; ++bridge)
+        cap.connect(sides[2 * bridge], sides[2 * bridge + 1]);
+}
 
 bool bridge_holes(const CapOutline& outline, Rings& rings, std::uint64_t& most_looks)
 {

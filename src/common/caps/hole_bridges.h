@@ -24,6 +24,9 @@ inline CapLink bridge_link(const CapOutline& outline, std::size_t bridge, std::s
     return CapLink::to_outline(static_cast<Index>(outline.points.size() + 2 * bridge + side));
 }
 
+/// Joins the triangles on both sides of each bridge, once all rings are divided into triangles. O(triangles).
+void join_bridges(const CapOutline& outline, const Rings& rings, CapMesh& cap);
+
 /// Makes one ring of each outer loop and its holes. Loops that touch in points are parted or joined there. From the leftmost point of each hole a bridge leads to a point on the
 /// left that it sees, forth and back (Eberly, "Triangulation by Ear Clipping", section 5). False if a hole has nothing on
 /// its left, or after `most_looks`, which is counted down. O(k log k) for few holes side by side.

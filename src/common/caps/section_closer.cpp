@@ -7,6 +7,7 @@
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/convex_triangulator.h"
 #include "common/caps/morton.h"
+#include "common/caps/nested_triangulator.h"
 #include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "common/geometry/dominant_axis.h"
@@ -23,7 +24,7 @@ constexpr std::size_t kFewTriangles = 48;
 }  // namespace
 
 SectionCloser::SectionCloser()
-    : ways_{make_convex_triangulator(), make_clipping_triangulator(),
+    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_nested_triangulator(),
             make_untangling_triangulator(make_constrained_triangulator(), make_route_finder()),
             make_topological_triangulator()}
 {

@@ -105,7 +105,7 @@ private:
     SectionCaps* caps_ = nullptr;
     std::vector<std::size_t> by_set_;  ///< the loops, those of one set one after the other
 
-    std::array<std::unique_ptr<CapTriangulator>, 4> ways_;  ///< in the order in which they are tried; the last can all
+    std::array<std::unique_ptr<CapTriangulator>, 5> ways_;  ///< in the order in which they are tried; the last can all
     int axis_u_ = 0, axis_v_ = 1;       ///< coordinates that are kept; (u, v, plane normal) is right-handed
     std::vector<std::size_t> upright_;  ///< loops that vanish when they are projected
     std::vector<glm::dvec2> points_;

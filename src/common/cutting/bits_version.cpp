@@ -4,7 +4,7 @@ namespace kerf::core {
 
 std::uint32_t bits_version() noexcept
 {
-    return 1;
+    return 2;
 }
 
 }  // namespace kerf::core

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/convex_triangulator.h"
-#include "common/caps/patient_triangulator.h"
+#include "common/caps/nested_triangulator.h"
 #include "common/caps/topological_triangulator.h"
 #include "common/caps/untangling_triangulator.h"
 #include "support/fixtures.h"
@@ -271,29 +272,35 @@ TEST(PatientTriangulator, LooksAtFewCornersOfASpiral)
     EXPECT_LT(cap.steps, 256 * outline.points.size());
 }
 
-TEST(PatientTriangulator, CoversNestedLoopsOnce)
+/// The same way with two limits.
+constexpr auto kNestedWays = {make_nested_triangulator, make_patient_triangulator};
+
+TEST(NestedTriangulators, CoverNestedLoopsOnce)
 {
     Outline outline;
     outline.add(star(40, 4, 3));
     outline.add(reversed(star(12, 2, 1.5)));  // a hole
     outline.add(star(8, 1, 0.7));             // an island in it
     outline.add(star(6, 1, 1, {10, 0}));      // beside it
-    CapMesh cap;
-    ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
-    // Of an outer loop with h holes: two triangles more for each.
-    EXPECT_EQ(cap.triangles.size() + 4, outline.points.size());
-    expect_linked(outline, cap);
-    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-9);
+    for (const auto& make : kNestedWays) {
+        CapMesh cap;
+        ASSERT_TRUE(make()->triangulate(outline.view(), cap));
+        // Of an outer loop with h holes: two triangles more for each.
+        EXPECT_EQ(cap.triangles.size() + 4, outline.points.size());
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-9);
+    }
 }
 
-TEST(PatientTriangulator, CoversAPlateWithManyHolesOnce)
+/// A plate with a star-shaped hole in each of `rows` times `rows` fields.
+Outline perforated(int rows)
 {
     test::Random random(11);
     Outline outline;
-    constexpr int kRows = 40;
-    outline.add({{-1, -1}, {kRows, -1}, {kRows, kRows}, {-1, kRows}});
-    for (int x = 0; x < kRows; ++x)
-        for (int y = 0; y < kRows; ++y) {
+    const double end = double(rows);
+    outline.add({{-1, -1}, {end, -1}, {end, end}, {-1, end}});
+    for (int x = 0; x < rows; ++x)
+        for (int y = 0; y < rows; ++y) {
             const double angle = random.uniform();
             std::vector<glm::dvec2> loop;
             for (const glm::dvec2& p : star(3 + random.below(9), 0.45, 0.2))
@@ -301,23 +308,111 @@ TEST(PatientTriangulator, CoversAPlateWithManyHolesOnce)
                                   y + std::sin(angle) * p.x + std::cos(angle) * p.y);
             outline.add(reversed(loop));
         }
-    CapMesh cap;
-    ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
-    expect_linked(outline, cap);
-    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12 * kRows * kRows);
-    EXPECT_LT(cap.steps, 4096 * outline.points.size());
+    return outline;
 }
 
-TEST(PatientTriangulator, LetsHolesTouchInPoints)
+TEST(NestedTriangulators, CoverAPlateWithManyHolesOnce)
+{
+    constexpr int kRows = 40;
+    const Outline outline = perforated(kRows);
+    for (const auto& make : kNestedWays) {
+        CapMesh cap;
+        ASSERT_TRUE(make()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12 * kRows * kRows);
+        EXPECT_LT(cap.steps, 128 * outline.points.size());
+    }
+}
+
+TEST(NestedTriangulators, LeaveFewTrianglesAlongALine)
+{
+    const Outline outline = perforated(20);
+    CapMesh clipped, delaunay;
+    ASSERT_TRUE(make_nested_triangulator()->triangulate(outline.view(), clipped));
+    ASSERT_TRUE(make_constrained_triangulator()->triangulate(outline.view(), delaunay));
+    EXPECT_LE(triangles_along_a_line(outline, clipped), 2.0 * triangles_along_a_line(outline, delaunay));
+}
+
+/// The boundary of random cells of a chequered board: loops in loops, islands, corners that touch, straight runs of points.
+/// Their number is the area.
+Outline polyomino(test::Random& random, int side, double share, int& cells)
+{
+    const auto size = static_cast<std::size_t>(side + 2);
+    std::vector<std::uint8_t> is_full(size * size, 0);
+    const auto full = [&](int x, int y) -> std::uint8_t& {
+        return is_full[static_cast<std::size_t>(y + 1) * size + static_cast<std::size_t>(x + 1)];
+    };
+    cells = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) cells += full(x, y) = random.uniform() < share ? 1 : 0;
+    // Edges with a full cell on the left and none on the right, by where they start; two start where corners touch.
+    std::multimap<std::pair<int, int>, std::pair<int, int>> edges;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            if (full(x, y) == 0) continue;
+            if (full(x, y - 1) == 0) edges.insert({{x, y}, {x + 1, y}});
+            if (full(x + 1, y) == 0) edges.insert({{x + 1, y}, {x + 1, y + 1}});
+            if (full(x, y + 1) == 0) edges.insert({{x + 1, y + 1}, {x, y + 1}});
+            if (full(x - 1, y) == 0) edges.insert({{x, y + 1}, {x, y}});
+        }
+    Outline outline;
+    while (!edges.empty()) {
+        std::vector<glm::dvec2> loop;
+        const std::pair<int, int> start = edges.begin()->first;
+        std::pair<int, int> at = start;
+        do {
+            auto next = edges.find(at);
+            if (edges.count(at) == 2 && random.below(2) == 1) ++next;
+            loop.emplace_back(at.first, at.second);
+            at = next->second;
+            edges.erase(next);
+        } while (at != start);
+        outline.add(loop);
+    }
+    return outline;
+}
+
+TEST(NestedTriangulators, CoverTenThousandPolyominoesAsTheConstrainedOneDoes)
+{
+    test::Random random(5);
+    const auto nested = make_nested_triangulator(), patient = make_patient_triangulator(),
+               constrained = make_constrained_triangulator();
+    int closed_by_both = 0, tried = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        int cells = 0;
+        const Outline outline = polyomino(random, 2 + int(random.below(11)), 0.3 + 0.6 * random.uniform(), cells);
+        if (cells == 0) continue;
+        ++tried;
+        for (const auto* way : {&nested, &patient}) {
+            CapMesh cap;
+            if (!(*way)->triangulate(outline.view(), cap)) {
+                ASSERT_TRUE(way == &nested && outline.starts.size() == 2) << "one loop, which touches nothing";
+                continue;
+            }
+            expect_linked(outline, cap);
+            ASSERT_EQ(unsigned_area(outline, cap), cells) << "covered once, no triangle turned over";
+        }
+        CapMesh referee;
+        if (!constrained->triangulate(outline.view(), referee)) continue;
+        ++closed_by_both;
+        ASSERT_EQ(unsigned_area(outline, referee), cells);
+    }
+    EXPECT_GT(tried, 9'000);
+    EXPECT_GT(closed_by_both, tried / 2);
+}
+
+TEST(NestedTriangulators, LetHolesTouchInPoints)
 {
     // A chain of holes, each of which begins where the one before ends.
     Outline outline;
     outline.add({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     for (int i = 1; i < 9; ++i) outline.add(reversed({glm::dvec2(i, i), {i + 1, i}, {i + 1, i + 1}, {i, i + 1}}));
-    CapMesh cap;
-    ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
-    expect_linked(outline, cap);
-    EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    for (const auto& make : kNestedWays) {
+        CapMesh cap;
+        ASSERT_TRUE(make()->triangulate(outline.view(), cap));
+        expect_linked(outline, cap);
+        EXPECT_NEAR(unsigned_area(outline, cap), outline.area(), 1e-12);
+    }
 }
 
 /// Loops that touch, each in its own way, and what they cover.
@@ -354,27 +449,37 @@ std::vector<Touching> touching()
     return all;
 }
 
-TEST(PatientTriangulator, LetsLoopsTouchInPointsInEveryWay)
+TEST(NestedTriangulators, LetLoopsTouchInPointsInEveryWay)
 {
     for (const Touching& each : touching()) {
         SCOPED_TRACE(each.name);
         Outline outline;
         for (const auto& loop : each.loops) outline.add(loop);
-        CapMesh cap;
-        ASSERT_TRUE(make_patient_triangulator()->triangulate(outline.view(), cap));
-        expect_linked(outline, cap);
-        EXPECT_NEAR(unsigned_area(outline, cap), each.area, 1e-12);
+        for (const auto& make : kNestedWays) {
+            CapMesh cap;
+            ASSERT_TRUE(make()->triangulate(outline.view(), cap));
+            expect_linked(outline, cap);
+            EXPECT_NEAR(unsigned_area(outline, cap), each.area, 1e-12);
+        }
     }
 }
 
-TEST(PatientTriangulator, RefusesAHoleInNothingAndWhatHasNoEar)
+TEST(NestedTriangulator, LeavesOneLoopThatTouchesNothingToOthers)
+{
+    CapMesh cap;
+    Outline outline;
+    outline.add(spiral(1000, 20));
+    EXPECT_FALSE(make_nested_triangulator()->triangulate(outline.view(), cap));
+}
+
+TEST(NestedTriangulators, RefuseAHoleInNothingAndWhatHasNoEar)
 {
     CapMesh cap;
     Outline hole, turned;
     hole.add(reversed(star(12, 2, 1)));
     turned.add({{0, 0}, {0, 1}, {1, 0}});
     for (const Outline* outline : {&hole, &turned})
-        EXPECT_FALSE(make_patient_triangulator()->triangulate(outline->view(), cap));
+        for (const auto& make : kNestedWays) EXPECT_FALSE(make()->triangulate(outline->view(), cap));
 }
 
 TEST(ConstrainedTriangulator, CoversConcaveAndNestedLoopsOnce)
