@@ -316,10 +316,12 @@ private:
         z_[corner] = p.z;
     }
 
+    static constexpr std::size_t kCorners = std::size_t{3} * kMaxLeafTriangles;
+    static_assert(kCorners % kLanes == 0);
+
     std::size_t groups_ = 0;
-    std::array<float, 3 * kMaxLeafTriangles> x_, y_, z_;
+    std::array<float, kCorners> x_, y_, z_;
 };
-static_assert(3 * kMaxLeafTriangles % kLanes == 0);
 
 /// One walk over the tree for the extreme vertices along all directions: most leaves that hold one hold several.
 class SupportSearch

@@ -337,7 +337,7 @@ TEST(NestedTriangulators, LeaveFewTrianglesAlongALine)
 /// Their number is the area.
 Outline polyomino(test::Random& random, int side, double share, int& cells)
 {
-    const auto size = static_cast<std::size_t>(side + 2);
+    const std::size_t size = static_cast<std::size_t>(side) + 2;
     std::vector<std::uint8_t> is_full(size * size, 0);
     const auto full = [&](int x, int y) -> std::uint8_t& {
         return is_full[static_cast<std::size_t>(y + 1) * size + static_cast<std::size_t>(x + 1)];
