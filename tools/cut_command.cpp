@@ -29,6 +29,7 @@ struct CutCommandOptions
     std::string backend = backend_families().front().name;
     std::string lookup;
     bool no_cap = false;
+    CapQuality cap_quality = CapQuality::fast;
     bool components = false;
     std::string prefix;
     std::string format = writable_formats().front();
@@ -122,6 +123,7 @@ CutReport perform(const CutCommandOptions& options)
 
     CutOptions cut_options;
     cut_options.cap = !options.no_cap;
+    cut_options.cap_quality = options.cap_quality;
     cut_options.components = options.components;
     watch.lap();
     Cut result = cut(*std::move(prepared), *plane, cut_options);
@@ -299,6 +301,18 @@ void add_cut_command(CLI::App& program)
     CLI::Option* lookup = command->add_option("--lookup", options->lookup,
                                               "How the baseline, which this implies, looks up vertices; see below");
     command->add_flag("--no-cap", options->no_cap, "Leave the section open");
+    command
+        ->add_option_function<std::string>(
+            "--cap-quality",
+            [options](const std::string& text) {
+                options->cap_quality = text == "delaunay" ? CapQuality::delaunay : CapQuality::fast;
+                if (!has_cap_quality(options->cap_quality))
+                    throw CLI::ValidationError("--cap-quality",
+                                               "this kerf was built without CGAL, which delaunay needs");
+            },
+            "Triangles of the caps: fast, or delaunay, which has no needles but where the outline forces them")
+        ->check(CLI::IsMember({"fast", "delaunay"}).description(""))
+        ->default_str("fast");
     command->add_flag("--components", options->components, "Write the connected pieces of each side one by one");
     command->add_option("--out", options->prefix, "Beginning of the names of the files to write")
         ->type_name("PREFIX")

@@ -9,6 +9,22 @@ namespace kerf {
 /// An object and a plane become pieces.
 /// @{
 
+/// Which triangles close a section. Both cover it exactly, use each of its points, and add none.
+enum class CapQuality : unsigned char
+{
+    /// Those that are found in the shortest time, with and without CGAL the same. Many are needles, which no eye sees on
+    /// a flat cap; rays and physics take them.
+    fast = 0,
+    /// A constrained Delaunay triangulation, of the section seen along the coordinate axis that is nearest to the plane's
+    /// normal: no needles but where the outline forces them, for caps that are solved on, or refined. Two to five times
+    /// the time of `fast`, for this phase. Needs the component caps_cgal: has_cap_quality().
+    delaunay = 1,
+};
+
+/// Whether this program can close sections so: by `fast` always, by `delaunay` with CGAL's triangulation. O(1), from
+/// any thread.
+KERF_API bool has_cap_quality(CapQuality quality) noexcept;
+
 /// Options of cut().
 struct CutOptions
 {
@@ -19,6 +35,7 @@ struct CutOptions
     /// Width of the blade, in the mesh's unit: what lies within half of it on either side is taken away. 0 takes
     /// nothing.
     double gap = 0.0;
+    CapQuality cap_quality = CapQuality::fast;  ///< the fan of the report's slicer knows only that
 };
 
 /// What became of an object.
@@ -81,7 +98,7 @@ KERF_API const char* outcome_name(Status status) noexcept;
 ///
 /// Half-edge back end: O(s log n + k) for a section of k triangles in s leaves of the tree; linear: O(n).
 /// Status: `done`, `open_section`, `missed`, `invalid_argument` (an empty object, a gap or a scale that is not finite,
-/// a gap below 0), `out_of_memory`. All but the first two leave the object as it was, but for a gap, below.
+/// a gap below 0, a quality of caps that this program does not have), `out_of_memory`. All but the first two leave the object as it was, but for a gap, below.
 ///
 /// A gap cuts twice: what is above it goes to the positive side, what is below to the negative one, and what is left
 /// is thrown away; that may be all of the object, and then the status is `done` without a piece. If memory runs out in

@@ -106,6 +106,8 @@ Cut cut_once(Object&& object, const Plane& plane, const CutOptions& options) noe
     inside.split_components = options.components;
     inside.cap_material = options.cap_material;
     inside.cap_uv_scale = options.cap_uv_scale;
+    inside.cap_quality =
+        options.cap_quality == CapQuality::delaunay ? core::CapQuality::delaunay : core::CapQuality::fast;
     core::CutResult found = core::cut(std::unique_ptr<core::Cuttable>(result.object.release()), to_core(plane), inside);
     result.object = Object(found.object.release());
     result.status = to_public(found.status);
@@ -173,10 +175,18 @@ const char* fault_of(const Object& object, const CutOptions& options)
     if (object.is_empty()) return "the object is empty: it was cut, or moved from";
     if (!std::isfinite(options.gap) || options.gap < 0.0) return "the gap must be a finite width, 0 or more";
     if (!std::isfinite(options.cap_uv_scale)) return "the uv scale of caps must be finite";
+    if (!has_cap_quality(options.cap_quality))
+        return "this program has no Delaunay triangulation: link Kerf's component caps_cgal, or ask for fast caps";
     return nullptr;
 }
 
 }  // namespace
+
+bool has_cap_quality(CapQuality quality) noexcept
+{
+    return quality == CapQuality::fast ||
+           (quality == CapQuality::delaunay && core::can_close(core::CapQuality::delaunay));
+}
 
 Cut cut(Object&& object, const Plane& plane, const CutOptions& options) noexcept
 {

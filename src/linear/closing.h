@@ -22,6 +22,7 @@ struct LinkedSection
     double unit;             ///< in the last place of the mesh's largest coordinate, mesh units
     std::uint32_t material;  ///< of the caps
     double uv_scale;         ///< CutOptions::cap_uv_scale
+    CapQuality quality;      ///< CutOptions::cap_quality
     bool with_caps;          ///< otherwise nothing is added
 };
 

@@ -57,7 +57,7 @@ ClosedSides RightCaps::close(BySide<SideBuilder>& builders, Crossings& crossings
 {
     collect_loops(linked);
     caps_.clear();
-    if (linked.with_caps) closer_.close(linked.plane, loops_, points_, caps_);
+    if (linked.with_caps) closer_.close(linked.plane, loops_, linked.quality, points_, caps_);
     for (const Index edge : caps_.crossing_edges) edge_at_.push_back(edge_at_[edge]);
     is_regular_ = is_regular(crossings, linked);
 

@@ -186,7 +186,7 @@ protected:
         const ClosedSides closed =
             closing_.close(builders_, crossings_,
                            {section_, paths, tags, plane_, slices_.section_area, whole_.noise / kNoiseInUnits, material,
-                            options_.cap_uv_scale, options_.build_caps});
+                            options_.cap_uv_scale, options_.cap_quality, options_.build_caps});
         slices_.caps_exceed_section = closed.caps_exceed_section;
         statistics.cap_steps = closed.steps;
         statistics.phases[Phase::cap] += watch.lap();

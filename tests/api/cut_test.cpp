@@ -205,6 +205,12 @@ TEST_P(CutTest, OfNumbersThatMeanNothingIsRefusedAndGivesTheObjectBack)
             EXPECT_EQ(object.triangle_count(), 12u);
         }
     CutOptions options;
+    options.cap_quality = static_cast<CapQuality>(9);
+    Cut of_no_quality = cut(std::move(object), Plane::x(0.0).value(), options);
+    EXPECT_EQ(of_no_quality.status, Status::invalid_argument);
+    EXPECT_STRNE(of_no_quality.reason(), "");
+    object = std::move(of_no_quality.object);
+    options = {};
     options.gap = -1.0;
     Cut refused = cut(std::move(object), Plane::x(0.0).value(), options);
     EXPECT_EQ(refused.status, Status::invalid_argument);
@@ -215,6 +221,30 @@ TEST_P(CutTest, OfNumbersThatMeanNothingIsRefusedAndGivesTheObjectBack)
     // What was cut, or missed, needs no reason.
     EXPECT_STREQ(cut(test::cube(GetParam()), Plane::x(0.0).value()).reason(), "");
     EXPECT_STREQ(cut(test::cube(GetParam()), Plane::x(9.0).value()).reason(), "");
+}
+
+TEST_P(CutTest, ClosesByDelaunayWhereTheProgramCan)
+{
+    EXPECT_TRUE(has_cap_quality(CapQuality::fast));
+    const Mesh torus = test::shape("torus");
+    CutOptions options;
+    options.cap_quality = CapQuality::delaunay;
+    Cut result = cut(test::object_of(torus, GetParam()), Plane::z(0.01).value(), options);
+    if (!has_cap_quality(CapQuality::delaunay)) {
+        EXPECT_EQ(result.status, Status::invalid_argument);
+        EXPECT_STREQ(result.reason(),
+                     "this program has no Delaunay triangulation: link Kerf's component caps_cgal, or "
+                     "ask for fast caps");
+        EXPECT_EQ(result.object.triangle_count(), torus.triangle_count());
+        return;
+    }
+    ASSERT_EQ(result.status, Status::done);
+    Cut fast = cut(test::object_of(torus, GetParam()), Plane::z(0.01).value());
+    const Object &fine = *result.one(Side::positive), &quick = *fast.one(Side::positive);
+    EXPECT_TRUE(fine.mesh()->is_closed());
+    EXPECT_EQ(fine.triangle_count(), quick.triangle_count());
+    EXPECT_NE(test::bytes_of(*fine.mesh()), test::bytes_of(*quick.mesh()));
+    EXPECT_NEAR(fine.mass_properties().volume, quick.mass_properties().volume, 1e-6);
 }
 
 TEST(Cut, IsTheSameByEveryBackEndOnItsSurface)

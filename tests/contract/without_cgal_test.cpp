@@ -163,6 +163,18 @@ TEST_P(WithoutCgal, PiecesStayClosedWhereCapsRunThroughOneAnother)
     }
 }
 
+TEST_P(WithoutCgal, DelaunayIsRefusedAndTheObjectComesBack)
+{
+    CutOptions options;
+    options.cap_quality = CapQuality::delaunay;
+    CutResult result = cut(backend_->prepare(test::repaired(*shapes::make("torus", 500, 1))).object,
+                           *Plane::through({0.0, 0.0, 0.0}, {0, 0, 1}), options);
+    EXPECT_EQ(result.status, Status::invalid_argument);
+    ASSERT_NE(result.object, nullptr);
+    options.cap_quality = CapQuality::fast;
+    EXPECT_EQ(cut(std::move(result.object), *Plane::through({0.0, 0.0, 0.0}, {0, 0, 1}), options).status, Status::done);
+}
+
 TEST(WithoutCgalEither, NothingFindsWhereEdgesCross)
 {
     use_constrained_ways(nullptr);

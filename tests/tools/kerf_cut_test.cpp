@@ -397,6 +397,27 @@ TEST_F(KerfCut, WarnsWhereCapsCoverMoreThanTheSection)
     }
 }
 
+TEST_F(KerfCut, ClosesByDelaunayWhereItWasBuiltWithCgal)
+{
+    make("torus", 4000);
+    const Outcome outcome = kerf("cut in.ply --normal 0,0,1 --cap-quality delaunay --out a");
+    if (outcome.status == 2) {
+        EXPECT_NE(outcome.err.find("built without CGAL"), std::string::npos) << outcome.err;
+        EXPECT_TRUE(written().empty());
+        return;
+    }
+    const Json fine = kerf_json("cut in.ply --normal 0,0,1 --cap-quality delaunay --out a"),
+               fast = kerf_json("cut in.ply --normal 0,0,1 --cap-quality fast --out b");
+    EXPECT_EQ(fine["positive"]["closed"], true);
+    EXPECT_EQ(fine["positive"]["triangles"], fast["positive"]["triangles"]);
+    EXPECT_NE(text_of("a.positive.obj"), text_of("b.positive.obj"));
+    // The same from the half-edge back end that always does so, by its name.
+    if (kerf("cut in.ply --normal 0,0,1 --backend halfedge/cgal --out c").status == 0) {
+        EXPECT_EQ(text_of("c.positive.obj"), text_of("a.positive.obj"));
+    }
+    EXPECT_EQ(kerf("cut in.ply --normal 0,0,1 --cap-quality best --out a").status, 2);
+}
+
 TEST_F(KerfCut, RefusesAPrefixThatNamesNoFile)
 {
     make("icosphere", 80);

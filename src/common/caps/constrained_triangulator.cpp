@@ -35,6 +35,11 @@ void use_constrained_ways(const ConstrainedWays* ways) noexcept
     ways_in_use.store(ways != nullptr ? ways : &kWithoutCgal, std::memory_order_release);
 }
 
+bool has_constrained_ways() noexcept
+{
+    return ways_in_use.load(std::memory_order_acquire) != &kWithoutCgal;
+}
+
 std::unique_ptr<CapTriangulator> make_constrained_triangulator()
 {
     return ways_in_use.load(std::memory_order_acquire)->make_triangulator();

@@ -18,6 +18,9 @@ std::unique_ptr<CapTriangulator> make_constrained_triangulator();
 /// By a constrained Delaunay triangulation whose constraints may cross.
 std::unique_ptr<RouteFinder> make_route_finder();
 
+/// Whether the two functions above give ways that need CGAL.
+bool has_constrained_ways() noexcept;
+
 /// Both ways.
 struct ConstrainedWays
 {
@@ -25,7 +28,7 @@ struct ConstrainedWays
     std::unique_ptr<RouteFinder> (*make_route_finder)();
 };
 
-/// What the two functions above call from now on, in all threads; null: those without CGAL. `ways` must outlive all
+/// What the first two functions above call from now on, in all threads; null: those without CGAL. `ways` must outlive all
 /// calls.
 void use_constrained_ways(const ConstrainedWays* ways) noexcept;
 

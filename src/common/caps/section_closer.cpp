@@ -24,16 +24,28 @@ constexpr std::size_t kFewTriangles = 48;
 }  // namespace
 
 SectionCloser::SectionCloser()
-    : ways_{make_convex_triangulator(), make_clipping_triangulator(), make_nested_triangulator(),
+    : ways_{make_convex_triangulator(),
+            make_clipping_triangulator(),
+            make_nested_triangulator(),
+            make_constrained_triangulator(),
             make_untangling_triangulator(make_constrained_triangulator(), make_route_finder()),
             make_topological_triangulator()}
 {
 }
 
-void SectionCloser::close(const Plane& plane, std::span<const CapLoop> loops, std::vector<glm::vec3>& points,
-                          SectionCaps& caps)
+std::span<const SectionCloser::Way> SectionCloser::ways_of(CapQuality quality)
+{
+    static constexpr std::array kFast{convex, clipping, nested, untangling, topological};
+    // What crosses or touches itself is untangled first, and closed by the same triangulation then.
+    static constexpr std::array kDelaunay{constrained, untangling, topological};
+    return quality == CapQuality::delaunay ? std::span<const Way>(kDelaunay) : std::span<const Way>(kFast);
+}
+
+void SectionCloser::close(const Plane& plane, std::span<const CapLoop> loops, CapQuality quality,
+                          std::vector<glm::vec3>& points, SectionCaps& caps)
 {
     loops_ = loops;
+    quality_ = quality;
     points_in_ = &points;
     caps_ = &caps;
     const int dropped = dominant_axis(plane.normal);
@@ -143,11 +155,12 @@ void SectionCloser::close_outline()
     if (starts_.empty()) return;
     starts_.push_back(static_cast<Index>(points_.size()));
     const CapOutline outline{points_, positions_, starts_, axis_u_, axis_v_};
+    const std::span<const Way> ways = ways_of(quality_);
     const auto way =
-        std::find_if(ways_.begin(), ways_.end(), [&](const auto& each) { return each->triangulate(outline, mesh_); });
+        std::find_if(ways.begin(), ways.end(), [&](Way each) { return ways_[each]->triangulate(outline, mesh_); });
     take_over();
-    // The first two turn no triangle over, and name each corner by its own point.
-    if (way - ways_.begin() < 2) return;
+    // These turn no triangle over, and name each corner by its own point.
+    if (way != ways.end() && (*way == convex || *way == clipping)) return;
     excess_ += 2.0 * turned_area();
     share_ends_of_links(outline);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/caps/cap_quality.h"
 #include "common/caps/cap_triangulator.h"
 #include "common/caps/loop_boxes.h"
 #include "common/mesh/plane.h"
@@ -56,8 +57,8 @@ struct SectionCaps
     }
 };
 
-/// Closes the loops of a section, set by set, each in the first way that can: see cap_triangulator.h. Keeps its memory
-/// from section to section.
+/// Closes the loops of a section, set by set, each in the first way that can: see cap_triangulator.h, or, if a Delaunay
+/// triangulation is asked for, by that. Keeps its memory from section to section.
 class SectionCloser
 {
 public:
@@ -65,7 +66,8 @@ public:
 
     /// Covers closed loops. Appends to `points` where loops cross. `caps` must be clear. O(k) for one convex loop,
     /// otherwise O(k log k). May throw std::bad_alloc.
-    void close(const Plane& plane, std::span<const CapLoop> loops, std::vector<glm::vec3>& points, SectionCaps& caps);
+    void close(const Plane& plane, std::span<const CapLoop> loops, CapQuality quality, std::vector<glm::vec3>& points,
+               SectionCaps& caps);
 
     /// The area of the caps of the last close(), each triangle counted positive, less that of the section; mesh units
     /// squared. Apart from rounding it is 0 unless the outline winds backwards or could not be untangled.
@@ -75,6 +77,19 @@ public:
     std::uint64_t steps() const { return mesh_.steps; }
 
 private:
+    enum Way : std::uint8_t
+    {
+        convex,
+        clipping,
+        nested,
+        constrained,
+        untangling,
+        topological,
+    };
+
+    /// The ways in the order in which they are tried; the last closes all.
+    static std::span<const Way> ways_of(CapQuality quality);
+
     void close_set(std::span<const std::size_t> loops, Index set);
     /// Appends a loop to the outline. Points that differ only along the dropped axis coincide: a triangle without
     /// projected area takes the first of the two away. Returns false and appends nothing if fewer than three are left.
@@ -105,7 +120,8 @@ private:
     SectionCaps* caps_ = nullptr;
     std::vector<std::size_t> by_set_;  ///< the loops, those of one set one after the other
 
-    std::array<std::unique_ptr<CapTriangulator>, 5> ways_;  ///< in the order in which they are tried; the last can all
+    std::array<std::unique_ptr<CapTriangulator>, 6> ways_;  ///< by Way
+    CapQuality quality_ = CapQuality::fast;
     int axis_u_ = 0, axis_v_ = 1;       ///< coordinates that are kept; (u, v, plane normal) is right-handed
     std::vector<std::size_t> upright_;  ///< loops that vanish when they are projected
     std::vector<glm::dvec2> points_;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/caps/constrained_triangulator.h"
 #include "common/mesh/coordinate_grain.h"
 
 namespace kerf::core {
@@ -30,6 +31,11 @@ std::string_view name_of(Status status)
     return "unknown";
 }
 
+bool can_close(CapQuality quality) noexcept
+{
+    return quality == CapQuality::fast || has_constrained_ways();
+}
+
 Status Cuttable::detach() noexcept
 {
     try {
@@ -48,7 +54,7 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     CutResult result;
     if (!object) {
         result.status = Status::invalid_mesh;
-    } else if (!plane.valid() || !std::isfinite(options.cap_uv_scale)) {
+    } else if (!plane.valid() || !std::isfinite(options.cap_uv_scale) || !can_close(options.cap_quality)) {
         result.status = Status::invalid_argument;
     } else {
         try {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/caps/cap_quality.h"
 #include "common/cutting/buffer_identity.h"
 #include "common/cutting/progress.h"
 #include "common/cutting/statistics.h"
@@ -34,7 +35,8 @@ enum class Status : std::uint8_t
     open_section,      ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are
                        ///< not capped
     invalid_argument,  ///< a plane that is not finite, or whose normal is not a unit vector, or a scale of uv that is
-                       ///< not finite: the object comes back
+                       ///< not finite, or caps that this build has no way
+                       ///< to make: the object comes back
     invalid_mesh,      ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
     out_of_memory,     ///< the object comes back unharmed
     cancelled,         ///< prepare: the caller asked to stop
@@ -91,6 +93,9 @@ struct DrawView
 /// that name.
 inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::uint32_t>::max();
 
+/// Whether this program can close sections so: by `delaunay` with CGAL's ways alone. O(1), from any thread.
+bool can_close(CapQuality quality) noexcept;
+
 struct CutOptions
 {
     bool build_caps = true;         ///< close the section
@@ -98,7 +103,8 @@ struct CutOptions
     /// Index into the object's materials. One that does not exist means the default: a material named "cap", which is
     /// added once.
     std::uint32_t cap_material = kDefaultCapMaterial;
-    double cap_uv_scale = 1.0;  ///< uv of caps for each mesh unit (PlaneFrame)
+    double cap_uv_scale = 1.0;                  ///< uv of caps for each mesh unit (PlaneFrame)
+    CapQuality cap_quality = CapQuality::fast;  ///< the fan of the report's back ends knows only that
 };
 
 struct CutResult;

@@ -2,12 +2,12 @@
 
 namespace kerf::core::halfedge {
 
-void CapPlanner::plan(const Plane& plane, const Found& found, Section& section, Caps& caps)
+void CapPlanner::plan(const Plane& plane, CapQuality quality, const Found& found, Section& section, Caps& caps)
 {
     loops_.clear();
     for (const Loop& loop : section.loops)
         if (loop.closed) loops_.push_back({loop.first, loop.count, loop.cap_set});
-    closer_.close(plane, loops_, section.loop_points, caps);
+    closer_.close(plane, loops_, quality, section.loop_points, caps);
 
     for (const Index edge : caps.crossing_edges) {
         section.loop_edges.push_back(section.loop_edges[edge]);

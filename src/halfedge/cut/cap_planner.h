@@ -11,7 +11,7 @@ class CapPlanner
 public:
     /// Covers the closed loops. Outline edges that cancel are appended to Section::cancelled, and points where loops
     /// cross to Section::loop_points. Costs what SectionCloser::close() costs. May throw std::bad_alloc.
-    void plan(const Plane& plane, const Found& found, Section& section, Caps& caps);
+    void plan(const Plane& plane, CapQuality quality, const Found& found, Section& section, Caps& caps);
 
     /// Of the last plan(): see SectionCloser.
     double excess() const { return closer_.excess(); }

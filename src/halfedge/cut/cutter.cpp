@@ -40,7 +40,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     done(Phase::walk, result);
 
     find_pieces(options, result);
-    if (options.build_caps) close_section(result);
+    if (options.build_caps) close_section(options.cap_quality, result);
     done(Phase::cap, result);
     hand_out_caps(w_.found, w_.section, w_.caps, w_.pieces);
     if (options.split_components) divide_piece_shells(w_.found, w_.section, w_.caps, w_.pieces);
@@ -92,9 +92,9 @@ void Cutter::find_pieces(const CutOptions& options, CutResult& result)
     done(Phase::components, result);
 }
 
-void Cutter::close_section(CutResult& result)
+void Cutter::close_section(CapQuality quality, CutResult& result)
 {
-    w_.cap_planner.plan(plane_, w_.found, w_.section, w_.caps);
+    w_.cap_planner.plan(plane_, quality, w_.found, w_.section, w_.caps);
     result.statistics.cap_steps = w_.cap_planner.steps();
     if (const double excess = w_.cap_planner.excess(); excess > 0.0)
         result.caps_exceed_section =
