@@ -58,12 +58,14 @@ void from_arrays(benchmark::State& state, const TimedBackEnd& back_end, const st
 void register_arrays_benchmarks()
 {
     for (const std::uint64_t size : {1'000ull, 10'000ull, 100'000ull, 1'000'000ull})
-        for (const TimedBackEnd& back_end : back_ends())
+        for (const TimedBackEnd& back_end : back_ends()) {
+            if (back_end.differs_in_caps_only()) continue;
             benchmark::RegisterBenchmark(
                 ("FromArrays/" + back_end.name + "/asteroid/" + std::to_string(size)).c_str(),
                 [&back_end, size](benchmark::State& s) { from_arrays(s, back_end, "asteroid", size); })
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond);
+        }
 }
 
 }  // namespace kerf::bench

@@ -15,6 +15,9 @@ struct TimedBackEnd
     /// Largest mesh that it is given, in triangles: quadratic methods stop where a cut takes seconds.
     std::uint64_t most_triangles;
 
+    /// The half-edge back end with another closing of sections: whatever has little to do with caps is not timed again.
+    bool differs_in_caps_only() const { return name == "halfedge/cgal"; }
+
     Result<Object> prepare(Mesh mesh) const;
 };
 

@@ -237,7 +237,7 @@ void register_model_benchmarks()
         // All lookups prepare alike.
         for (const TimedMethod& method : timed) {
             const TimedBackEnd& back_end = method.back_end;
-            if (method.rewrites_pivots) continue;
+            if (method.rewrites_pivots || back_end.differs_in_caps_only()) continue;
             add("Prepare/" + back_end.name + "/" + model.name,
                 [&back_end, &model](benchmark::State& s) { prepare_model(s, back_end, model); });
         }

@@ -417,8 +417,8 @@ void add_compare_command(CLI::App& program)
     command
         ->add_option(
             "--with", options->first,
-            "The back end beside halfedge: baseline, or baseline/LOOKUP, or linear, whose caps must have the same "
-            "areas. Rows and fields call it baseline")
+            "The back end beside halfedge: baseline, or baseline/LOOKUP, or linear or halfedge/cgal, whose caps must "
+            "have the same areas. Rows and fields call it baseline")
         ->check(CLI::IsMember(choices_beside_halfedge()).description(""))
         ->capture_default_str();
     command->add_option("--lookup", options->lookup, "How the baseline looks up vertices: see kerf cut --help");

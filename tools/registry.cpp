@@ -16,6 +16,7 @@ std::string description_of(const std::string& family)
     if (family == "baseline") return "the report's loop over every triangle, and a fan over the section's mean point";
     if (family == "halfedge")
         return "a tree finds the section, a walk over neighbours cuts it, triangulations close it";
+    if (family == "halfedge/cgal") return "halfedge, and CGAL's Delaunay triangulation closes every section";
     if (family == "linear") return "a loop over every triangle, index tables, and the same triangulations";
     return {};
 }
@@ -45,10 +46,13 @@ const std::vector<BackendFamily>& backend_families()
             const BackEndFacts entry = back_end(i);
             const std::string whole = entry.name;
             const std::size_t slash = whole.find('/');
-            const std::string name = whole.substr(0, slash);
+            // Beside a back end that is called by the first part alone, a longer name is one of its own.
+            const bool has_lookup = slash != std::string::npos &&
+                                    find_back_end(whole.substr(0, slash).c_str()).name != whole.substr(0, slash);
+            const std::string name = has_lookup ? whole.substr(0, slash) : whole;
             if (families.empty() || families.back().name != name)
                 families.push_back({name, description_of(name), {}, entry.closes_with_fan});
-            if (slash != std::string::npos) families.back().lookups.push_back(whole.substr(slash + 1));
+            if (has_lookup) families.back().lookups.push_back(whole.substr(slash + 1));
         }
         return families;
     }();
@@ -67,7 +71,9 @@ std::vector<std::string> backend_choices()
 
 std::string family_of(const std::string& name)
 {
-    return name.substr(0, name.find('/'));
+    const std::vector<BackendFamily>& all = backend_families();
+    const bool is_one = std::any_of(all.begin(), all.end(), [&](const auto& entry) { return entry.name == name; });
+    return is_one ? name : name.substr(0, name.find('/'));
 }
 
 std::string full_name(const std::string& name, const std::string& lookup)

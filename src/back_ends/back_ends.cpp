@@ -27,15 +27,22 @@ public:
     void add(RegisteredBackend&& entry)
     {
         const std::lock_guard lock(adding_);
-        if (with_name(entry.name) != nullptr) return;
+        for (const RegisteredBackend* const other : entries())
+            if (other->name == entry.name) return;
         entry.back_end = entry.make();
         const bool is_first = entry.is_for_many_cuts;
-        List& list = lists_.emplace_back(all());
+        List& list = lists_.emplace_back(entries());
         list.insert(is_first ? list.begin() : list.end(), &entries_.emplace_back(std::move(entry)));
         newest_.store(&list, std::memory_order_release);
     }
 
-    const List& all() const { return *newest_.load(std::memory_order_acquire); }
+    List all() const
+    {
+        List there;
+        for (const RegisteredBackend* const entry : entries())
+            if (is_there(*entry)) there.push_back(entry);
+        return there;
+    }
 
     const RegisteredBackend* find(std::string_view name) const
     {
@@ -49,14 +56,22 @@ public:
 private:
     Registry() : lists_(1), newest_(&lists_.front())
     {
-        add({"linear", false, false, [] { return linear::make_back_end(); }});
+        add({.name = "linear", .make = [] { return linear::make_back_end(); }});
     }
+
+    /// Whether the program has what it needs. Components come in any order while it starts, so nobody asks before.
+    static bool is_there(const RegisteredBackend& entry)
+    {
+        return !entry.needs_cgal || can_close(CapQuality::delaunay);
+    }
+
+    const List& entries() const { return *newest_.load(std::memory_order_acquire); }
 
     template <class Is>
     const RegisteredBackend* first_that(Is is) const
     {
-        for (const RegisteredBackend* const entry : all())
-            if (is(entry->name)) return entry;
+        for (const RegisteredBackend* const entry : entries())
+            if (is_there(*entry) && is(entry->name)) return entry;
         return nullptr;
     }
 

@@ -20,12 +20,13 @@ struct RegisteredBackend
     bool is_quadratic = false;     ///< a cut of n triangles costs O(n^2)
     std::function<std::unique_ptr<Backend>()> make;
     bool is_for_many_cuts = false;  ///< the better choice if an object is cut often: stands before the others
+    bool needs_cgal = false;        ///< is not there in programs without CGAL's ways to close sections
     /// One for all who prepare, since it is stateless. Made by the list.
     std::shared_ptr<const Backend> back_end = nullptr;
 };
 
-/// All back ends: "halfedge" (if it is linked), the default, then "linear", then those that were added. They live as
-/// long as the program. From any thread.
+/// All back ends: "halfedge" (if it is linked), the default, then "linear", then "halfedge/cgal" (if CGAL is, too), then
+/// those that were added. They live as long as the program. From any thread.
 std::vector<const RegisteredBackend*> back_ends();
 
 /// Adds a back end behind the others, or before them if it is for many cuts, unless one of its name is there. From any

@@ -10,7 +10,9 @@ namespace {
 
 /// On the list before main() begins.
 [[maybe_unused]] const bool is_on_list = [] {
-    add_back_end({"halfedge", false, false, [] { return halfedge::make_back_end(); }, true});
+    add_back_end({.name = "halfedge", .make = [] { return halfedge::make_back_end(); }, .is_for_many_cuts = true});
+    add_back_end(
+        {.name = "halfedge/cgal", .make = [] { return halfedge::make_back_end_with_cgal(); }, .needs_cgal = true});
     return true;
 }();
 

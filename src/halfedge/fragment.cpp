@@ -67,7 +67,7 @@ std::unique_ptr<Cuttable> Fragment::clone() const
 /// Without loops; the caller holds the lock.
 std::unique_ptr<Fragment> Fragment::compacted() const
 {
-    auto shared = std::make_shared<SharedUniverse>(shared_->identity.listener());
+    auto shared = std::make_shared<SharedUniverse>(shared_->identity.listener(), shared_->cap_quality);
     const std::vector<ShellRoot> shells = compact_copy(universe(), shells_, shared->universe);
     make_room_for_cut(shared->universe.slots.size());
     return std::make_unique<Fragment>(std::move(shared), shells, material_count_);
@@ -247,9 +247,11 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
 {
     const std::unique_lock lock(universe().mutex);
     CutResult result;
+    CutOptions asked = options;
+    asked.cap_quality = std::max(options.cap_quality, shared_->cap_quality);
     const BorrowedWorkspace workspace;
     Cutter cutter(shared_->universe, *workspace, shells_, material_count_);
-    if (!cutter.plan(plane, options, result)) return result;
+    if (!cutter.plan(plane, asked, result)) return result;
     FragmentsBySide fragments = planned_fragments(cutter);
     result.negative.reserve(fragments[Side::negative].size());
     result.positive.reserve(fragments[Side::positive].size());

@@ -10,7 +10,9 @@ namespace {
 class HalfedgeBackend final : public Backend
 {
 public:
-    std::string name() const override { return "halfedge"; }
+    HalfedgeBackend(const char* name, CapQuality quality) : name_(name), quality_(quality) {}
+
+    std::string name() const override { return name_; }
 
 private:
     std::unique_ptr<Cuttable> make(ProvenMesh&& mesh, const PrepareOptions& options) const override
@@ -20,18 +22,26 @@ private:
 
     std::unique_ptr<Cuttable> make_beside(const ProvenMesh& mesh, const PrepareOptions& options) const override
     {
-        auto shared = std::make_shared<SharedUniverse>(options.listener);
+        auto shared = std::make_shared<SharedUniverse>(options.listener, quality_);
         const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe, options.progress);
         make_room_for_cut(mesh->triangles.size());
         return std::make_unique<Fragment>(std::move(shared), shells, mesh->materials.size());
     }
+
+    const char* name_;
+    CapQuality quality_;
 };
 
 }  // namespace
 
 std::unique_ptr<Backend> make_back_end()
 {
-    return std::make_unique<HalfedgeBackend>();
+    return std::make_unique<HalfedgeBackend>("halfedge", CapQuality::fast);
+}
+
+std::unique_ptr<Backend> make_back_end_with_cgal()
+{
+    return std::make_unique<HalfedgeBackend>("halfedge/cgal", CapQuality::delaunay);
 }
 
 }  // namespace kerf::core::halfedge

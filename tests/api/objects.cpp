@@ -56,7 +56,8 @@ Mesh shape(const std::string& name, std::uint64_t triangles)
 std::vector<std::string> back_end_names()
 {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < back_end_count(); ++i) names.push_back(back_end(i).name);
+    for (std::size_t i = 0; i < back_end_count(); ++i)
+        if (const std::string name = back_end(i).name; name != "halfedge/cgal") names.push_back(name);
     return names;
 }
 

@@ -30,7 +30,7 @@ Arrays two_cubes();
 Mesh mesh_of(const Arrays& arrays);
 Mesh shape(const std::string& name, std::uint64_t triangles = 2000);
 
-/// Names of the back ends of this build.
+/// Names of the back ends of this build, without halfedge/cgal, which is halfedge but for its caps.
 std::vector<std::string> back_end_names();
 
 Object object_of(const Mesh& mesh, const std::string& back_end);

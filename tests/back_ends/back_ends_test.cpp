@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "baseline/report_back_ends.h"
+#include "common/caps/constrained_triangulator.h"
 
 namespace kerf::core {
 namespace {
@@ -20,6 +21,7 @@ TEST(BackEnds, AreThoseThatTheBuildWasAskedFor)
 {
     std::vector<std::string> expected{"linear"};
     if (KERF_BUILD_HALFEDGE) expected.insert(expected.begin(), "halfedge");
+    if (KERF_BUILD_HALFEDGE && has_constrained_ways()) expected.push_back("halfedge/cgal");
     EXPECT_EQ(first_names(expected.size()), expected);
 }
 
@@ -31,7 +33,7 @@ TEST(BackEnds, OfTheReportAreAddedBehindTheOthersAndOnce)
         add_report_back_ends();
         const std::vector<std::string> all = first_names(back_ends().size());
         EXPECT_EQ(std::vector<std::string>(all.end() - 4, all.end()), expected);
-        EXPECT_EQ(all.size(), expected.size() + 1 + KERF_BUILD_HALFEDGE);
+        EXPECT_EQ(all.size(), expected.size() + 1 + KERF_BUILD_HALFEDGE * (has_constrained_ways() ? 2u : 1u));
     }
 }
 
@@ -50,6 +52,16 @@ TEST(BackEnds, BaselineAloneMeansItsHash)
     add_report_back_ends();
     ASSERT_NE(find_back_end("baseline"), nullptr);
     EXPECT_EQ(find_back_end("baseline")->name, "baseline/hash");
+}
+
+TEST(BackEnds, ThatNeedCgalAreThereWithIt)
+{
+    if (!KERF_BUILD_HALFEDGE || !has_constrained_ways()) {
+        EXPECT_EQ(find_back_end("halfedge/cgal"), nullptr);
+        return;
+    }
+    ASSERT_NE(find_back_end("halfedge/cgal"), nullptr);
+    EXPECT_EQ(find_back_end("halfedge")->name, "halfedge");
 }
 
 TEST(BackEnds, ThatAreNotThereAreNull)

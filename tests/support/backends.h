@@ -23,7 +23,7 @@ inline void PrintTo(const NamedBackend& backend, std::ostream* out)
     *out << backend.name;
 }
 
-/// Every back end and every vertex lookup, the half-edge back end last: the contract tests run over all of them. In a
+/// Every back end but halfedge/cgal, and every vertex lookup, the half-edge back end last: the contract tests run over all of them. In a
 /// brief build without the two lookups that give the bytes of `hash`
 /// (VertexLookup.ScanAndTwoBucketsGiveTheBytesOfHash).
 const std::vector<NamedBackend>& backends();

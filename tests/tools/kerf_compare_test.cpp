@@ -55,6 +55,13 @@ TEST_F(KerfCompare, FindsThatTheBackEndsAgreeOnTheReportsModels)
     expect_agreement(result);
 }
 
+TEST_F(KerfCompare, FindsThatCapsOfCgalHaveTheSameAreas)
+{
+    make("menger_sponge", 4000);
+    if (kerf("compare in.ply --planes 1 --with halfedge/cgal").status == 2) GTEST_SKIP() << "built without CGAL";
+    expect_agreement(kerf_json("compare in.ply --planes 10 --with halfedge/cgal"));
+}
+
 TEST_F(KerfCompare, GivesTheTrianglesOfBothCapsOnRequest)
 {
     // A plane through a torus's middle cuts it in two rings or two discs: a fan over both covers what is between.
