@@ -3,8 +3,8 @@
 from enum import Enum
 
 LOOKUPS = ("scan", "two_bucket_hash", "hash", "remap")  # the baseline's ways to find a vertex again, the slowest first
-# `linear` is the loop of baseline/remap with right caps.
-BACKENDS = tuple(f"baseline/{lookup}" for lookup in LOOKUPS) + ("linear", "halfedge")
+# `linear` is the loop of baseline/remap with right caps, `halfedge/cgal` the half-edge back end with caps by CGAL.
+BACKENDS = tuple(f"baseline/{lookup}" for lookup in LOOKUPS) + ("linear", "halfedge/cgal", "halfedge")
 QUADRATIC = ("baseline/scan", "baseline/two_bucket_hash")  # they look at many vertices to find one again
 SUBQUADRATIC = tuple(name for name in BACKENDS if name not in QUADRATIC)
 FASTEST = ("baseline/remap", "linear", "halfedge")

@@ -9,15 +9,15 @@ namespace kerf {
 /// An object and a plane become pieces.
 /// @{
 
-/// Which triangles close a section. Both cover it exactly, use each of its points, and add none.
+/// Which triangles close a section. All use each of its points, and add none but where it crosses itself.
 enum class CapQuality : unsigned char
 {
-    /// Those that are found in the shortest time, with and without CGAL the same. Many are needles, which no eye sees on
-    /// a flat cap; rays and physics take them.
+    /// Those that are found in the shortest time; with and without CGAL the same, unless a section crosses itself. Many
+    /// are needles, which no eye sees on a flat cap.
     fast = 0,
     /// A constrained Delaunay triangulation, of the section seen along the coordinate axis that is nearest to the plane's
-    /// normal: no needles but where the outline forces them, for caps that are solved on, or refined. Two to five times
-    /// the time of `fast`, for this phase. Needs the component caps_cgal: has_cap_quality().
+    /// normal: no needles but where the outline forces them, for caps that are solved on, or refined. This phase takes
+    /// three to six times as long. Needs the component caps_cgal: has_cap_quality().
     delaunay = 1,
 };
 

@@ -66,6 +66,7 @@ STYLES = {
     "baseline/hash": Style("orange", "s", "--"),
     "baseline/remap": Style("blue", "^", "-"),
     "linear": Style("green", "<", "-"),
+    "halfedge/cgal": Style("violet", "h", "--"),
     "halfedge": Style("vermilion", "o", "-"),
     "report": Style("ink", "D", "-"),
     "cgal_clip": Style("green", "P", "--"),

@@ -66,5 +66,5 @@ def scientific(value: float) -> str:
 
 
 def short(backend: str) -> str:
-    """A back end without its family: "baseline/hash" as "hash"."""
-    return backend.split("/")[-1]
+    """A look-up of the report without its family: "baseline/hash" as "hash"."""
+    return backend.removeprefix("baseline/")
