@@ -1,12 +1,13 @@
 #include <algorithm>
-#include <numeric>
 #include <span>
+#include <vector>
 
 #include "common/mesh/mass_moments.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
 #include "common/mesh/plane_noise.h"
 #include "halfedge/universe/cut_reserve.h"
+#include "halfedge/universe/spatial_order.h"
 #include "halfedge/universe/universe.h"
 
 namespace kerf::core::halfedge {
@@ -29,79 +30,6 @@ std::vector<Index> sort_groups(const IndexedMesh& mesh, std::vector<DrawGroup>& 
         std::fill_n(group_of.begin() + g.first, g.count, static_cast<Index>(found - groups.begin()));
     }
     return group_of;
-}
-
-/// Spreads the low 12 bits to every third bit.
-std::uint64_t spread(std::uint64_t v)
-{
-    v = (v | (v << 16)) & 0xff0000ffu;
-    v = (v | (v << 8)) & 0xf00f00fu;
-    v = (v | (v << 4)) & 0xc30c30c3u;
-    v = (v | (v << 2)) & 0x249249249u;
-    return v;
-}
-
-constexpr std::uint32_t kMortonBits = 12;  // for each axis
-constexpr std::uint32_t kMortonCells = 1u << kMortonBits;
-/// With fewer triangles, counting to kMortonCells three times costs more than sorting by comparisons: 11 us and 0.2 us
-/// for 12 triangles, the same for 250 to 400.
-constexpr std::size_t kFewTriangles = 256;
-
-/// One pass of a stable counting sort: `order` by key(item) < keys.
-template <class Item, class Key>
-void counting_sort(std::vector<Item>& order, std::vector<Item>& scratch, std::size_t keys, Key key)
-{
-    std::vector<std::uint32_t> start(keys + 1, 0);
-    for (const Item& item : order) ++start[key(item) + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    scratch.resize(order.size());
-    for (const Item& item : order) scratch[start[key(item)]++] = item;
-    order.swap(scratch);
-}
-
-/// Triangles by (group, shell, Morton code of the centre).
-std::vector<Index> spatial_order(const ProvenMesh& proven, const std::vector<Index>& group_of, std::size_t groups)
-{
-    const IndexedMesh& mesh = proven;
-    const Adjacency& adjacency = proven.adjacency();
-    const Box& box = proven.bounds();
-    const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
-    const double longest = std::max({size.x, size.y, size.z});
-    const double scale = longest > 0.0 ? (kMortonCells - 1) / (3.0 * longest) : 0.0;
-
-    struct Item
-    {
-        std::uint64_t code;
-        Index triangle;
-    };
-    std::vector<Item> items(mesh.triangles.size()), scratch;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        const glm::dvec3 centre = (glm::dvec3(mesh.vertices[t[0]].position) - glm::dvec3(box.lo)) +
-                                  (glm::dvec3(mesh.vertices[t[1]].position) - glm::dvec3(box.lo)) +
-                                  (glm::dvec3(mesh.vertices[t[2]].position) - glm::dvec3(box.lo));
-        const glm::dvec3 cell = centre * scale;
-        items[i].code =
-            spread(std::uint64_t(cell.x)) | (spread(std::uint64_t(cell.y)) << 1) | (spread(std::uint64_t(cell.z)) << 2);
-        items[i].triangle = static_cast<Index>(i);
-    }
-    if (items.size() < kFewTriangles) {
-        std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-            return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
-        });
-    } else {
-        for (std::uint32_t shift = 0; shift < 3 * kMortonBits; shift += kMortonBits)
-            counting_sort(items, scratch, kMortonCells,
-                          [shift](const Item& item) { return (item.code >> shift) & (kMortonCells - 1); });
-    }
-    if (adjacency.shell_count > 1)
-        counting_sort(items, scratch, adjacency.shell_count,
-                      [&](const Item& item) { return adjacency.shell[item.triangle]; });
-    if (groups > 1) counting_sort(items, scratch, groups, [&](const Item& item) { return group_of[item.triangle]; });
-
-    std::vector<Index> order(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].triangle;
-    return order;
 }
 
 /// Builds connectivity without a search: faces, edges in the order of their first half-edge, the linked boundary.
@@ -255,7 +183,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     progress.at(0.0);
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
     progress.at(0.01);
-    const std::vector<Index> order = spatial_order(proven, group_of, u.groups.size());
+    const Buffer<Index> order = spatial_order(proven, group_of, u.groups.size());
     progress.at(0.13);
     const std::vector<Run> runs = find_runs(order, group_of, adjacency.shell);
     const Numbering numbering = number_by_first_use(mesh, order, u.slots);
