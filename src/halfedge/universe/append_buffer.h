@@ -34,7 +34,7 @@ public:
     ~AppendBuffer() = default;
     AppendBuffer(const AppendBuffer& other) : AppendBuffer()
     {
-        reserve(other.capacity_);
+        reserve(other.capacity_, other.size_);
         std::copy_n(other.data_, other.size_, data_);
         size_ = other.size_;
     }
@@ -64,9 +64,9 @@ public:
     const T* begin() const { return data_; }
     const T* end() const { return data_ + size_; }
 
-    /// Makes room for `capacity` elements in all and touches the new room. Throws std::bad_alloc, and is unchanged
-    /// then.
-    void reserve(std::size_t capacity)
+    /// Makes room for `capacity` elements in all and touches the new room, but not that of the first `written_soon`
+    /// elements, which the caller is about to write. Throws std::bad_alloc, and is unchanged then.
+    void reserve(std::size_t capacity, std::size_t written_soon = 0)
     {
         if (capacity <= capacity_) return;
         if (capacity > static_cast<std::size_t>(-1) / sizeof(T) / kAskedFor) throw std::bad_alloc();
@@ -75,8 +75,9 @@ public:
         if (!blocks_.back().commit(bytes)) throw std::bad_alloc();
         T* const fresh = data_ + capacity_;
         prefer_huge_pages(static_cast<void*>(fresh), (capacity - capacity_) * sizeof(T));
+        const std::size_t first = std::max(capacity_, written_soon);
         // Not 0: the compiler would ask the system for zeroed memory, which comes untouched.
-        std::memset(static_cast<void*>(fresh), 0xff, (capacity - capacity_) * sizeof(T));
+        if (first < capacity) std::memset(static_cast<void*>(data_ + first), 0xff, (capacity - first) * sizeof(T));
         capacity_ = capacity;
     }
 

@@ -225,7 +225,7 @@ std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot
     UniverseSize size;
     for (const Segment& segment : segments.list()) {
         size.triangles += segment.count;
-        size.nodes += TriangleTree::nodes_for_run(segment.count) + 1;
+        size.nodes += TriangleTree::nodes_of_full_leaves(segment.count) + 1;
     }
     v.slots.reserve(size.triangles);
     Copied copied(u, size.triangles);
@@ -235,7 +235,6 @@ std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot
     size.edges = copied.edges.size();
     size.vertices = copied.vertices.size();
     reserve(v, size, reserved_crossings(size.triangles));
-    v.mesh.resize(size.points, size.edges, size.triangles);
     copy_connectivity(u, copied, v.mesh);
     copy_vertices(u, copied.vertices.old(), v);
     copy_faces(u, copied.old_face, v);

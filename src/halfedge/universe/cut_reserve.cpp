@@ -29,20 +29,19 @@ std::size_t crossings_of_one_cut(std::size_t triangles)
 
 void reserve(Universe& u, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress)
 {
-    // The shares are those of the bytes, about.
-    u.mesh.reserve(size.points + kPoints * crossings, size.edges + kEdges * crossings,
-                   size.triangles + kFaces * crossings, progress.part(0.0, 0.55));
-    u.vertices.reserve(size.vertices + kVertices * crossings);
-    progress.at(0.7);
-    for (Stream& stream : u.streams) stream.values.reserve((size.vertices + kVertices * crossings) * stream.width);
-    progress.at(0.75);
-    u.slots.reserve(size.triangles + kSlots * crossings);
-    progress.at(0.85);
-    u.face_of_slot.reserve(size.triangles + kSlots * crossings);
-    u.source_of_face.reserve(size.triangles + kFaces * crossings);
-    u.stamp_of_face.reserve(size.triangles + kFaces * crossings);
-    progress.at(0.95);
-    u.tree.reserve(size.nodes + crossings + (crossings >> kNodesShift) + kNodesInAnyCase);
+    // The shares are those of the time, about.
+    u.mesh.start(
+        {size.points, size.edges, size.triangles},
+        {size.points + kPoints * crossings, size.edges + kEdges * crossings, size.triangles + kFaces * crossings},
+        progress.part(0.0, 0.8));
+    u.vertices.reserve(size.vertices + kVertices * crossings, size.vertices);
+    for (Stream& stream : u.streams)
+        stream.values.reserve((size.vertices + kVertices * crossings) * stream.width, size.vertices * stream.width);
+    u.slots.reserve(size.triangles + kSlots * crossings, size.triangles);
+    u.face_of_slot.reserve(size.triangles + kSlots * crossings, size.triangles);
+    u.source_of_face.reserve(size.triangles + kFaces * crossings, size.triangles);
+    u.stamp_of_face.reserve(size.triangles + kFaces * crossings, size.triangles);
+    u.tree.reserve(size.nodes + crossings + (crossings >> kNodesShift) + kNodesInAnyCase, size.nodes);
     progress.at(1.0);
 }
 

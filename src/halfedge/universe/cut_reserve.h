@@ -21,8 +21,9 @@ std::size_t reserved_crossings(std::size_t triangles);
 /// The crossing triangles of one cut through the middle, with some to spare: room for planning one such cut.
 std::size_t crossings_of_one_cut(std::size_t triangles);
 
-/// Makes room in all arrays for `size` and, by an estimate, for cuts that cross `crossings` triangles in all; touches
-/// the room. Throws std::bad_alloc, and Cancelled, after which the universe is good for nothing.
+/// Makes room in all arrays of an empty universe for `size` and, by an estimate, for cuts that cross `crossings`
+/// triangles in all. Touches the room for cuts; the caller is about to write the rest. The half-edge mesh has its sizes
+/// then. Throws std::bad_alloc, and Cancelled, after which the universe is good for nothing.
 void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core::halfedge

@@ -7,6 +7,7 @@
 #include "common/mesh/plane.h"
 #include "common/mesh/plane_noise.h"
 #include "halfedge/universe/cut_reserve.h"
+#include "halfedge/universe/huge_pages.h"
 #include "halfedge/universe/spatial_order.h"
 #include "halfedge/universe/universe.h"
 
@@ -32,107 +33,135 @@ std::vector<Index> sort_groups(const IndexedMesh& mesh, std::vector<DrawGroup>& 
     return group_of;
 }
 
-/// Builds connectivity without a search: faces, edges in the order of their first half-edge, the linked boundary.
-void build_connectivity(Universe& u, const std::vector<Triangle>& points, std::span<const Index> opposites)
+/// Writes the triangles of a mesh into a universe whose arrays have their sizes, one after another in their new order:
+/// vertices and points are numbered in the order of their first use, edges in that of their first half-edge. A triangle
+/// finds the half-edges of its neighbours in a table, so connectivity needs no search, and one pass reads the mesh.
+class Writer
 {
-    SurfaceMesh& mesh = u.mesh;
-    std::vector<HalfedgeId> of_corner(opposites.size());
-    int edges = 0;
-    for (Index c = 0; c < opposites.size(); ++c) {
-        if (opposites[c] != kNone && opposites[c] < c) {
-            of_corner[c] = opposite(of_corner[opposites[c]]);
-        } else {
-            of_corner[c] = first_halfedge(EdgeId(edges++));
+public:
+    Writer(const ProvenMesh& proven, Universe& u)
+        : mesh_(proven),
+          opposite_(proven.adjacency().opposite),
+          u_(u),
+          number_of_(filled(mesh_.vertices.size(), Numbers{kNone, kNone})),
+          point_number_(filled(mesh_.point_count, kNone)),
+          halfedge_of_(filled(3 * mesh_.triangles.size(), HalfedgeId()))
+    {
+        if (!mesh_.streams.empty()) old_vertex_.reserve(mesh_.vertices.size());
+    }
+
+    void write(Index old_triangle)
+    {
+        const Triangle& t = mesh_.triangles[old_triangle];
+        const FaceId face(static_cast<int>(triangles_));
+        const SlotId slot(triangles_++);
+        std::array<PointId, 3> points;
+        std::array<HalfedgeId, 3> h;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Numbers& numbers = numbers_of(t[c]);
+            u_.slots[slot][c] = numbers.vertex;
+            points[c] = PointId(static_cast<int>(numbers.point));
+            h[c] = halfedge(std::size_t{3} * old_triangle + c);
+        }
+        u_.face_of_slot[slot] = face;
+        u_.source_of_face[face] = mesh_.sources[old_triangle];
+        u_.mesh.set_triangle(face, h[0], h[1], h[2]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            u_.mesh.set_to(h[c], points[(c + 1) % 3]);
+            u_.mesh.set_halfedge_of(points[c], h[c]);
+            if (opposite_[std::size_t{3} * old_triangle + c] != kNone) continue;
+            u_.mesh.set_to(opposite(h[c]), points[c]);
+            boundary_.push_back(opposite(h[c]));
         }
     }
-    const auto point_at = [&](std::size_t triangle, std::size_t corner) {
-        return PointId(int(points[triangle][corner % 3]));
+
+    /// Asks for the memory that write() will read soon. Its branches can't be foretold, so the processor does not read
+    /// ahead by itself.
+    void prefetch_triangle(Index old_triangle) const
+    {
+        __builtin_prefetch(&mesh_.triangles[old_triangle]);
+        __builtin_prefetch(&mesh_.sources[old_triangle]);
+        __builtin_prefetch(&opposite_[std::size_t{3} * old_triangle]);
+        __builtin_prefetch(&halfedge_of_[std::size_t{3} * old_triangle]);
+    }
+    /// The same, for what is known once the triangle itself is there.
+    void prefetch_corners(Index old_triangle) const
+    {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Index vertex = mesh_.triangles[old_triangle][c];
+            __builtin_prefetch(&number_of_[vertex]);
+            __builtin_prefetch(&mesh_.vertices[vertex]);
+            const Index across = opposite_[std::size_t{3} * old_triangle + c];
+            if (across != kNone) __builtin_prefetch(&halfedge_of_[across]);
+        }
+    }
+
+    /// Once all triangles are written: links the half-edges of the boundary, and copies the streams.
+    void finish()
+    {
+        SurfaceMesh& mesh = u_.mesh;
+        for (const HalfedgeId h : boundary_) mesh.set_halfedge_of(mesh.from(h), h);
+        for (const HalfedgeId h : boundary_) mesh.link(h, mesh.halfedge_of(mesh.to(h)));
+        for (std::size_t s = 0; s < mesh_.streams.size(); ++s) {
+            const VertexStream& stream = mesh_.streams[s];
+            for (std::size_t v = 0; v < old_vertex_.size(); ++v)
+                std::copy_n(&stream.values[std::size_t{old_vertex_[v]} * stream.width], stream.width,
+                            &u_.streams[s].values[v * stream.width]);
+        }
+    }
+
+private:
+    /// New numbers of a vertex of the mesh and of its point.
+    struct Numbers
+    {
+        Index vertex, point;
     };
-    for (std::size_t f = 0; f < points.size(); ++f) {
-        const HalfedgeId* h = &of_corner[3 * f];
-        mesh.set_triangle(FaceId(int(f)), h[0], h[1], h[2]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            mesh.set_to(h[c], point_at(f, c + 1));
-            mesh.set_halfedge_of(point_at(f, c), h[c]);
-        }
-    }
-    std::vector<HalfedgeId> boundary;
-    for (std::size_t c = 0; c < opposites.size(); ++c) {
-        if (opposites[c] != kNone) continue;
-        const HalfedgeId outer = opposite(of_corner[c]);
-        mesh.set_to(outer, point_at(c / 3, c));
-        mesh.set_halfedge_of(mesh.to(of_corner[c]), outer);
-        boundary.push_back(outer);
-    }
-    for (const HalfedgeId h : boundary) mesh.link(h, mesh.halfedge_of(mesh.to(h)));
-}
 
-/// Vertices and points, numbered in the order of their first use.
-struct Numbering
-{
-    std::vector<Index> old_vertex;        ///< of each vertex
-    std::vector<Triangle> corner_points;  ///< of each triangle
-    Index point_count = 0;
+    template <class T>
+    static Buffer<T> filled(std::size_t size, T value)
+    {
+        Buffer<T> table(size);
+        prefer_huge_pages(table.data(), size * sizeof(T));
+        std::fill(table.begin(), table.end(), value);
+        return table;
+    }
+
+    const Numbers& numbers_of(Index old_vertex)
+    {
+        Numbers& numbers = number_of_[old_vertex];
+        if (numbers.vertex != kNone) return numbers;
+        const Vertex& vertex = mesh_.vertices[old_vertex];
+        Index& point = point_number_[mesh_.points[old_vertex]];
+        if (point == kNone) {
+            point = points_++;
+            u_.mesh.set_position(PointId(static_cast<int>(point)), vertex.position);
+        }
+        numbers = {vertices_++, point};
+        u_.vertices[numbers.vertex] = vertex;
+        if (!mesh_.streams.empty()) old_vertex_.push_back(old_vertex);
+        return numbers;
+    }
+
+    /// Half of the edges are met for the first time here: a branch on it could not be foretold.
+    HalfedgeId halfedge(std::size_t corner)
+    {
+        const Index across = opposite_[corner];
+        const HalfedgeId other = halfedge_of_[across == kNone ? corner : across];
+        const HalfedgeId fresh = first_halfedge(EdgeId(static_cast<int>(edges_)));
+        edges_ += other.is_valid() ? 0 : 1;
+        return halfedge_of_[corner] = other.is_valid() ? opposite(other) : fresh;
+    }
+
+    const IndexedMesh& mesh_;
+    std::span<const Index> opposite_;
+    Universe& u_;
+    Buffer<Numbers> number_of_;         ///< by old vertex
+    Buffer<Index> point_number_;        ///< by old point
+    Buffer<HalfedgeId> halfedge_of_;    ///< by corner of the mesh; invalid until its triangle is written
+    std::vector<HalfedgeId> boundary_;  ///< half-edges without a face
+    std::vector<Index> old_vertex_;     ///< by new vertex, if there are streams
+    Index triangles_ = 0, vertices_ = 0, points_ = 0, edges_ = 0;
 };
-
-/// Writes the triangles to `slots`, which is empty.
-Numbering number_by_first_use(const IndexedMesh& mesh, std::span<const Index> order,
-                              AppendBuffer<Triangle, SlotId>& slots)
-{
-    Numbering numbering;
-    std::vector<Index> new_vertex(mesh.vertices.size(), kNone), new_point(mesh.point_count, kNone);
-    numbering.old_vertex.reserve(mesh.vertices.size());
-    numbering.corner_points.resize(order.size());
-    slots.reserve(order.size());
-    slots.set_size(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const Triangle& t = mesh.triangles[order[i]];
-        for (std::size_t c = 0; c < 3; ++c) {
-            if (new_vertex[t[c]] == kNone) {
-                new_vertex[t[c]] = static_cast<Index>(numbering.old_vertex.size());
-                numbering.old_vertex.push_back(t[c]);
-            }
-            slots[SlotId(Index(i))][c] = new_vertex[t[c]];
-            Index& point = new_point[mesh.points[t[c]]];
-            if (point == kNone) point = numbering.point_count++;
-            numbering.corner_points[i][c] = point;
-        }
-    }
-    return numbering;
-}
-
-/// Copies vertices with their streams; there is room for them.
-void copy_vertices(const IndexedMesh& mesh, std::span<const Index> old_vertex, Universe& u)
-{
-    u.vertices.set_size(old_vertex.size());
-    for (std::size_t v = 0; v < old_vertex.size(); ++v) u.vertices[v] = mesh.vertices[old_vertex[v]];
-    for (std::size_t s = 0; s < mesh.streams.size(); ++s) {
-        const VertexStream& stream = mesh.streams[s];
-        AppendBuffer<float>& values = u.streams[s].values;
-        values.set_size(old_vertex.size() * stream.width);
-        for (std::size_t v = 0; v < old_vertex.size(); ++v) {
-            const std::size_t from = std::size_t{old_vertex[v]} * stream.width;
-            std::copy_n(&stream.values[from], stream.width, &values[v * stream.width]);
-        }
-    }
-}
-
-/// Copies the data of faces and the positions of points; there is room for them.
-void copy_faces(const IndexedMesh& mesh, std::span<const Index> order, std::span<const Triangle> corner_points,
-                Universe& u)
-{
-    u.face_of_slot.set_size(order.size());
-    u.source_of_face.set_size(order.size());
-    u.stamp_of_face.set_size(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const SlotId slot(static_cast<Index>(i));
-        const FaceId face(static_cast<int>(i));
-        u.face_of_slot[slot] = face;
-        u.source_of_face[face] = mesh.sources[order[i]];
-        for (std::size_t c = 0; c < 3; ++c)
-            u.mesh.set_position(PointId(int(corner_points[i][c])), u.vertices[u.slots[slot][c]].position);
-    }
-}
 
 /// Triangles of one group and shell that follow one another.
 struct Run
@@ -166,6 +195,23 @@ std::vector<ShellRoot> plant_trees(std::span<const Run> runs, Index shell_count,
     return roots;
 }
 
+/// Gives the arrays of vertices, slots and faces their sizes; there is room for them.
+void set_sizes(Universe& u, const UniverseSize& size)
+{
+    u.vertices.set_size(size.vertices);
+    for (Stream& stream : u.streams) stream.values.set_size(size.vertices * stream.width);
+    u.slots.set_size(size.triangles);
+    u.face_of_slot.set_size(size.triangles);
+    u.source_of_face.set_size(size.triangles);
+    u.stamp_of_face.set_size(size.triangles);
+    std::fill(u.stamp_of_face.begin(), u.stamp_of_face.end(), Index(0));
+}
+
+/// How often the caller hears of progress while triangles are written.
+constexpr std::size_t kParts = 8;
+/// How many triangles ahead memory is asked for.
+constexpr std::size_t kAhead = 12;
+
 }  // namespace
 
 std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, const Progress& progress)
@@ -184,28 +230,26 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
     progress.at(0.01);
     const Buffer<Index> order = spatial_order(proven, group_of, u.groups.size());
-    progress.at(0.13);
+    progress.at(0.15);
     const std::vector<Run> runs = find_runs(order, group_of, adjacency.shell);
-    const Numbering numbering = number_by_first_use(mesh, order, u.slots);
-    progress.at(0.26);
     const auto boundary =
         static_cast<std::size_t>(std::count(adjacency.opposite.begin(), adjacency.opposite.end(), kNone));
     u.has_boundary = boundary > 0;
 
-    UniverseSize size{numbering.point_count, (3 * n + boundary) / 2, n, numbering.old_vertex.size(), 0};
-    // All leaves but the last of a run are full.
-    for (const Run& run : runs) size.nodes += 2 * (std::size_t{run.count - 1} / kLeafTriangles + 1);
-    reserve(u, size, reserved_crossings(n), {progress, 0.26, 0.78});
-    u.mesh.resize(size.points, size.edges, size.triangles);
-    progress.at(0.79);
-    const auto opposites = opposite_in_order(adjacency.opposite, order);
-    progress.at(0.83);
-    build_connectivity(u, numbering.corner_points, opposites);
-    progress.at(0.9);
-    copy_vertices(mesh, numbering.old_vertex, u);
-    progress.at(0.91);
-    copy_faces(mesh, order, numbering.corner_points, u);
-    progress.at(0.94);
+    UniverseSize size{mesh.point_count, (3 * n + boundary) / 2, n, mesh.vertices.size(), 0};
+    for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
+    reserve(u, size, reserved_crossings(n), {progress, 0.15, 0.4});
+    set_sizes(u, size);
+    Writer writer(proven, u);
+    for (std::size_t part = 0; part < kParts; ++part) {
+        for (std::size_t i = n * part / kParts; i < n * (part + 1) / kParts; ++i) {
+            writer.prefetch_triangle(order[std::min(i + 2 * kAhead, n - 1)]);
+            writer.prefetch_corners(order[std::min(i + kAhead, n - 1)]);
+            writer.write(order[i]);
+        }
+        progress.at(0.4 + 0.5 * double(part + 1) / kParts);
+    }
+    writer.finish();
     return plant_trees(runs, adjacency.shell_count, u);
 }
 

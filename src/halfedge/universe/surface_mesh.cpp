@@ -18,16 +18,17 @@ constexpr std::size_t kMost = std::size_t(1) << 30;
 
 SurfaceMesh::SurfaceMesh(const SurfaceMesh& other)
 {
-    reserve(other.room_.points, other.room_.edges, other.room_.faces);
+    grow(other.room_, {}, {});
     mesh_.assign_connectivity(other.mesh_);
     if (other.points() > 0)
         std::copy_n(other.mesh_.points(), other.points(), const_cast<decltype(mesh_)::Point*>(mesh_.points()));
 }
 
-void SurfaceMesh::reserve(std::size_t points, std::size_t edges, std::size_t faces, const ProgressOfStep& progress)
+void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfStep& progress)
 {
-    if (points > kMost || edges > kMost || faces > kMost) throw std::bad_alloc();
-    const Sizes wanted{std::max(points, room_.points), std::max(edges, room_.edges), std::max(faces, room_.faces)};
+    if (room.points > kMost || room.edges > kMost || room.faces > kMost) throw std::bad_alloc();
+    const Sizes wanted{std::max(room.points, room_.points), std::max(room.edges, room_.edges),
+                       std::max(room.faces, room_.faces)};
     const std::size_t v = mesh_.n_vertices(), e = mesh_.n_edges(), f = mesh_.n_faces();
     if (wanted.points > asked_.points || wanted.edges > asked_.edges || wanted.faces > asked_.faces) {
         ask_for(wanted);
@@ -44,7 +45,7 @@ void SurfaceMesh::reserve(std::size_t points, std::size_t edges, std::size_t fac
         progress.at(static_cast<double>(part) / static_cast<double>(parts));
     }
     mesh_.resize(wanted.points, wanted.edges, wanted.faces);
-    mesh_.resize(v, e, f);
+    mesh_.resize(then.points, then.edges, then.faces);
     room_ = wanted;
 }
 
@@ -66,7 +67,7 @@ std::size_t SurfaceMesh::make_room(std::size_t points, std::size_t edges, std::s
     const std::size_t v = mesh_.n_vertices() + points, e = mesh_.n_edges() + edges, f = mesh_.n_faces() + faces;
     if (v <= room_.points && e <= room_.edges && f <= room_.faces) return 0;
     const std::size_t before = bytes_reserved();
-    reserve(v, e, f);
+    grow({v, e, f}, sizes(), {});
     return bytes_reserved() - before;
 }
 

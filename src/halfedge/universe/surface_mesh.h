@@ -69,9 +69,15 @@ public:
     /// Sets the sizes. Within reserved room it cannot fail and costs O(added elements).
     void resize(std::size_t points, std::size_t edges, std::size_t faces) { mesh_.resize(points, edges, faces); }
 
-    /// Makes room for so many elements in all and touches it. As in AppendBuffer, memory for as much again is asked for
-    /// but not touched. Throws std::bad_alloc, and Cancelled, after which the mesh is good for nothing.
-    void reserve(std::size_t points, std::size_t edges, std::size_t faces, const ProgressOfStep& progress = {});
+    struct Sizes
+    {
+        std::size_t points = 0, edges = 0, faces = 0;
+    };
+
+    /// Gives an empty mesh its sizes, and makes room for `room` elements in all and touches it. As in AppendBuffer,
+    /// memory for as much again is asked for but not touched. Throws std::bad_alloc, and Cancelled, after which the mesh
+    /// is good for nothing.
+    void start(const Sizes& sizes, const Sizes& room, const ProgressOfStep& progress) { grow(room, sizes, progress); }
 
     /// Makes room for more elements; returns the bytes by which the arrays grew. O(added elements), unless the memory
     /// that was asked for is used up.
@@ -86,10 +92,9 @@ public:
     SurfaceMesh& operator=(SurfaceMesh&&) = default;
 
 private:
-    struct Sizes
-    {
-        std::size_t points = 0, edges = 0, faces = 0;
-    };
+    Sizes sizes() const { return {points(), edges(), faces()}; }
+    /// Makes room and touches it; the mesh has the sizes `then` afterwards.
+    void grow(const Sizes& room, const Sizes& then, const ProgressOfStep& progress);
     void ask_for(const Sizes& wanted);
 
     OpenMesh::TriMesh_ArrayKernelT<SurfaceTraits> mesh_;

@@ -236,11 +236,11 @@ NodeId TriangleTree::merge_leaves(NodeId left, NodeId right)
     return left;
 }
 
-void TriangleTree::reserve(std::size_t count)
+void TriangleTree::reserve(std::size_t count, std::size_t written_soon)
 {
-    nodes.reserve(count);
-    moments.reserve(count);
-    supports.reserve(count);
+    nodes.reserve(count, written_soon);
+    moments.reserve(count, written_soon);
+    supports.reserve(count, written_soon);
 }
 
 std::size_t TriangleTree::make_room(std::size_t count)

@@ -76,7 +76,13 @@ struct TriangleTree
     /// refers to yet.
     NodeId merge_leaves(NodeId left, NodeId right);
 
-    /// Upper bound on the nodes that make_run() needs.
+    /// The nodes that make_run() needs, whose leaves are full but for the last.
+    static std::size_t nodes_of_full_leaves(std::size_t count)
+    {
+        return count == 0 ? 0 : 2 * ((count - 1) / kLeafTriangles) + 1;
+    }
+
+    /// Upper bound on them, for leaves that are half full.
     static std::size_t nodes_for_run(std::size_t count)
     {
         return count == 0 ? 0 : 2 * ((count - 1) / (kLeafTriangles / 2) + 1);
@@ -91,7 +97,8 @@ struct TriangleTree
         __builtin_prefetch(reinterpret_cast<const char*>(&supports[node]) + 64);
     }
 
-    void reserve(std::size_t count);
+    /// As AppendBuffer's.
+    void reserve(std::size_t count, std::size_t written_soon = 0);
     std::size_t make_room(std::size_t count);
     std::size_t bytes_reserved() const;
 
