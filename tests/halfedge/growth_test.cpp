@@ -180,7 +180,7 @@ TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
     }
     EXPECT_GT(grown, 0u);
     // Room for the stated number of crossing triangles was there.
-    EXPECT_GE(double(first_grown_at), 0.5 * double(reserved_crossings(20'000)));
+    EXPECT_GE(double(first_grown_at), 0.5 * double(crossings_of_one_cut(20'000)));
 }
 
 }  // namespace

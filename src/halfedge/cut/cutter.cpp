@@ -68,9 +68,9 @@ bool Cutter::misses(Side side_of_object, CutResult& result)
 
 void Cutter::make_room_for_vertices(CutResult& result)
 {
-    // The walk writes new vertices behind the others: two for each crossing triangle at most, and two for each point of
-    // the outline.
-    const std::size_t room = 2 * w_.found.crossings.size() + 2 * w_.found.outline_edge_count();
+    // The walk writes new vertices behind the others: at most two for an edge that it crosses from one triangle to the
+    // next, and one for an edge of the boundary.
+    const std::size_t room = 2 * w_.found.crossings.size();
     result.statistics.bytes_grown += u_.vertices.make_room(room);
     for (Stream& stream : u_.streams) result.statistics.bytes_grown += stream.values.make_room(room * stream.width);
     done(Phase::growth, result);

@@ -19,12 +19,11 @@ namespace kerf::core::halfedge {
 struct Target
 {
     Side side = Side::negative;
-    Index shell = 0;           ///< of the cut shells
-    bool is_empty = false;     ///< all that would be in it has vanished
-    Index piece_shell = 0;     ///< what it is joined with
-    std::uint32_t count = 0;   ///< rewritten triangles
-    SlotId cursor;             ///< next slot to write
-    std::uint32_t leaves = 0;  ///< rewritten leaves that it has a part in
+    Index shell = 0;          ///< of the cut shells
+    bool is_empty = false;    ///< all that would be in it has vanished
+    Index piece_shell = 0;    ///< what it is joined with
+    std::uint32_t count = 0;  ///< rewritten triangles
+    SlotId cursor;            ///< next slot to write
     NodeId root;
 };
 

@@ -12,11 +12,18 @@ std::size_t end_of_entries(const Universe& u, const TreeOp& op)
     return op.argument + u.tree.nodes[op.node].count;
 }
 
+/// At most so many nodes are made for a target's part of a leaf: its own, and the one that joins it.
+std::size_t nodes_for_part(std::uint32_t count)
+{
+    return count == 0 ? 0 : 1 + (count <= kMaxLeafTriangles ? 1 : TriangleTree::nodes_of_full_leaves(count));
+}
+
 }  // namespace
 
 std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& section, const Caps& caps, Pieces& pieces)
 {
-    counted_in_.assign(pieces.targets.size(), kNone);
+    part_.assign(pieces.targets.size(), LeafPart());
+    part_nodes_ = 0;
     start_.assign(pieces.targets.size(), SlotId());
     std::size_t whole = 0;
     for (const CutShell& shell : found.shells)
@@ -26,25 +33,25 @@ std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& sect
             if (op.kind == TreeOp::Kind::leaf) count_leaf(u, op, static_cast<Index>(i), found, pieces);
         }
 
+    for (const LeafPart& part : part_) part_nodes_ += nodes_for_part(part.count);
+
     // Negative side first, caps behind the surface of their side.
     const SlotId first_slot(static_cast<Index>(u.slots.size()));
     SlotId slot = first_slot;
-    std::size_t nodes = 0;
+    std::size_t nodes = part_nodes_ + whole + pieces.targets.size();
     for (const Side side : {Side::negative, Side::positive}) {
         for (Target& t : pieces.targets) {
             if (t.side != side) continue;
             t.cursor = slot;
             slot = slot + t.count;
-            nodes += 2 * (t.leaves + TriangleTree::nodes_for_run(t.count));
         }
         for (PieceShell& piece_shell : pieces.shells) {
             if (piece_shell.side != side) continue;
             piece_shell.cap_first = piece_shell.cap_cursor = slot;
             slot = slot + piece_shell.cap_count;
-            nodes += TriangleTree::nodes_for_run(piece_shell.cap_count) + 1;
+            nodes += TriangleTree::nodes_of_full_leaves(piece_shell.cap_count) + 1;
         }
     }
-    nodes += whole + pieces.targets.size();
     new_slots_ = slot - first_slot;
     new_vertices_ = section.new_vertices + (caps.triangles.empty() ? 0 : 2 * section.loop_points.size());
 
@@ -65,10 +72,13 @@ std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& sect
 void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, const Found& found, Pieces& pieces)
 {
     const auto count = [&](TargetId id) {
-        Target& target = pieces.target(id);
-        ++target.count;
-        if (counted_in_[id.number()] != number) ++target.leaves;
-        counted_in_[id.number()] = number;
+        LeafPart& part = part_[id.number()];
+        if (part.leaf != number) {
+            part_nodes_ += nodes_for_part(part.count);
+            part = {number, 0};
+        }
+        ++part.count;
+        ++pieces.target(id).count;
     };
     for (std::size_t e = op.argument; e < end_of_entries(u, op); ++e) {
         if (!found.entries[e].is_crossing()) {

@@ -28,6 +28,13 @@ public:
     std::size_t new_slots() const { return new_slots_; }
 
 private:
+    /// A target's part of a leaf that is written anew.
+    struct LeafPart
+    {
+        Index leaf = kNone;  ///< the number of its step
+        std::uint32_t count = 0;
+    };
+
     void count_leaf(const Universe& universe, const TreeOp& op, Index number, const Found& found, Pieces& pieces);
     void write_cap_vertices(Universe& universe, const Plane& plane, const PlaneFrame& frame, const Found& found,
                             const Section& section);
@@ -45,7 +52,8 @@ private:
     std::vector<Result> results_;         // lists of results, one behind the other, each sorted by target
     std::vector<std::uint32_t> lengths_;  // of the lists
     std::vector<TargetId> touched_;       // targets that a leaf has parts in
-    std::vector<Index> counted_in_;       // the last leaf that each target has a part in, by the number of its step
+    std::vector<LeafPart> part_;          // of each target in the last leaf that it has a part in
+    std::size_t part_nodes_ = 0;          // at most, of the trees over all parts of leaves, and of what joins them
     std::vector<SlotId> start_;           // of each target in the leaf
     std::size_t new_vertices_ = 0, new_slots_ = 0;
     NodeId first_fresh_node_;

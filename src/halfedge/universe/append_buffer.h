@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstring>
 #include <new>
@@ -92,13 +93,21 @@ public:
     }
 
     /// Counts elements beyond the end, which were written already, as part of the array.
-    void extend(std::size_t count) { size_ += count; }
+    void extend(std::size_t count)
+    {
+        assert(count <= capacity_ - size_);
+        size_ += count;
+    }
 
     /// Sets the size within the capacity; new elements keep whatever bytes are there.
     void set_size(std::size_t size) { size_ = size; }
 
     /// Appends an element, for which there must be room.
-    void push(const T& value) { data_[size_++] = value; }
+    void push(const T& value)
+    {
+        assert(size_ < capacity_);
+        data_[size_++] = value;
+    }
 
     /// Bytes of touched memory.
     std::size_t bytes_reserved() const { return capacity_ * sizeof(T); }

@@ -14,11 +14,9 @@ struct UniverseSize
     std::size_t points = 0, edges = 0, triangles = 0, vertices = 0, nodes = 0;
 };
 
-/// Room that a new universe has for cuts, in crossing triangles: about eight cuts through the middle of a surface, each
-/// of which crosses some 3 sqrt(n) triangles.
-std::size_t reserved_crossings(std::size_t triangles);
-
-/// The crossing triangles of one cut through the middle, with some to spare: room for planning one such cut.
+/// The crossing triangles of one cut through the middle of a surface, some 3 sqrt(n), with some to spare: what a new
+/// universe has room for, and planning. A cut that finds no room left makes some, which costs O(k); so more in advance
+/// would serve only objects that are cut again and again, and burden all.
 std::size_t crossings_of_one_cut(std::size_t triangles);
 
 /// Makes room in all arrays of an empty universe for `size` and, by an estimate, for cuts that cross `crossings`

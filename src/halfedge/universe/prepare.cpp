@@ -238,7 +238,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
 
     UniverseSize size{mesh.point_count, (3 * n + boundary) / 2, n, mesh.vertices.size(), 0};
     for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
-    reserve(u, size, reserved_crossings(n), {progress, 0.15, 0.4});
+    reserve(u, size, crossings_of_one_cut(n), {progress, 0.15, 0.4});
     set_sizes(u, size);
     Writer writer(proven, u);
     for (std::size_t part = 0; part < kParts; ++part) {

@@ -82,12 +82,6 @@ struct TriangleTree
         return count == 0 ? 0 : 2 * ((count - 1) / kLeafTriangles) + 1;
     }
 
-    /// Upper bound on them, for leaves that are half full.
-    static std::size_t nodes_for_run(std::size_t count)
-    {
-        return count == 0 ? 0 : 2 * ((count - 1) / (kLeafTriangles / 2) + 1);
-    }
-
     /// Asks for the memory that join() will read.
     void prefetch(NodeId node) const
     {
