@@ -19,12 +19,22 @@ using Item = std::uint64_t;
 /// How the bits of an item are shared out.
 struct Layout
 {
-    std::uint32_t bits_of_axis;    ///< of a cell, for each axis
+    std::uint32_t bits_of_axis;  ///< of a cell, for each axis
+    std::uint32_t digits;        ///< of a cell: what it is sorted by, one after another
+    std::uint32_t bits_of_digit;
     std::uint32_t bits_of_number;  ///< of a triangle
 
     explicit Layout(std::size_t triangles)
-        : bits_of_axis(triangles <= (std::size_t(1) << 28) ? 12 : 11), bits_of_number(64 - 3 * bits_of_axis)
     {
+        constexpr std::size_t kMany = std::size_t(1) << 17, kTooManyForShort = std::size_t(1) << 21,
+                              kTooManyForLong = std::size_t(1) << 28;
+        // A surface passes through some 6 * 4^bits cells. Triangles of one cell keep the order that they had, so a few
+        // to a cell are as good as one. Each digit costs a pass over all, which is worth saving if they are many.
+        const bool is_short = kMany <= triangles && triangles <= kTooManyForShort;
+        bits_of_axis = is_short ? 8 : triangles <= kTooManyForLong ? 12 : 11;
+        digits = is_short ? 2 : 3;
+        bits_of_digit = 3 * bits_of_axis / digits;
+        bits_of_number = 64 - 3 * bits_of_axis;
     }
     Index number(Item item) const { return static_cast<Index>(item & ((Item(1) << bits_of_number) - 1)); }
 };
@@ -80,17 +90,17 @@ void sort_by_cell(Buffer<Item>& items, const Layout& layout)
         std::sort(items.begin(), items.end());
         return;
     }
-    // Three passes of a counting sort by one digit each, from the least. All digits are counted in one go.
-    constexpr std::size_t kDigits = 3, kMostBits = 12;
-    const std::size_t keys = std::size_t(1) << layout.bits_of_axis;
+    // A pass of a counting sort for each digit, from the least. All digits are counted in one go.
+    constexpr std::size_t kMostDigits = 3, kMostBits = 12;
+    const std::size_t keys = std::size_t(1) << layout.bits_of_digit;
     const auto digit = [&](Item item, std::size_t d) {
-        return (item >> (layout.bits_of_number + d * layout.bits_of_axis)) & (keys - 1);
+        return (item >> (layout.bits_of_number + d * layout.bits_of_digit)) & (keys - 1);
     };
-    std::array<std::array<std::uint32_t, std::size_t(1) << kMostBits>, kDigits> start{};
+    std::array<std::array<std::uint32_t, std::size_t(1) << kMostBits>, kMostDigits> start{};
     for (const Item item : items)
-        for (std::size_t d = 0; d < kDigits; ++d) ++start[d][digit(item, d)];
+        for (std::size_t d = 0; d < layout.digits; ++d) ++start[d][digit(item, d)];
     Buffer<Item> scratch = room_for_items(items.size());
-    for (std::size_t d = 0; d < kDigits; ++d) {
+    for (std::size_t d = 0; d < layout.digits; ++d) {
         std::exclusive_scan(start[d].begin(), start[d].end(), start[d].begin(), 0u);
         for (const Item item : items) scratch[start[d][digit(item, d)]++] = item;
         items.swap(scratch);
