@@ -6,9 +6,10 @@
 
 namespace kerf::bench {
 
-Result<Object> TimedBackEnd::prepare(Mesh mesh) const
+Result<Object> TimedBackEnd::prepare(Mesh mesh, unsigned threads) const
 {
     PrepareOptions options;
+    options.threads = threads;
     options.back_end_name = name.c_str();
     return kerf::prepare(std::move(mesh), options);
 }

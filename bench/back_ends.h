@@ -18,7 +18,7 @@ struct TimedBackEnd
     /// The half-edge back end with another closing of sections: whatever has little to do with caps is not timed again.
     bool differs_in_caps_only() const { return name == "halfedge/cgal"; }
 
-    Result<Object> prepare(Mesh mesh) const;
+    Result<Object> prepare(Mesh mesh, unsigned threads = 1) const;
 };
 
 /// All back ends of this build, the default last.

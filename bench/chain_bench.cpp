@@ -1,12 +1,14 @@
 //   Recut/<back end>/<shape>/<triangles>    100 cuts in a chain: always the largest fragment, through its centre of
 //                                           mass
 //   Prepare/<back end>/<shape>/<triangles>  making a mesh ready for cutting, and the memory that it takes from then on
+//   PrepareThreads/<threads>/halfedge/...   the same by so many threads: the time that passes
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 
@@ -174,10 +176,41 @@ void prepare_shape(benchmark::State& state, const TimedBackEnd& back_end, const 
     state.counters["bytes_per_triangle"] = bytes / triangles;
 }
 
+/// The time that passes, of which the caller's processor time is a part.
+void prepare_with_threads(benchmark::State& state, const TimedBackEnd& back_end, std::uint64_t size, unsigned threads)
+{
+    const Mesh& mesh = timed_shape("asteroid", size);
+    double seconds = 0.0;
+    for (auto _ : state) {
+        Mesh copy = value_of(mesh.clone());
+        const auto start = std::chrono::steady_clock::now();
+        const Result<Object> result = back_end.prepare(std::move(copy), threads);
+        const std::chrono::duration<double> iteration = std::chrono::steady_clock::now() - start;
+        if (!result) return state.SkipWithError(result.reason());
+        state.SetIterationTime(iteration.count());
+        seconds += iteration.count();
+    }
+    const auto triangles = double(mesh.triangle_count());
+    state.counters["triangles"] = triangles;
+    state.counters["ns_per_triangle"] = seconds * 1e9 / double(state.iterations()) / triangles;
+}
+
 }  // namespace
 
 void register_chain_benchmarks()
 {
+    for (const TimedBackEnd& back_end : back_ends())
+        if (back_end.name == "halfedge")
+            for (const std::uint64_t size : {30'000ull, 100'000ull, 1'000'000ull})
+                for (const unsigned threads : {1u, 2u})
+                    benchmark::RegisterBenchmark(
+                        ("PrepareThreads/" + std::to_string(threads) + "/halfedge/asteroid/" + std::to_string(size))
+                            .c_str(),
+                        [&back_end, size, threads](benchmark::State& s) {
+                            prepare_with_threads(s, back_end, size, threads);
+                        })
+                        ->UseManualTime()
+                        ->Unit(benchmark::kMillisecond);
     for (const std::uint64_t size : {10'000ull, 100'000ull, 1'000'000ull})
         for (const TimedBackEnd& back_end : back_ends()) {
             const std::string tail = back_end.name + "/asteroid/" + std::to_string(size);

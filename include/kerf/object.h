@@ -35,6 +35,10 @@ struct PrepareOptions
     bool (*progress)(void* user, double share) = nullptr;
     void* user = nullptr;          ///< for `progress`
     BufferListener listener = {};  ///< of the object's buffers and of all that descend from it
+    /// Threads that may work at it, the caller's among them; 0: as many as the processor has. The half-edge back end
+    /// takes up to two, for meshes of 20 000 triangles and more; the linear one has nothing to share out. The object is
+    /// the same, whatever the number. If no thread is to be had, the caller's does it alone.
+    std::uint32_t threads = 1;
 };
 
 /// A closed polyline, or a chain that ends at holes of the mesh: an outline of the section that made an object.

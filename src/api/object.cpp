@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "api/convert.h"
 #include "api/mesh_data.h"
@@ -72,6 +73,7 @@ Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
         core::PrepareOptions inside;
         inside.listener = {options.listener.released, options.listener.user};
         inside.progress = {options.progress, options.user};
+        inside.threads = options.threads != 0 ? options.threads : std::thread::hardware_concurrency();
         // Both ends of a bar, whatever the back end says between.
         const auto goes_on = [&](double share) {
             return options.progress == nullptr || options.progress(options.user, share);

@@ -23,7 +23,7 @@ private:
     std::unique_ptr<Cuttable> make_beside(const ProvenMesh& mesh, const PrepareOptions& options) const override
     {
         auto shared = std::make_shared<SharedUniverse>(options.listener, quality_);
-        const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe, options.progress);
+        const std::vector<ShellRoot> shells = prepare_universe(mesh, shared->universe, options);
         make_room_for_cut(mesh->triangles.size());
         return std::make_unique<Fragment>(std::move(shared), shells, mesh->materials.size());
     }

@@ -24,9 +24,6 @@ TriangleSoup joined(TriangleSoup a, const TriangleSoup& b)
     return a;
 }
 
-namespace {
-
-/// A colour for each vertex, so that streams are there to be interpolated.
 TriangleSoup with_colours(TriangleSoup soup)
 {
     VertexStream stream{"colour", 3, {}};
@@ -36,7 +33,6 @@ TriangleSoup with_colours(TriangleSoup soup)
     return soup;
 }
 
-/// Upper and lower half in two materials.
 TriangleSoup with_two_materials(TriangleSoup soup)
 {
     soup.materials = {{"lower", glm::vec4(1.0f), {}}, {"upper", glm::vec4(1.0f), {}}};
@@ -45,6 +41,8 @@ TriangleSoup with_two_materials(TriangleSoup soup)
         soup.triangle_materials.push_back(soup.vertices[t[0]].position.z > 0.1f ? 1u : 0u);
     return soup;
 }
+
+namespace {
 
 TriangleSoup moved(TriangleSoup soup, const glm::vec3& by)
 {

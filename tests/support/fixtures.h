@@ -24,6 +24,12 @@ IndexedMesh repaired(TriangleSoup soup);
 /// Both, where they are.
 TriangleSoup joined(TriangleSoup a, const TriangleSoup& b);
 
+/// With a colour for each vertex, so that streams are there to be interpolated.
+TriangleSoup with_colours(TriangleSoup soup);
+
+/// With the upper and the lower half in two materials.
+TriangleSoup with_two_materials(TriangleSoup soup);
+
 /// Small closed shapes: convex, concave, with tunnels, hollow, of several shells, with seams and with streams.
 const std::vector<NamedMesh>& closed_shapes();
 

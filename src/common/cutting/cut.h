@@ -250,6 +250,7 @@ struct PrepareOptions
 {
     BufferListener listener;  ///< of the object's buffers, and of all that descend from it
     Progress progress;
+    unsigned threads = 1;  ///< that may work at it
 };
 
 /// A way to cut. Stateless: one backend may prepare any number of objects from any number of threads.

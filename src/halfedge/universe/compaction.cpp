@@ -235,6 +235,7 @@ std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot
     size.edges = copied.edges.size();
     size.vertices = copied.vertices.size();
     reserve(v, size, crossings_of_one_cut(size.triangles));
+    reserve_nodes(v, size, crossings_of_one_cut(size.triangles));
     copy_connectivity(u, copied, v.mesh);
     copy_vertices(u, copied.vertices.old(), v);
     copy_faces(u, copied.old_face, v);

@@ -36,8 +36,12 @@ void reserve(Universe& u, const UniverseSize& size, std::size_t crossings, const
     u.face_of_slot.reserve(size.triangles + kSlots * crossings, size.triangles);
     u.source_of_face.reserve(size.triangles + kFaces * crossings, size.triangles);
     u.stamp_of_face.reserve(size.triangles + kFaces * crossings, size.triangles);
-    u.tree.reserve(size.nodes + kNodes * crossings + kNodesInAnyCase, size.nodes);
     progress.at(1.0);
+}
+
+void reserve_nodes(Universe& u, const UniverseSize& size, std::size_t crossings)
+{
+    u.tree.reserve(size.nodes + kNodes * crossings + kNodesInAnyCase, size.nodes);
 }
 
 }  // namespace kerf::core::halfedge

@@ -19,9 +19,11 @@ struct UniverseSize
 /// would serve only objects that are cut again and again, and burden all.
 std::size_t crossings_of_one_cut(std::size_t triangles);
 
-/// Makes room in all arrays of an empty universe for `size` and, by an estimate, for cuts that cross `crossings`
+/// Makes room in all arrays of an empty universe, but for the tree, for `size` and, by an estimate, for cuts that cross `crossings`
 /// triangles in all. Touches the room for cuts; the caller is about to write the rest. The half-edge mesh has its sizes
 /// then. Throws std::bad_alloc, and Cancelled, after which the universe is good for nothing.
 void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress = {});
+/// The same for the tree. Throws std::bad_alloc.
+void reserve_nodes(Universe& universe, const UniverseSize& size, std::size_t crossings);
 
 }  // namespace kerf::core::halfedge

@@ -194,18 +194,6 @@ NodeId TriangleTree::make_leaf(const TreeGeometry& geometry, SlotId first, std::
     return last();
 }
 
-NodeId TriangleTree::make_run(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group)
-{
-    if (count == 0) return {};
-    if (count <= kLeafTriangles) return make_leaf(geometry, first, count, group);
-    // Halve the number of leaves, so that all but the last are full.
-    const std::uint32_t leaves = (count + kLeafTriangles - 1) / kLeafTriangles;
-    const std::uint32_t half = (leaves / 2) * kLeafTriangles;
-    const NodeId left = make_run(geometry, first, half, group);
-    const NodeId right = make_run(geometry, first + half, count - half, group);
-    return join(left, right);
-}
-
 NodeId TriangleTree::join(NodeId left, NodeId right)
 {
     if (!left.is_valid()) return right;

@@ -68,8 +68,28 @@ struct TriangleTree
 
     /// A leaf over `count` slots from `first`, all of one group.
     NodeId make_leaf(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group);
-    /// A subtree over a run of slots of one group, in leaves of at most kLeafTriangles.
-    NodeId make_run(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group);
+    /// A subtree over a run of slots of one group, in leaves of at most kLeafTriangles. `before_leaf(end)` is called
+    /// before the slots in front of `end` are read.
+    template <class BeforeLeaf>
+    NodeId make_run(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group,
+                    const BeforeLeaf& before_leaf)
+    {
+        if (count == 0) return {};
+        if (count <= kLeafTriangles) {
+            before_leaf(first + count);
+            return make_leaf(geometry, first, count, group);
+        }
+        // Halve the number of leaves, so that all but the last are full.
+        const std::uint32_t leaves = (count + kLeafTriangles - 1) / kLeafTriangles;
+        const std::uint32_t half = (leaves / 2) * kLeafTriangles;
+        const NodeId left = make_run(geometry, first, half, group, before_leaf);
+        const NodeId right = make_run(geometry, first + half, count - half, group, before_leaf);
+        return join(left, right);
+    }
+    NodeId make_run(const TreeGeometry& geometry, SlotId first, std::uint32_t count, GroupId group)
+    {
+        return make_run(geometry, first, count, group, [](SlotId) {});
+    }
     /// The parent of two subtrees; either may be none, then it is the other one.
     NodeId join(NodeId left, NodeId right);
     /// Makes leaf `left` hold the triangles of leaf `right` too, which follow its own. Only for nodes that no fragment

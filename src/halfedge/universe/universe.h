@@ -110,6 +110,7 @@ struct ShellRoot
 
 /// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for a cut
 /// (crossings_of_one_cut()). Returns the shells of the mesh. O(n log n) with a radix sort's constant. Throws Cancelled.
-std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe, const Progress& progress = {});
+std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe,
+                                        const PrepareOptions& options = {});
 
 }  // namespace kerf::core::halfedge

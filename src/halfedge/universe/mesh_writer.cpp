@@ -1,0 +1,64 @@
+#include "halfedge/universe/mesh_writer.h"
+
+#include <algorithm>
+
+namespace kerf::core::halfedge {
+
+namespace {
+
+/// How many vertices or triangles ahead the mesh is read.
+constexpr Index kAhead = 16;
+
+}  // namespace
+
+void MeshWriter::write(const NumberedChunk& chunk)
+{
+    write_vertices(chunk.vertices);
+    for (Index i = 0; i < chunk.count; ++i) {
+        __builtin_prefetch(&mesh_.sources[order_[chunk.first + std::min(i + kAhead, chunk.count - 1)]]);
+        const SlotId slot(chunk.first + i);
+        const FaceId face(static_cast<int>(slot.number()));
+        const std::array<HalfedgeId, 3>& h = halfedges_[slot.number()];
+        u_.face_of_slot[slot] = face;
+        u_.source_of_face[face] = mesh_.sources[order_[slot.number()]];
+        u_.mesh.set_triangle(face, h[0], h[1], h[2]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const PointId p = point(u_.slots[slot][c]);
+            u_.mesh.set_to(h[(c + 2) % 3], p);
+            u_.mesh.set_halfedge_of(p, h[c]);
+        }
+    }
+}
+
+void MeshWriter::write_vertices(Index end)
+{
+    for (; vertices_ < end; ++vertices_) {
+        __builtin_prefetch(&mesh_.vertices[old_vertex_[std::min(vertices_ + kAhead, end - 1)]]);
+        const Vertex& vertex = u_.vertices[vertices_] = mesh_.vertices[old_vertex_[vertices_]];
+        if (point_[vertices_] != points_) continue;
+        u_.mesh.set_position(point(vertices_), vertex.position);
+        ++points_;
+    }
+}
+
+void MeshWriter::finish()
+{
+    SurfaceMesh& mesh = u_.mesh;
+    for (const HalfedgeId inside : numbering_.at_boundary()) {
+        const HalfedgeId h = opposite(inside);
+        mesh.set_to(h, mesh.to(mesh.prev(inside)));
+        mesh.set_halfedge_of(mesh.to(inside), h);
+    }
+    for (const HalfedgeId inside : numbering_.at_boundary()) {
+        const HalfedgeId h = opposite(inside);
+        mesh.link(h, mesh.halfedge_of(mesh.to(h)));
+    }
+    for (std::size_t s = 0; s < mesh_.streams.size(); ++s) {
+        const VertexStream& stream = mesh_.streams[s];
+        float* values = u_.streams[s].values.data();
+        for (const Index old_vertex : old_vertex_.first(vertices_))
+            values = std::copy_n(&stream.values[std::size_t{old_vertex} * stream.width], stream.width, values);
+    }
+}
+
+}  // namespace kerf::core::halfedge

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+
+#include "halfedge/universe/numbering.h"
+#include "halfedge/universe/universe.h"
+
+namespace kerf::core::halfedge {
+
+/// The second pass that writes a mesh into a universe whose arrays have their sizes: vertices, faces and half-edges,
+/// chunk after chunk of triangles that have their numbers, each chunk in the order of memory.
+class MeshWriter
+{
+public:
+    MeshWriter(const IndexedMesh& mesh, std::span<const Index> order, const Numbering& numbering, Universe& universe)
+        : mesh_(mesh),
+          order_(order),
+          numbering_(numbering),
+          halfedges_(numbering.halfedges()),
+          old_vertex_(numbering.old_vertices()),
+          point_(numbering.points()),
+          u_(universe)
+    {
+    }
+
+    /// Can't fail.
+    void write(const NumberedChunk& chunk);
+    /// Once all chunks are written: links the half-edges of the boundary, and copies the streams.
+    void finish();
+
+private:
+    void write_vertices(Index end);
+    PointId point(Index vertex) const { return PointId(static_cast<int>(point_[vertex])); }
+
+    const IndexedMesh& mesh_;
+    std::span<const Index> order_;
+    const Numbering& numbering_;
+    std::span<const std::array<HalfedgeId, 3>> halfedges_;
+    std::span<const Index> old_vertex_, point_;
+    Universe& u_;
+    Index vertices_ = 0, points_ = 0;  ///< written
+};
+
+}  // namespace kerf::core::halfedge

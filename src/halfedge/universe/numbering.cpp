@@ -1,0 +1,119 @@
+#include "halfedge/universe/numbering.h"
+
+#include <algorithm>
+
+#include "halfedge/universe/huge_pages.h"
+
+namespace kerf::core::halfedge {
+
+namespace {
+
+/// How many triangles ahead memory is asked for: this pass reads all over the mesh, and its branches can't be foretold,
+/// so the processor does not read ahead by itself.
+constexpr std::size_t kAhead = 12;
+
+template <class T>
+Buffer<T> room_for(std::size_t size)
+{
+    Buffer<T> table(size);
+    prefer_huge_pages(table.data(), size * sizeof(T));
+    return table;
+}
+
+template <class T>
+Buffer<T> filled(std::size_t size, T value)
+{
+    Buffer<T> table = room_for<T>(size);
+    std::fill(table.begin(), table.end(), value);
+    return table;
+}
+
+}  // namespace
+
+Numbering::Numbering(const ProvenMesh& proven, std::size_t boundary)
+    : mesh_(proven),
+      opposite_(proven.adjacency().opposite),
+      number_of_triangle_(filled(mesh_.triangles.size(), kNone)),
+      number_of_vertex_(filled(mesh_.vertices.size(), kNone)),
+      number_of_point_(filled(mesh_.point_count, kNone)),
+      old_vertex_(room_for<Index>(mesh_.vertices.size())),
+      point_(room_for<Index>(mesh_.vertices.size())),
+      halfedges_(room_for<std::array<HalfedgeId, 3>>(mesh_.triangles.size()))
+{
+    at_boundary_.reserve(boundary);
+}
+
+void Numbering::begin(std::span<const Index> order, AppendBuffer<Triangle, SlotId>& slots)
+{
+    order_ = order;
+    slots_ = &slots;
+}
+
+NumberedChunk Numbering::next()
+{
+    NumberedChunk chunk;
+    chunk.first = counts_.triangles;
+    chunk.count = static_cast<Index>(std::min(order_.size() - counts_.triangles, NumberedChunk::kTriangles));
+    for (Index i = chunk.first; i < chunk.first + chunk.count; ++i) {
+        prefetch_triangle(order_[std::min(i + 2 * kAhead, order_.size() - 1)]);
+        prefetch_neighbours(order_[std::min(i + kAhead, order_.size() - 1)]);
+        const Index old_triangle = order_[i];
+        const Triangle& t = mesh_.triangles[old_triangle];
+        Triangle& slot = (*slots_)[SlotId(i)];
+        for (std::size_t c = 0; c < 3; ++c) {
+            slot[c] = vertex(t[c]);
+            halfedges_[i][c] = halfedge(opposite_[std::size_t{3} * old_triangle + c]);
+        }
+        number_of_triangle_[old_triangle] = i;
+    }
+    counts_.triangles += chunk.count;
+    chunk.vertices = counts_.vertices;
+    return chunk;
+}
+
+void Numbering::prefetch_triangle(Index old_triangle) const
+{
+    __builtin_prefetch(&mesh_.triangles[old_triangle]);
+    __builtin_prefetch(&opposite_[std::size_t{3} * old_triangle]);
+    __builtin_prefetch(&number_of_triangle_[old_triangle]);
+}
+
+void Numbering::prefetch_neighbours(Index old_triangle) const
+{
+    for (std::size_t c = 0; c < 3; ++c) {
+        __builtin_prefetch(&number_of_vertex_[mesh_.triangles[old_triangle][c]]);
+        const Index across = opposite_[std::size_t{3} * old_triangle + c];
+        if (across != kNone) __builtin_prefetch(&number_of_triangle_[across / 3]);
+    }
+}
+
+Index Numbering::vertex(Index old_vertex)
+{
+    Index& number = number_of_vertex_[old_vertex];
+    if (number != kNone) return number;
+    Index& point = number_of_point_[mesh_.points[old_vertex]];
+    if (point == kNone) point = counts_.points++;
+    number = counts_.vertices++;
+    old_vertex_[number] = old_vertex;
+    point_[number] = point;
+    return number;
+}
+
+HalfedgeId Numbering::halfedge(Index opposite_corner)
+{
+    const HalfedgeId fresh = first_halfedge(EdgeId(static_cast<int>(counts_.edges)));
+    if (opposite_corner == kNone) {
+        ++counts_.edges;
+        at_boundary_.push_back(fresh);
+        return fresh;
+    }
+    // Half of the edges are met for the first time here: a branch on it could not be foretold. The first triangle's
+    // half-edges are there to be read in any case.
+    const Index neighbour = number_of_triangle_[opposite_corner / 3];
+    const bool is_first = neighbour == kNone;
+    const HalfedgeId other = halfedges_[is_first ? 0 : neighbour][opposite_corner % 3];
+    counts_.edges += is_first ? 1 : 0;
+    return is_first ? fresh : opposite(other);
+}
+
+}  // namespace kerf::core::halfedge

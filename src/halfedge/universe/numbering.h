@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "common/mesh/buffer.h"
+#include "common/repair/proven_mesh.h"
+#include "halfedge/universe/append_buffer.h"
+#include "halfedge/universe/ids.h"
+
+// The first of the two passes that write a mesh into a universe: what gets which number. The second pass (mesh_writer.h)
+// follows it chunk by chunk (numbered_chunks.h), on the same thread or on another one.
+
+namespace kerf::core::halfedge {
+
+/// Triangles that follow one another and have their numbers, so many that what is known of them stays in the cache.
+struct NumberedChunk
+{
+    static constexpr std::size_t kTriangles = 2048;
+
+    Index first = 0, count = 0;  ///< triangles
+    Index vertices = 0;          ///< how many vertices have a number once the chunk has
+};
+
+/// Numbers a mesh's triangles, one after another in their new order: vertices and points in the order of their first
+/// use, edges in that of their first half-edge. A triangle finds its neighbours' half-edges in a table, so connectivity
+/// needs no search.
+class Numbering
+{
+public:
+    /// @param boundary  how many half-edges of the mesh have no opposite one
+    Numbering(const ProvenMesh& proven, std::size_t boundary);
+
+    /// The triangles of the mesh in their new order, and where they go with their new vertices. To be said before
+    /// next().
+    void begin(std::span<const Index> order, AppendBuffer<Triangle, SlotId>& slots);
+
+    std::size_t chunks() const { return (order_.size() + NumberedChunk::kTriangles - 1) / NumberedChunk::kTriangles; }
+    /// Numbers the next chunk of triangles. Can't fail.
+    NumberedChunk next();
+
+    /// By triangle in the new order, as far as they have their numbers.
+    std::span<const std::array<HalfedgeId, 3>> halfedges() const { return halfedges_; }
+    /// By new vertex, as far as they have a number: the vertex of the mesh, and the point at which it lies.
+    std::span<const Index> old_vertices() const { return old_vertex_; }
+    std::span<const Index> points() const { return point_; }
+    /// Half-edges whose opposite ones have no face. All of them once all triangles have their numbers.
+    std::span<const HalfedgeId> at_boundary() const { return at_boundary_; }
+
+private:
+    void prefetch_triangle(Index old_triangle) const;
+    void prefetch_neighbours(Index old_triangle) const;
+    Index vertex(Index old_vertex);
+    HalfedgeId halfedge(Index opposite_corner);
+
+    const IndexedMesh& mesh_;
+    std::span<const Index> opposite_;
+    std::span<const Index> order_;
+    AppendBuffer<Triangle, SlotId>* slots_ = nullptr;
+    // kNone: without a number yet.
+    Buffer<Index> number_of_triangle_;             ///< by old triangle
+    Buffer<Index> number_of_vertex_;               ///< by old vertex
+    Buffer<Index> number_of_point_;                ///< by old point
+    Buffer<Index> old_vertex_, point_;             ///< by new vertex
+    Buffer<std::array<HalfedgeId, 3>> halfedges_;  ///< by new triangle
+    std::vector<HalfedgeId> at_boundary_;
+    /// Numbers handed out. They change all the time, so what another thread reads lies on other cache lines.
+    struct alignas(64) Counts
+    {
+        Index triangles = 0, vertices = 0, points = 0, edges = 0;
+    };
+    Counts counts_;
+};
+
+}  // namespace kerf::core::halfedge
