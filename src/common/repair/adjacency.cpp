@@ -1,34 +1,16 @@
 #include "common/repair/adjacency.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "common/geometry/disjoint_sets.h"
 
 namespace kerf::core {
 
-Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell)
-{
-    const auto n = static_cast<Index>(opposite.size() / 3);
-    shell.assign(n, kNone);
-    Index count = 0;
-    std::vector<Index> stack;
-    for (Index first = 0; first < n; ++first) {
-        if (shell[first] != kNone) continue;
-        shell[first] = count;
-        stack.push_back(first);
-        while (!stack.empty()) {
-            const Index t = stack.back();
-            stack.pop_back();
-            for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-                const Index across = opposite[h];
-                if (across == kNone || shell[across / 3] != kNone) continue;
-                shell[across / 3] = count;
-                stack.push_back(across / 3);
-            }
-        }
-        ++count;
-    }
-    return count;
-}
+namespace {
 
+/// The opposite half-edges after a reordering: triangle i is the old triangle order[i].
 Buffer<Index> opposite_in_order(std::span<const Index> opposite, std::span<const Index> order)
 {
     Buffer<Index> place(order.size());
@@ -42,10 +24,41 @@ Buffer<Index> opposite_in_order(std::span<const Index> opposite, std::span<const
     return result;
 }
 
-Adjacency adjacency_in_order(std::span<const Index> opposite, std::span<const Index> shell,
-                             std::span<const Index> order)
+bool changes_nothing(std::span<const Index> order)
+{
+    for (Index i = 0; i < order.size(); ++i)
+        if (order[i] != i) return false;
+    return true;
+}
+
+}  // namespace
+
+Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell)
+{
+    // Each edge once, from its later triangle. Going through triangles in order reads memory in order, which a search
+    // from neighbour to neighbour does not.
+    const auto n = static_cast<Index>(opposite.size() / 3);
+    DisjointSets sets(n);
+    for (Index h = 0; h < 3 * n; ++h)
+        if (opposite[h] < h) sets.unite(h / 3, opposite[h] / 3);
+    shell.resize(n);
+    Index count = 0;
+    for (Index t = 0; t < n; ++t) {
+        const Index first = sets.find(t);
+        shell[t] = first == t ? count++ : shell[first];
+    }
+    return count;
+}
+
+Adjacency adjacency_in_order(Buffer<Index> opposite, Buffer<Index> shell, std::span<const Index> order)
 {
     Adjacency adjacency;
+    if (changes_nothing(order)) {
+        for (const Index number : shell) adjacency.shell_count = std::max(adjacency.shell_count, number + 1);
+        adjacency.opposite = std::move(opposite);
+        adjacency.shell = std::move(shell);
+        return adjacency;
+    }
     adjacency.opposite = opposite_in_order(opposite, order);
     adjacency.shell.resize(order.size());
     std::vector<Index> number;  // by old number

@@ -16,14 +16,12 @@ struct Adjacency
     Index shell_count = 0;
 };
 
-/// Numbers the shells: triangles connected by edges. Fills `shell` and returns the number of shells. O(n).
+/// Numbers the shells: triangles connected by edges. Fills `shell` and returns the number of shells.
+/// O(n log n) at most, O(n) in practice: union-find with path halving.
 Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell);
 
-/// The opposite half-edges after a reordering: triangle i is the old triangle order[i]. O(n).
-Buffer<Index> opposite_in_order(std::span<const Index> opposite, std::span<const Index> order);
-
-/// The same with the shells, which are numbered anew. O(n).
-Adjacency adjacency_in_order(std::span<const Index> opposite, std::span<const Index> shell,
-                             std::span<const Index> order);
+/// The neighbours after a reordering: triangle i is the old triangle order[i]. Shells, which come in the order of their
+/// first triangles, are numbered anew. O(n).
+Adjacency adjacency_in_order(Buffer<Index> opposite, Buffer<Index> shell, std::span<const Index> order);
 
 }  // namespace kerf::core

@@ -206,7 +206,7 @@ Repaired repair(TriangleSoup soup)
         repairs.nonmanifold_points = count_nonmanifold_points(weld.point_count, surface.corners,
                                                               HalfedgesByEdge(weld.point_count, surface.corners));
 
-    const Shells shells = find_shells(surface, fans, positions);
+    Shells shells = find_shells(surface, fans, positions);
     if (is_linked_plainly(facts)) {
         facts.shells = shells.shells.size();
         facts.nonmanifold_points = repairs.nonmanifold_points;
@@ -235,7 +235,8 @@ Repaired repair(TriangleSoup soup)
     build_vertices({soup, first_equal, kept.from, surface, fans, positions}, order, mesh);
     const double shortest =
         order.size() == soup.triangles.size() ? facts.shortest_edge : shortest_edge(mesh.vertices, mesh.triangles);
-    result.mesh = ProvenMesh(std::move(mesh), adjacency_in_order(surface.opposite, shells.shell, order), shortest);
+    result.mesh = ProvenMesh(std::move(mesh),
+                             adjacency_in_order(std::move(surface.opposite), std::move(shells.shell), order), shortest);
     return result;
 }
 
