@@ -266,50 +266,93 @@ namespace {
 using Directions = std::uint32_t;
 static_assert(kSupportDirections <= 32);
 
-/// The corners of a leaf, coordinate by coordinate.
-class LeafCorners
+/// The corners of a leaf, coordinate by coordinate, the last one repeated up to a whole number of blocks.
+struct LeafCorners
 {
-public:
+    static constexpr std::size_t kBlock = 8;
+    static constexpr std::size_t kCorners = std::size_t{3} * kMaxLeafTriangles;
+    static_assert(kCorners % kBlock == 0);
+
     LeafCorners(const TreeGeometry& geometry, const Node& leaf)
     {
-        std::size_t corner = 0;
-        glm::vec3 p(0.0f);
         assert(leaf.count <= kMaxLeafTriangles);
-        for (SlotId s = leaf.first; s < leaf.first + leaf.count; ++s)
-            for (const Index v : geometry.triangle(s)) put(corner++, p = geometry.vertices[v].position);
-        groups_ = (corner + kLanes - 1) / kLanes;
-        while (corner < groups_ * kLanes) put(corner++, p);
-    }
-
-    /// Calls visit(position) for each corner whose support value along a direction is `value`.
-    template <class Visit>
-    void for_each_with(const glm::vec3& d, float value, Visit visit) const
-    {
-        for (std::size_t g = 0; g < groups_; ++g) {
-            // The order of operations is that of support_value().
-            const Four values =
-                (d.x * load(&x_[g * kLanes]) + d.y * load(&y_[g * kLanes])) + d.z * load(&z_[g * kLanes]);
-            for (unsigned lanes = equal_lanes(values, Four{} + value); lanes != 0; lanes &= lanes - 1) {
-                const std::size_t i = g * kLanes + std::size_t(std::countr_zero(lanes));
-                visit(glm::vec3(x_[i], y_[i], z_[i]));
-            }
+        static_assert(sizeof(Triangle) == 3 * sizeof(Index));
+        const Index* const index = geometry.triangle(leaf.first).data();
+        const std::size_t corners = std::size_t{3} * leaf.count;
+        const auto vertex = [&](std::size_t corner) { return &geometry.vertices[index[corner]]; };
+        for (; count + kLanes <= corners; count += kLanes)
+            put_four(count, {vertex(count), vertex(count + 1), vertex(count + 2), vertex(count + 3)});
+        for (const Vertex* const last = vertex(corners - 1); count < corners || count % kBlock != 0; count += kLanes) {
+            const auto or_last = [&](std::size_t corner) { return corner < corners ? vertex(corner) : last; };
+            put_four(count, {or_last(count), or_last(count + 1), or_last(count + 2), or_last(count + 3)});
         }
     }
 
+    glm::vec3 operator[](std::size_t corner) const { return {x[corner], y[corner], z[corner]}; }
+
+    std::size_t count = 0;
+    std::array<float, kCorners> x, y, z;
+
 private:
-    void put(std::size_t corner, const glm::vec3& p)
+    void put_four(std::size_t corner, const std::array<const Vertex*, kLanes>& v)
     {
-        x_[corner] = p.x;
-        y_[corner] = p.y;
-        z_[corner] = p.z;
+#ifdef __SSE__
+        // A position and the first float of the normal in one load.
+        static_assert(offsetof(Vertex, position) + sizeof(Four) <= sizeof(Vertex));
+        const Four a = load(&v[0]->position.x), b = load(&v[1]->position.x);
+        const Four c = load(&v[2]->position.x), d = load(&v[3]->position.x);
+        const Four ab = _mm_unpacklo_ps(a, b), cd = _mm_unpacklo_ps(c, d);
+        store(&x[corner], _mm_movelh_ps(ab, cd));
+        store(&y[corner], _mm_movehl_ps(cd, ab));
+        store(&z[corner], _mm_movelh_ps(_mm_unpackhi_ps(a, b), _mm_unpackhi_ps(c, d)));
+#else
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            x[corner + i] = v[i]->position.x;
+            y[corner + i] = v[i]->position.y;
+            z[corner + i] = v[i]->position.z;
+        }
+#endif
     }
-
-    static constexpr std::size_t kCorners = std::size_t{3} * kMaxLeafTriangles;
-    static_assert(kCorners % kLanes == 0);
-
-    std::size_t groups_ = 0;
-    std::array<float, kCorners> x_, y_, z_;
 };
+
+/// One bit for each corner of a leaf.
+using CornerBits = std::array<std::uint64_t, (LeafCorners::kCorners + 63) / 64>;
+
+/// Which corners have the support value `value` along a direction. The order of operations is that of support_value().
+CornerBits extreme_by_four(const LeafCorners& corners, const glm::vec3& d, float value)
+{
+    CornerBits bits{};
+    for (std::size_t i = 0; i < corners.count; i += kLanes) {
+        const Four values = (d.x * load(&corners.x[i]) + d.y * load(&corners.y[i])) + d.z * load(&corners.z[i]);
+        bits[i / 64] |= std::uint64_t{equal_lanes(values, Four{} + value)} << i % 64;
+    }
+    return bits;
+}
+
+#ifdef KERF_AVX2
+/// The same.
+KERF_AVX2 CornerBits extreme_by_eight(const LeafCorners& corners, const glm::vec3& d, float value)
+{
+    const __m256 dx = _mm256_set1_ps(d.x), dy = _mm256_set1_ps(d.y), dz = _mm256_set1_ps(d.z);
+    const __m256 wanted = _mm256_set1_ps(value);
+    CornerBits bits{};
+    for (std::size_t i = 0; i < corners.count; i += 8) {
+        const __m256 x = _mm256_loadu_ps(&corners.x[i]), y = _mm256_loadu_ps(&corners.y[i]);
+        const __m256 values = (dx * x + dy * y) + dz * _mm256_loadu_ps(&corners.z[i]);
+        const int lanes = _mm256_movemask_ps(_mm256_cmp_ps(values, wanted, _CMP_EQ_OQ));
+        bits[i / 64] |= std::uint64_t{static_cast<std::uint8_t>(lanes)} << i % 64;
+    }
+    return bits;
+}
+#endif
+
+CornerBits extreme_corners(const LeafCorners& corners, const glm::vec3& d, float value)
+{
+#ifdef KERF_AVX2
+    if (has_avx2()) return extreme_by_eight(corners, d, value);
+#endif
+    return extreme_by_four(corners, d, value);
+}
 
 /// One walk over the tree for the extreme vertices along all directions: most leaves that hold one hold several.
 class SupportSearch
@@ -372,12 +415,17 @@ private:
         const LeafCorners corners(geometry_, leaf);
         for (; directions != 0; directions &= directions - 1) {
             const auto d = std::size_t(std::countr_zero(directions));
-            glm::vec3& point = points_[d];
-            corners.for_each_with(support_directions()[d], best_.best[d], [&](const glm::vec3& p) {
-                if ((found_ >> d & 1) == 0 || lexicographically_less(p, point)) point = p;
-                found_ |= Directions(1) << d;
-            });
+            const CornerBits is_extreme = extreme_corners(corners, support_directions()[d], best_.best[d]);
+            for (std::size_t word = 0; word < is_extreme.size(); ++word)
+                for (std::uint64_t bits = is_extreme[word]; bits != 0; bits &= bits - 1)
+                    propose(d, corners[64 * word + std::size_t(std::countr_zero(bits))]);
         }
+    }
+
+    void propose(std::size_t d, const glm::vec3& p)
+    {
+        if ((found_ >> d & 1) == 0 || lexicographically_less(p, points_[d])) points_[d] = p;
+        found_ |= Directions(1) << d;
     }
 
     const TriangleTree& tree_;
