@@ -152,13 +152,11 @@ MassProperties Fragment::mass_properties() const
 {
     const Universe& u = universe();
     const std::shared_lock lock(u.mutex);
-    // A small fragment far from the universe's centre loses digits to cancellation; it is cheap to sum it anew.
-    constexpr std::uint64_t kFew = 4096;
-    const bool few = triangle_count_ <= kFew;
-    if (few) return mass_summed_anew();
+    if (triangle_count_ <= kFewForMass) return mass_summed_anew();
     MassMoments moments;
     for (const ShellRoot& shell : shells_) moments.add(u.tree.moments[shell.root]);
-    return moments.properties(u.reference);
+    // Caps may have made many of few.
+    return moments.are_known() ? moments.properties(u.reference) : mass_summed_anew();
 }
 
 /// The caller holds the lock. The sums depend on the order of the triangles alone and not on where they lie, so they stay

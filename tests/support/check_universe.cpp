@@ -102,6 +102,10 @@ private:
             return std::abs(x - y) <= kRounding * largest + std::numeric_limits<double>::min();
         };
         const MassMoments& m = u_.tree.moments[n];
+        // Those of a leaf may be unknown, and those of what has it under it are then.
+        if (!moments.are_known())
+            return !m.are_known() || fail("node " + number(n) + " knows moments of what has none");
+        if (!m.are_known() && u_.tree.nodes[n].is_leaf()) return true;
         bool same = near(m.volume6, moments.volume6, 6 * r * r * r);
         for (int i = 0; i < 3; ++i)
             same = same && near(m.first24[i], moments.first24[i], 24 * r * r * r * r) &&

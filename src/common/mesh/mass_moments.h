@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 
 #include "common/mesh/float_rules.h"
@@ -24,6 +26,15 @@ struct MassMoments
     glm::dvec3 first24{0.0};      ///< 24 * integral of (x, y, z) about the reference point
     glm::dvec3 squares120{0.0};   ///< 120 * integral of (xx, yy, zz)
     glm::dvec3 products120{0.0};  ///< 120 * integral of (yz, zx, xy)
+
+    /// Of a part that was not summed: no part that it is added to is known then, either.
+    static MassMoments unknown()
+    {
+        MassMoments moments;
+        moments.volume6 = std::numeric_limits<double>::quiet_NaN();
+        return moments;
+    }
+    bool are_known() const { return !std::isnan(volume6); }
 
     /// Adds the tetrahedron (reference, a, b, c).
     void add(const glm::dvec3& reference, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)

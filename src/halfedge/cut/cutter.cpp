@@ -109,8 +109,8 @@ void Cutter::carry_out(CutResult& result) noexcept
     add_cap_groups();
     stitch(u_, w_.found, w_.section, w_.caps, w_.stitch_plan);
     done(Phase::split, result);  // what `split` counts is written in statistics.h
-    w_.rebuilder.run(u_, plane_, PlaneFrame::of(plane_.normal, cap_uv_scale_), w_.stitch_plan, w_.found, w_.section,
-                     w_.caps, w_.pieces);
+    w_.rebuilder.run(u_, statistics.triangles, plane_, PlaneFrame::of(plane_.normal, cap_uv_scale_), w_.stitch_plan,
+                     w_.found, w_.section, w_.caps, w_.pieces);
     done(Phase::rebuild, result);
 
     const Found& found = w_.found;

@@ -96,9 +96,9 @@ public:
         part.sample = sample();
         part.volume6 = volume6_ + sum_of_triangles(u_.reference);
         // Sums about a point far away have no digits left for what is very small; those of an open shell are about its
-        // sample, and cost O(n).
+        // sample, and cost O(n), as do those that are not known.
         const double far = glm::length(glm::dvec3(part.sample) - u_.reference) + kReachInNoise * u_.noise;
-        if (u_.has_boundary || std::abs(part.volume6) <= kLostDigits * far * far * far) {
+        if (u_.has_boundary || !(std::abs(part.volume6) > kLostDigits * far * far * far)) {
             part.volume6 = sum_of_triangles(part.sample);
             MassMoments moments;
             for (const NodeId root : roots_)

@@ -90,9 +90,11 @@ void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, co
     }
 }
 
-void Rebuilder::run(Universe& u, const Plane& plane, const PlaneFrame& frame, const StitchPlan& numbers,
-                    const Found& found, const Section& section, const Caps& caps, Pieces& pieces)
+void Rebuilder::run(Universe& u, std::uint64_t triangles, const Plane& plane, const PlaneFrame& frame,
+                    const StitchPlan& numbers, const Found& found, const Section& section, const Caps& caps,
+                    Pieces& pieces)
 {
+    triangles_ = triangles;
     // Positions of the new vertices are behind the end already.
     cap_vertices_ = VertexId(static_cast<Index>(u.vertices.size() + section.new_vertices));
     if (!caps.triangles.empty()) write_cap_vertices(u, plane, frame, found, section);
@@ -213,8 +215,9 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& nu
         const SlotId first = start_[target.number()];
         const std::uint32_t count = pieces.target(target).cursor - first;
         start_[target.number()] = SlotId();
-        const NodeId node = count <= kMaxLeafTriangles ? u.tree.make_leaf(u.geometry(), first, count, leaf.group)
-                                                       : u.tree.make_run(u.geometry(), first, count, leaf.group);
+        const NodeId node = count <= kMaxLeafTriangles
+                                ? u.tree.make_leaf(u.geometry(triangles_), first, count, leaf.group)
+                                : u.tree.make_run(u.geometry(triangles_), first, count, leaf.group);
         results_.push_back({target, node});
     }
     lengths_.push_back(static_cast<std::uint32_t>(touched_.size()));
@@ -272,7 +275,7 @@ void Rebuilder::write_caps(Universe& u, const StitchPlan& numbers, std::size_t p
         }
     }
     for (PieceShell& piece_shell : pieces.shells)
-        piece_shell.root = u.tree.join(piece_shell.root, u.tree.make_run(u.geometry(), piece_shell.cap_first,
+        piece_shell.root = u.tree.join(piece_shell.root, u.tree.make_run(u.geometry(triangles_), piece_shell.cap_first,
                                                                          piece_shell.cap_count, piece_shell.cap_group));
 }
 

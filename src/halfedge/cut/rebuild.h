@@ -19,9 +19,10 @@ public:
 
     /// Writes triangles, vertices of caps and nodes; afterwards the piece shells have their roots.
     ///
-    /// @param frame  gives the vertices of caps their uv
-    void run(Universe& universe, const Plane& plane, const PlaneFrame& frame, const StitchPlan& numbers,
-             const Found& found, const Section& section, const Caps& caps, Pieces& pieces);
+    /// @param triangles  of the object that is cut
+    /// @param frame      gives the vertices of caps their uv
+    void run(Universe& universe, std::uint64_t triangles, const Plane& plane, const PlaneFrame& frame,
+             const StitchPlan& numbers, const Found& found, const Section& section, const Caps& caps, Pieces& pieces);
 
     /// Counts of what run() added.
     std::size_t new_vertices() const { return new_vertices_; }
@@ -56,6 +57,7 @@ private:
     std::size_t part_nodes_ = 0;          // at most, of the trees over all parts of leaves, and of what joins them
     std::vector<SlotId> start_;           // of each target in the leaf
     std::size_t new_vertices_ = 0, new_slots_ = 0;
+    std::uint64_t triangles_ = 0;  // of the object
     NodeId first_fresh_node_;
     VertexId cap_vertices_;  // first vertex of the caps: negative side, then positive side
 };

@@ -189,7 +189,10 @@ NodeId TriangleTree::make_leaf(const TreeGeometry& geometry, SlotId first, std::
 {
     const Support support = find_maxima(geometry, first, count);
     nodes.push({support.box(), NodeId(), NodeId(), first, count, group});
-    moments.push(mass_moments(geometry.vertices, geometry.slots.subspan(first.number(), count), geometry.reference));
+    moments.push(
+        geometry.moments_wanted
+            ? mass_moments(geometry.vertices, geometry.slots.subspan(first.number(), count), geometry.reference)
+            : MassMoments::unknown());
     supports.push(support);
     return last();
 }

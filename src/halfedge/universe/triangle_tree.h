@@ -22,6 +22,9 @@ namespace kerf::core::halfedge {
 inline constexpr std::uint32_t kLeafTriangles = 32;
 /// A rewritten leaf is divided from here on, and small rewritten neighbours are joined up to here.
 inline constexpr std::uint32_t kMaxLeafTriangles = 48;
+/// The mass of an object of so few triangles is summed when it is asked for: far from the universe's centre the sums of
+/// its tree have lost digits to cancellation. So its cuts don't sum any.
+inline constexpr std::uint64_t kFewForMass = 4096;
 
 struct Node
 {
@@ -54,7 +57,8 @@ struct TreeGeometry
     std::span<const Vertex> vertices;
     std::span<const Triangle> slots;
     const Triangle& triangle(SlotId slot) const { return slots[slot.number()]; }
-    glm::dvec3 reference{0.0};  ///< the point that mass moments are summed about
+    glm::dvec3 reference{0.0};   ///< the point that mass moments are summed about
+    bool moments_wanted = true;  ///< otherwise those of new leaves are unknown
 };
 
 /// The pool of nodes of a universe.

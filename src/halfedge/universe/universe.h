@@ -86,10 +86,12 @@ struct Universe
     const Vertex& vertex(VertexId v) const { return vertices[v.number()]; }
     const DrawGroup& group(GroupId id) const { return groups[id.number()]; }
 
-    TreeGeometry geometry() const
+    /// For the tree of an object of so many triangles.
+    TreeGeometry geometry(std::uint64_t triangles) const
     {
-        return {{vertices.data(), vertices.size()}, {slots.data(), slots.size()}, reference};
+        return {{vertices.data(), vertices.size()}, {slots.data(), slots.size()}, reference, triangles > kFewForMass};
     }
+    TreeGeometry geometry() const { return geometry(slots.size()); }
 
     /// Bytes held, reserve included.
     std::size_t bytes_reserved() const;

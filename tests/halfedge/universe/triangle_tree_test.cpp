@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "common/proxy/collision_proxy.h"
+#include "common/shapes/shapes.h"
 #include "halfedge/fragment.h"
 #include "halfedge/halfedge.h"
 #include "support/fixtures.h"
@@ -45,6 +47,49 @@ TEST(TriangleTree, BoundsMassAndProxyAreThoseOfTheMesh)
                 }
         }
     }
+}
+
+const Universe& universe_of(const Cuttable& object)
+{
+    return dynamic_cast<const Fragment&>(object).universe();
+}
+
+/// Whether the moments of all leaves that a cut made are known.
+bool knows_new_moments(const Cuttable& piece, std::size_t nodes_before)
+{
+    const TriangleTree& tree = universe_of(piece).tree;
+    for (NodeId n{static_cast<Index>(nodes_before)}; n.number() < tree.nodes.size(); ++n)
+        if (!tree.moments[n].are_known()) return false;
+    return true;
+}
+
+TEST(TriangleTree, SumsNoMassForFewTriangles)
+{
+    for (const std::uint32_t triangles : {2'000u, 20'000u}) {
+        auto object = std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(triangles, 1))).object);
+        const std::size_t nodes = universe_of(*object).tree.nodes.size();
+        EXPECT_EQ(knows_new_moments(*object, 0), object->triangle_count() > kFewForMass);
+        const CutResult result = cut(std::move(object), *Plane::through({0, 0, 0}, {1, 2, 3}));
+        ASSERT_EQ(result.status, Status::done);
+        EXPECT_EQ(knows_new_moments(*result.negative[0], nodes), triangles > kFewForMass);
+    }
+}
+
+TEST(TriangleTree, MassIsRightWhereCapsMakeManyTrianglesOfFew)
+{
+    // Slices of the top of a sphere leave more triangles than they take.
+    auto object = std::move(make_back_end()->prepare(test::repaired(shapes::uv_sphere(1.0f, 64, 33))).object);
+    ASSERT_LE(object->triangle_count(), kFewForMass);
+    const std::array directions{glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0)};
+    for (const glm::dvec3& d : directions) {
+        CutResult result = cut(std::move(object), *Plane::through(0.98 * d, d));
+        ASSERT_EQ(result.status, Status::done);
+        object = std::move(result.negative[0]);
+        const MassProperties mass = object->mass_properties(), expected = mass_properties(object->to_indexed_mesh());
+        EXPECT_NEAR(mass.volume, expected.volume, 1e-12);
+        EXPECT_NEAR(mass.inertia[0][0], expected.inertia[0][0], 1e-12);
+    }
+    EXPECT_GT(object->triangle_count(), kFewForMass);
 }
 
 }  // namespace
