@@ -164,21 +164,13 @@ MassProperties Fragment::mass_properties() const
 MassProperties Fragment::mass_summed_anew() const
 {
     const Universe& u = universe();
+    std::vector<TriangleTree::Run> runs;
+    for (const ShellRoot& shell : shells_) u.tree.append_runs(shell.root, runs);
+    std::vector<std::span<const Triangle>> triangles;
+    triangles.reserve(runs.size());
+    for (const TriangleTree::Run& run : runs) triangles.emplace_back(&u.slots[run.first], run.count);
     const glm::dvec3 reference = mass_reference(box_);
-    MassMoments moments;
-    std::array<Triangle, 512> block;
-    std::size_t count = 0;
-    const auto add_block = [&] {
-        moments.add(mass_moments({u.vertices.data(), u.vertices.size()}, std::span(block).first(count), reference));
-        count = 0;
-    };
-    for (const ShellRoot& shell : shells_)
-        for_each_slot(u, shell.root, [&](SlotId slot) {
-            block[count++] = u.slots[slot];
-            if (count == block.size()) add_block();
-        });
-    add_block();
-    return moments.properties(reference);
+    return mass_moments({u.vertices.data(), u.vertices.size()}, triangles, reference).properties(reference);
 }
 
 std::array<glm::vec3, kSupportDirections> Fragment::support_points() const

@@ -72,47 +72,78 @@ struct QuadOfMoments
 struct MomentsInput
 {
     std::span<const Vertex> vertices;
-    std::span<const Triangle> triangles;
+    std::span<const std::span<const Triangle>> runs;
     glm::dvec3 reference;
 };
 
 template <bool kAboutOrigin>
-KERF_IN_CALLER MassMoments sum(const MomentsInput& in)
+class Sum
 {
-    const glm::dvec3& o = in.reference;
-    const QuadOfPoints origin{{o.x, o.x, o.x, o.x}, {o.y, o.y, o.y, o.y}, {o.z, o.z, o.z, o.z}};
-    const Vertex* const v = in.vertices.data();
-    QuadOfMoments quad;
-    for (std::size_t i = 0; i < in.triangles.size(); i += 4) {
-        const Triangle* const t = &in.triangles[i];
-        const std::size_t count = std::min<std::size_t>(4, in.triangles.size() - i);
+public:
+    KERF_IN_CALLER explicit Sum(const MomentsInput& in) : vertex_(in.vertices.data())
+    {
+        const glm::dvec3& o = in.reference;
+        origin_.x = Quad{o.x, o.x, o.x, o.x};
+        origin_.y = Quad{o.y, o.y, o.y, o.y};
+        origin_.z = Quad{o.z, o.z, o.z, o.z};
+        // Four triangles may be of several runs.
+        std::array<const Triangle*, 4> four{};
+        std::size_t count = 0;
+        for (const std::span<const Triangle>& run : in.runs) {
+            const Triangle *t = run.data(), *const end = t + run.size();
+            while (count > 0 && t != end) {
+                four[count++] = t++;
+                if (count < 4) continue;
+                add(four);
+                count = 0;
+            }
+            for (; end - t >= 4; t += 4) add({t, t + 1, t + 2, t + 3});
+            while (t != end) four[count++] = t++;
+        }
+        if (count == 0) return;
+        // Places that no triangle takes: one corner three times, which adds 0.
+        const std::uint32_t corner = (*four[0])[0];
+        const Triangle none{corner, corner, corner};
+        while (count < 4) four[count++] = &none;
+        add(four);
+    }
+
+    KERF_IN_CALLER MassMoments moments() const
+    {
+        const auto sum = [](const Quad& q) { return (q[0] + q[1]) + (q[2] + q[3]); };
+        MassMoments moments;
+        moments.volume6 = sum(quad_.volume);
+        moments.first24 = {sum(quad_.x), sum(quad_.y), sum(quad_.z)};
+        moments.squares120 = {sum(quad_.xx), sum(quad_.yy), sum(quad_.zz)};
+        moments.products120 = {sum(quad_.yz), sum(quad_.zx), sum(quad_.xy)};
+        return moments;
+    }
+
+private:
+    KERF_IN_CALLER void add(const std::array<const Triangle*, 4>& t)
+    {
         std::array<QuadOfPoints, 3> corner;
         for (std::size_t c = 0; c < 3; ++c) {
-            // Places of the last four that no triangle takes: one corner three times, which adds 0.
-            side_by_side({&v[t[0][c]], &v[count > 1 ? t[1][c] : t[0][0]], &v[count > 2 ? t[2][c] : t[0][0]],
-                          &v[count > 3 ? t[3][c] : t[0][0]]},
+            side_by_side({&vertex_[(*t[0])[c]], &vertex_[(*t[1])[c]], &vertex_[(*t[2])[c]], &vertex_[(*t[3])[c]]},
                          corner[c]);
             if constexpr (!kAboutOrigin) {
-                corner[c].x -= origin.x;
-                corner[c].y -= origin.y;
-                corner[c].z -= origin.z;
+                corner[c].x -= origin_.x;
+                corner[c].y -= origin_.y;
+                corner[c].z -= origin_.z;
             }
         }
-        quad.add(corner[0], corner[1], corner[2]);
+        quad_.add(corner[0], corner[1], corner[2]);
     }
-    const auto all = [](const Quad& q) { return (q[0] + q[1]) + (q[2] + q[3]); };
-    MassMoments moments;
-    moments.volume6 = all(quad.volume);
-    moments.first24 = {all(quad.x), all(quad.y), all(quad.z)};
-    moments.squares120 = {all(quad.xx), all(quad.yy), all(quad.zz)};
-    moments.products120 = {all(quad.yz), all(quad.zx), all(quad.xy)};
-    return moments;
-}
+
+    const Vertex* vertex_;
+    QuadOfPoints origin_;
+    QuadOfMoments quad_;
+};
 
 // Subtracting 0 changes no number, so both ways give the same bits.
 KERF_IN_CALLER MassMoments sum_about_any(const MomentsInput& in)
 {
-    return in.reference == glm::dvec3(0.0) ? sum<true>(in) : sum<false>(in);
+    return in.reference == glm::dvec3(0.0) ? Sum<true>(in).moments() : Sum<false>(in).moments();
 }
 
 MassMoments sum_anywhere(const MomentsInput& in)
@@ -155,7 +186,13 @@ MassProperties MassMoments::properties(const glm::dvec3& reference) const
 MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
                          const glm::dvec3& reference)
 {
-    const MomentsInput in{vertices, triangles, reference};
+    return mass_moments(vertices, std::span(&triangles, 1), reference);
+}
+
+MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const std::span<const Triangle>> runs,
+                         const glm::dvec3& reference)
+{
+    const MomentsInput in{vertices, runs, reference};
 #ifdef KERF_AVX2
     if (has_avx2()) return sum_with_avx2(in);
 #endif

@@ -68,6 +68,10 @@ struct MassMoments
 MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const Triangle> triangles,
                          const glm::dvec3& reference);
 
+/// The same for triangles in several runs, one after another: the same bits as for one run that holds them all.
+MassMoments mass_moments(std::span<const Vertex> vertices, std::span<const std::span<const Triangle>> runs,
+                         const glm::dvec3& reference);
+
 /// Whether a closed shell has practically no volume: at most the surface area of its box times `noise` (plane_noise()).
 /// `volume6` is MassMoments::volume6.
 bool has_no_volume(double volume6, const Box& box, double noise);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/mesh/float_range.h"
+#include "common/mesh/four_floats.h"
 #include "common/mesh/is_finite.h"
 #include "common/mesh/support_points.h"
 #include "common/proxy/convex_hull.h"
@@ -20,13 +21,43 @@ Box box_around(std::span<const Vertex> vertices)
     return box;
 }
 
+// Places that differ, coordinate by coordinate, for quick comparison.
+class Places
+{
+public:
+    Places()
+    {
+        // Equal to nothing.
+        for (auto* coordinate : {&x_, &y_, &z_}) coordinate->fill(std::numeric_limits<float>::quiet_NaN());
+    }
+
+    // Adds a place; false if it is there already.
+    bool add(const glm::vec3& p)
+    {
+        for (std::size_t i = 0; i < count_; i += kLanes)
+            if ((equal_lanes(load(&x_[i]), Four{} + p.x) & equal_lanes(load(&y_[i]), Four{} + p.y) &
+                 equal_lanes(load(&z_[i]), Four{} + p.z)) != 0)
+                return false;
+        x_[count_] = p.x;
+        y_[count_] = p.y;
+        z_[count_] = p.z;
+        ++count_;
+        return true;
+    }
+
+private:
+    static_assert(kSupportDirections % kLanes == 0);
+    std::array<float, kSupportDirections> x_, y_, z_;
+    std::size_t count_ = 0;
+};
+
 // Those that are finite, each place once, in their order.
 void use_places(CollisionProxy& proxy, const std::array<glm::vec3, kSupportDirections>& points)
 {
     proxy.points.reserve(points.size());
+    Places places;
     for (const glm::vec3& p : points)
-        if (is_finite(p) && std::find(proxy.points.begin(), proxy.points.end(), p) == proxy.points.end())
-            proxy.points.push_back(p);
+        if (is_finite(p) && places.add(p)) proxy.points.push_back(p);
 }
 
 }  // namespace
