@@ -1,6 +1,5 @@
 #include <kerf/object.h>
 
-#include <cmath>
 #include <memory>
 #include <thread>
 
@@ -16,18 +15,19 @@ namespace {
 constexpr const char* kNoMemoryForObject = "there is not enough memory for the object; free some";
 constexpr const char* kEmpty = "the object is empty: it was cut, moved from, or never made";
 
-/// Whether so many cuts pay the half-edge back end's preparing back. With all that a game needs of the pieces (meshes,
-/// masses, hulls, views) a linear cut costs about 12 ns for each triangle, and the half-edge back end 1800 ns times the
-/// root of the triangles more for the section than it; preparing costs 150 ns a triangle (docs/results.md: 0.30 and 0.35
-/// ms a cut of 10 k triangles, 1.5 and 0.94 of 100 k, 13 and 3.8 of 1 M).
-bool pays(std::uint64_t triangles, std::uint32_t cuts)
+/// Whether so many cuts pay the half-edge back end's preparing back, with all that a game needs of the pieces: meshes,
+/// masses, hulls, views. What a linear cut costs more than a half-edge one follows the vertices, which it copies and
+/// looks at for hulls. Fitted to asteroids from 1 k to 1 M triangles and to the report's models; times are nanoseconds,
+/// of which only the ratios matter. With 1, 2, 5, 10, 20, 50, 100 or 1000 cuts the choice costs at most 1.1 times the
+/// better of both there.
+bool pays(const Mesh& mesh, std::uint32_t cuts)
 {
-    constexpr double kLinear = 12.0, kPrepare = 150.0, kSection = 1800.0;
-    const double n = static_cast<double>(triangles);
-    return double(cuts) * (kLinear * n - kSection * std::sqrt(n)) > kPrepare * n;
+    constexpr double kSaved = 10'000.0, kSavedForVertex = 16.0, kPrepare = 5'000.0, kPrepareTriangle = 65.0;
+    const double saved = kSaved + kSavedForVertex * double(mesh.vertex_count());
+    return double(cuts) * saved > kPrepare + kPrepareTriangle * double(mesh.triangle_count());
 }
 
-const char* name_of(const PrepareOptions& options, std::uint64_t triangles)
+const char* name_of(const PrepareOptions& options, const Mesh& mesh)
 {
     if (options.back_end_name != nullptr) return options.back_end_name;
     switch (options.back_end) {
@@ -38,7 +38,7 @@ const char* name_of(const PrepareOptions& options, std::uint64_t triangles)
         case BackEnd::automatic:
             break;
     }
-    return core::find_back_end("halfedge") != nullptr && pays(triangles, options.cuts_expected) ? "halfedge" : "linear";
+    return core::find_back_end("halfedge") != nullptr && pays(mesh, options.cuts_expected) ? "halfedge" : "linear";
 }
 
 Result<Object> cancelled_object()
@@ -66,7 +66,7 @@ Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
 {
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence("the mesh is empty; make one with Mesh::make()")};
     return result_of<Object>(kNoMemoryForObject, [&]() -> Result<Object> {
-        const core::RegisteredBackend* const entry = core::find_back_end(name_of(options, mesh.triangle_count()));
+        const core::RegisteredBackend* const entry = core::find_back_end(name_of(options, mesh));
         if (entry == nullptr)
             return {Status::invalid_argument,
                     Sentence("this build has no such back end; back_end() lists those it has")};

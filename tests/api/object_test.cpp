@@ -36,7 +36,7 @@ TEST(Prepare, ChoosesByHowManyCutsAreExpected)
     EXPECT_STREQ(prepare(large, options)->back_end_name(), "linear");
     options.cuts_expected = 1000;
     EXPECT_STREQ(prepare(large, options)->back_end_name(), "halfedge");
-    EXPECT_STREQ(prepare(small, options)->back_end_name(), "linear");
+    EXPECT_STREQ(prepare(small, options)->back_end_name(), "halfedge");
 }
 
 TEST(Prepare, OfABackEndThatIsNotThereIsRefused)
@@ -195,8 +195,10 @@ TEST(Prepare, ChoosesTheBackEndThatPays)
         options.cuts_expected = cuts;
         return std::string(prepare(test::shape("torus", triangles), options)->back_end_name());
     };
-    EXPECT_EQ(chosen(1'000, 1000), "linear");
+    EXPECT_EQ(chosen(1'000, 1000), "halfedge");
+    EXPECT_EQ(chosen(1'000, 2), "linear");
     EXPECT_EQ(chosen(60'000, 1000), "halfedge");
+    EXPECT_EQ(chosen(60'000, 5), "linear");
     EXPECT_EQ(chosen(60'000, 1), "linear");
     EXPECT_EQ(chosen(60'000, 0), "linear");
 }
