@@ -8,6 +8,7 @@ BACKENDS = tuple(f"baseline/{lookup}" for lookup in LOOKUPS) + ("linear", "halfe
 QUADRATIC = ("baseline/scan", "baseline/two_bucket_hash")  # they look at many vertices to find one again
 SUBQUADRATIC = tuple(name for name in BACKENDS if name not in QUADRATIC)
 FASTEST = ("baseline/remap", "linear", "halfedge")
+REAL_BACKENDS = ("halfedge", "halfedge/cgal", "linear", "baseline/remap")  # that cut meshes which are not round
 SIZES = (1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000, 4_000_000, 16_000_000)  # triangles
 PROXIES = ("every_vertex", "full_hull", "bounded_hull", "box", "sphere")
 ASTEROID = "asteroid"  # the generated model of the viewer's large run, beside the report's fifteen

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from report.judged_caps import WorstFan
-from report.names import ASTEROID, BACKENDS, FASTEST, GALLERY, Kind, QUADRATIC, SIZES, SUBQUADRATIC
+from report.names import (ASTEROID, BACKENDS, FASTEST, GALLERY, Kind, QUADRATIC, REAL_BACKENDS, SIZES,
+                          SUBQUADRATIC)
 from report.student_report import report_rows
 
 VIEWER_SIZE = "160x90"  # drawn by a program on most machines: small, so that drawing does not hide cutting
@@ -40,7 +41,7 @@ class Extent:
 QUICK = Extent("quick", 100_000, 1, 10_000, 40, ("halfedge", "baseline/hash"), 30_000)
 NORMAL = Extent("normal", 4_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 100_000)
 FULL = Extent("full", 16_000_000, 3, 30_000, 200, tuple(reversed(BACKENDS)), 1_000_000)
-TEXT_STAGES = ("cuts", "proxies", "prepare", "growth", "chain")  # how their names begin
+TEXT_STAGES = ("cuts", "proxies", "prepare", "real", "model", "growth", "chain")  # how their names begin
 SHOWN_FANS = 4  # in the gallery
 MOST_FOR_PEERS = 100_000  # triangles
 
@@ -82,10 +83,18 @@ def growth_seconds(size: int, with_quadratic: bool) -> float:
     return 26.0 if size == 30_000 and with_quadratic else 3.5 + size / 45_000
 
 
+def real_meshes(extent: Extent) -> list[str]:
+    """Those that the benchmark may have: some are read from a folder that is not part of the project."""
+    large = ["brain"] if extent.most_triangles >= 1_000_000 else []
+    return large + ["skull", "cheese", "sponge", "folded", "tunnels"]
+
+
 def bench_stages(extent: Extent) -> list[Stage]:
     stages = [bench_stage("cuts", "^Cut/", extent, 0.01, 7),
               bench_stage("proxies", "^Proxy/", extent, 0.01, 6),
-              bench_stage("prepare-models", "^Prepare/.*/[a-z]+/manual_time$", extent, 0.01, 2)]
+              bench_stage("prepare-models", "^Prepare/.*/[a-z]+/manual_time$", extent, 0.01, 2),
+              bench_stage("real", f"^(Real|RealChain)/{among(REAL_BACKENDS)}{among(real_meshes(extent))}", extent, 0.05, 15),
+              bench_stage("model-chains", f"^ModelChain/{among(REAL_BACKENDS)}", extent, 0.01, 3)]
     for size in SIZES:
         if size > extent.most_triangles:
             continue

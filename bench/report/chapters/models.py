@@ -7,7 +7,8 @@ from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTabl
 from report.measurements import Measurements
 from report.tables.model_tables import (cuts_table, frames_table, hulls_table, model_exponents_table, sizes_table,
                                         worst_frames_table)
-from report.tables.numbers import digits
+from report.tables.numbers import count, digits, short
+from report.tables.real_tables import model_chains_table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
@@ -34,10 +35,14 @@ def times(found: Measurements, facts: Facts) -> Section:
         "dictionary that it should have had. These three include its loop that rewrites every vertex around the new "
         "pivot. `remap` is the best linear method that we know: it looks up indices, not vertices. `halfedge` touches "
         "only what the plane meets."]
-    parts += [text for text in (lookups(found, facts), small_models(found, facts)) if text]
+    parts += [text for text in (lookups(found, facts), small_models(found, facts), whole_chain(found, facts)) if text]
     parts.append(ShownTable(cuts_table(found), "The report's Table 2, cutting: ms per cut, mean of ten seeded random "
                             "planes through the model's middle. The report's times are its "
                             "laptop's.", published=True, folded=True))
+    chains = model_chains_table(found)
+    if chains.rows:
+        parts.append(ShownTable(chains, "The whole chain on the same models: two closed pieces, masses, "
+                                "bounded hulls and draw views; ms.", published=True, folded=True))
     return Section("table2", "Cutting the report's models", parts)
 
 
@@ -62,6 +67,26 @@ def small_models(found: Measurements, facts: Facts) -> str:
             f"{facts.say('halfedge microseconds, median', ours, digits(0))} and "
             f"{facts.say('remap microseconds, median', theirs, digits(0))} µs). A loop over a thousand triangles is "
             "hard to beat.")
+
+
+def whole_chain(found: Measurements, facts: Facts) -> str:
+    """The same with everything that a game needs of the pieces."""
+    rows = [row for row in model_chains_table(found).rows if row.get("halfedge_ms")]
+    said = []
+    for backend in ("linear", "baseline/remap"):
+        known = [row for row in rows if row.get(f"{backend}_ms")]
+        if not known:
+            continue
+        wins = sum(row["halfedge_ms"] < row[f"{backend}_ms"] for row in known)
+        ratio = statistics.median(row["halfedge_ms"] / row[f"{backend}_ms"] for row in known)
+        name = short(backend)
+        said.append(f"{facts.say(f'whole chain, halfedge to {name}, median', ratio, digits(2))} times what `{name}` takes, "
+                    f"and less on {facts.say(f'models faster than {name}, whole chain', wins, count)} of "
+                    f"{facts.say(f'models against {name}, whole chain', len(known), count)}")
+    if not said:
+        return ""
+    return ("**With everything that a game needs** of the pieces, masses and hulls among it, it takes "
+            + "; ".join(said) + " (medians).")
 
 
 def lookup_factors(found: Measurements, facts: Facts) -> str:
