@@ -7,6 +7,7 @@
 #include <kerf/kerf.h>
 #include <kerf/proxy.h>
 
+#include <algorithm>
 #include <atomic>
 #include <barrier>
 #include <cstdlib>
@@ -227,6 +228,27 @@ TEST_P(ObjectThreads, ManyCutARelativeEachWhileAViewIsUsed)
         });
     while (running > 0) EXPECT_EQ(sum_of(view), before);
     for (std::thread& thread : threads) thread.join();
+}
+
+TEST_P(ObjectThreads, TwoPrepareOneObjectTogetherAsOneDoesAlone)
+{
+    const Mesh mesh = test::shape("asteroid", 30'000);
+    PrepareOptions options;
+    options.back_end_name = GetParam().c_str();
+    const Result<Object> alone = prepare(mesh, options);
+    ASSERT_TRUE(alone);
+    for (const std::uint32_t threads : {2u, 0u}) {
+        options.threads = threads;
+        const Result<Object> together = prepare(mesh, options);
+        ASSERT_TRUE(together);
+        EXPECT_EQ(together->mass_properties().volume, alone->mass_properties().volume);
+        const Mesh one = *alone->mesh(), other = *together->mesh();
+        EXPECT_TRUE(std::ranges::equal(one.arrays().indices, other.arrays().indices)) << threads;
+    }
+    // Stopped while both are at work.
+    options.threads = 2;
+    options.progress = [](void*, double share) { return share < 0.7; };
+    EXPECT_EQ(prepare(mesh, options).status(), Status::cancelled);
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info)

@@ -13,10 +13,6 @@ namespace kerf::core::halfedge {
 namespace {
 
 #ifdef __linux__
-/// Bytes: smaller blocks are ordinary memory. The allocator keeps it when a block ends, touched as it is, so that the
-/// next object takes it over; each page of a new mapping is touched for the first time, which costs more than to copy
-/// an object. Up to this size glibc does so (its greatest M_MMAP_THRESHOLD).
-constexpr std::size_t kLeastMapped = std::size_t(1) << 25;
 /// How many times its size a block has addresses for. A game cuts an object to a few times its size before it is
 /// compacted; addresses are not short: 47 bits of them.
 constexpr std::size_t kRoom = 64;

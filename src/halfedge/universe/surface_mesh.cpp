@@ -4,6 +4,7 @@
 #include <new>
 
 #include "halfedge/universe/huge_pages.h"
+#include "halfedge/universe/memory_block.h"
 
 namespace kerf::core::halfedge {
 
@@ -51,7 +52,10 @@ void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfSte
 
 void SurfaceMesh::ask_for(const Sizes& wanted)
 {
-    const auto more = [](std::size_t count) { return std::min(kMost, 2 * count); };
+    // OpenMesh's arrays are ordinary ones. Large ones that have no room left are copied: tens of milliseconds in one cut.
+    constexpr std::size_t kIfLarge = 8;
+    const std::size_t room = MemoryBlock::room_to_grow(wanted.edges * kEdgeBytes, kIfLarge);
+    const auto more = [&](std::size_t count) { return std::min(kMost, room * count); };
     const Sizes ample{more(wanted.points), more(wanted.edges), more(wanted.faces)};
     try {
         mesh_.reserve(ample.points, ample.edges, ample.faces);

@@ -75,7 +75,7 @@ public:
     };
 
     /// Gives an empty mesh its sizes, and makes room for `room` elements in all and touches it. As in AppendBuffer,
-    /// memory for as much again is asked for but not touched. Throws std::bad_alloc, and Cancelled, after which the mesh
+    /// memory for more is asked for but not touched. Throws std::bad_alloc, and Cancelled, after which the mesh
     /// is good for nothing.
     void start(const Sizes& sizes, const Sizes& room, const ProgressOfStep& progress) { grow(room, sizes, progress); }
 
