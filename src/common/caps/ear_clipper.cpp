@@ -167,7 +167,9 @@ bool EarClipper::is_ear(std::size_t ia, std::size_t ib, std::size_t ic, CornerAt
         const std::size_t i = corner_at(item);
         const glm::dvec2& p = ring_.points[i];
         // In one go: each of these alone is a branch that can't be foretold.
-        if (!((reflex_[i] != 0) & (i != ia) & (i != ib) & (i != ic) & box.holds(p.x, p.y))) return false;
+        const auto bit = [](bool is_so) { return unsigned{is_so}; };
+        if ((bit(reflex_[i] != 0) & bit(i != ia) & bit(i != ib) & bit(i != ic) & bit(box.holds(p.x, p.y))) == 0)
+            return false;
         if (turn(a, b, p) < 0.0 || turn(b, c, p) < 0.0 || turn(c, a, p) < 0.0) return false;
         return !places_may_repeat_ || (p != a && p != b && p != c);
     });
