@@ -21,7 +21,7 @@ namespace kerf::core::halfedge {
 ///
 /// A large buffer never moves: room behind it is reserved as addresses (memory_block.h) and touched bit by bit when it
 /// runs out, so that the cost of growth depends on what is added, not on what is there. A small one has addresses for
-/// two to four times what it was made for. If addresses run out, the elements are copied, and the old ones stay where they are until
+/// four times what it was made for. If addresses run out, the elements are copied, and the old ones stay where they are until
 /// the buffer ends. So who reads elements that were there once may go on while others are appended.
 ///
 /// Key: what an element is found by, a number or an id.
@@ -113,14 +113,13 @@ public:
     std::size_t bytes_reserved() const { return capacity_ * sizeof(T); }
 
 private:
-    static constexpr std::size_t kAskedFor = 4;  ///< at most
+    static constexpr std::size_t kAskedFor = 4;
 
     /// With room in advance, if there is any.
     static MemoryBlock block_for(std::size_t capacity)
     {
         try {
-            const std::size_t bytes = capacity * sizeof(T);
-            return MemoryBlock(MemoryBlock::room_to_grow(bytes, 2) * bytes);
+            return MemoryBlock(kAskedFor * capacity * sizeof(T));
         } catch (const std::bad_alloc&) {
             return MemoryBlock(capacity * sizeof(T));
         }

@@ -11,7 +11,6 @@ namespace kerf::core::halfedge {
 void prefer_huge_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-    constexpr std::uintptr_t kHugePage = std::uintptr_t(1) << 21;
     const auto first = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t from = (first + kHugePage - 1) & ~(kHugePage - 1), to = (first + bytes) & ~(kHugePage - 1);
     // Advice: whether it is taken or not makes no difference to what is computed.

@@ -1,6 +1,9 @@
 #include "halfedge/universe/memory_block.h"
 
+#include <cstdint>
 #include <new>
+
+#include "halfedge/universe/huge_pages.h"
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -35,6 +38,19 @@ std::size_t whole_pages(std::size_t bytes)
 {
     return (bytes + page_size() - 1) / page_size() * page_size();
 }
+
+/// So many bytes of addresses, whole pages, from a place where a huge page may begin; null if there are none.
+void* addresses(std::size_t bytes)
+{
+    void* const mapped =
+        mmap(nullptr, bytes + kHugePage, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (mapped == MAP_FAILED) return nullptr;
+    char* const first = static_cast<char*>(mapped);
+    const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(first) % kHugePage) % kHugePage;
+    if (before > 0) munmap(first, before);
+    if (before < kHugePage) munmap(first + before + bytes, kHugePage - before);
+    return first + before;
+}
 #endif
 
 }  // namespace
@@ -47,9 +63,7 @@ MemoryBlock::MemoryBlock(std::size_t bytes)
         for (const std::size_t room : {kRoom, kLittleRoom, std::size_t(1)}) {
             if (begin_ != nullptr || (room == kRoom && addresses_are_short())) continue;
             reserved_ = whole_pages(room * bytes);
-            void* const mapped =
-                mmap(nullptr, reserved_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-            if (mapped != MAP_FAILED) begin_ = mapped;
+            begin_ = addresses(reserved_);
         }
         if (begin_ == nullptr) throw std::bad_alloc();
         is_mapped_ = true;

@@ -10,16 +10,10 @@ namespace kerf::core::halfedge {
 class MemoryBlock
 {
 public:
-    /// Bytes: smaller blocks are ordinary memory. The allocator keeps it when a block ends, touched as it is, so that
-    /// the next object takes it over; each page of a new mapping is touched for the first time, which costs more than
-    /// to copy an object. Up to this size glibc does so (its greatest M_MMAP_THRESHOLD).
-    static constexpr std::size_t kLeastMapped = std::size_t(1) << 25;
-    /// How many times its size an array that will grow had better ask for, so that its elements need not be copied
-    /// soon: as many as leave it ordinary memory, if that is two at least. What is not touched costs addresses only.
-    static constexpr std::size_t room_to_grow(std::size_t bytes, std::size_t if_mapped)
-    {
-        return bytes < kLeastMapped / 4 ? 4 : bytes < kLeastMapped / 2 ? 2 : if_mapped;
-    }
+    /// Bytes: smaller blocks are ordinary memory, which the allocator keeps when a block ends, touched as it is, so that
+    /// the next object takes it over; pages of a new mapping are touched for the first time. Larger ones would have to be
+    /// copied in a long chain of cuts, milliseconds in one of them.
+    static constexpr std::size_t kLeastMapped = std::size_t(1) << 23;
 
     MemoryBlock() = default;
     /// Reserves addresses for at least `bytes`, none of which may be used yet. Throws std::bad_alloc.

@@ -4,7 +4,6 @@
 #include <new>
 
 #include "halfedge/universe/huge_pages.h"
-#include "halfedge/universe/memory_block.h"
 
 namespace kerf::core::halfedge {
 
@@ -52,9 +51,10 @@ void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfSte
 
 void SurfaceMesh::ask_for(const Sizes& wanted)
 {
-    // OpenMesh's arrays are ordinary ones. Large ones that have no room left are copied: tens of milliseconds in one cut.
-    constexpr std::size_t kIfLarge = 8;
-    const std::size_t room = MemoryBlock::room_to_grow(wanted.edges * kEdgeBytes, kIfLarge);
+    // OpenMesh's arrays are ordinary ones, which are copied when they have no room left: tens of milliseconds in one cut
+    // of a large mesh. What is not touched costs addresses only. glibc keeps what is up to 32 MB for the next object.
+    constexpr std::size_t kKept = std::size_t(1) << 25, kRoomIfKept = 4, kRoom = 8;
+    const std::size_t room = kRoomIfKept * wanted.edges * kEdgeBytes < kKept ? kRoomIfKept : kRoom;
     const auto more = [&](std::size_t count) { return std::min(kMost, room * count); };
     const Sizes ample{more(wanted.points), more(wanted.edges), more(wanted.faces)};
     try {
