@@ -7,9 +7,9 @@ namespace kerf::core::halfedge {
 namespace {
 
 /// How many vertices or triangles ahead the mesh is read.
-constexpr Index kAhead = 16;
+constexpr Index kReadAhead = 16;
 /// The same for what another thread may have numbered: its cache gives a line away in the time of some dozen triangles.
-constexpr Index kFarAhead = 64;
+constexpr Index kNumberedAhead = 64;
 
 }  // namespace
 
@@ -17,11 +17,11 @@ void MeshWriter::write(const NumberedChunk& chunk)
 {
     write_vertices(chunk.vertices);
     for (Index i = 0; i < chunk.count; ++i) {
-        __builtin_prefetch(&mesh_.sources[order_[chunk.first + std::min(i + kAhead, chunk.count - 1)]]);
+        __builtin_prefetch(&mesh_.sources[order_[chunk.first + std::min(i + kReadAhead, chunk.count - 1)]]);
         const SlotId slot(chunk.first + i);
-        if (i + kFarAhead < chunk.count) {
-            __builtin_prefetch(&halfedges_[slot.number() + kFarAhead]);
-            __builtin_prefetch(&u_.slots[slot + kFarAhead]);
+        if (i + kNumberedAhead < chunk.count) {
+            __builtin_prefetch(&halfedges_[slot.number() + kNumberedAhead]);
+            __builtin_prefetch(&u_.slots[slot + kNumberedAhead]);
         }
         const FaceId face(static_cast<int>(slot.number()));
         const std::array<HalfedgeId, 3>& h = halfedges_[slot.number()];
@@ -39,7 +39,7 @@ void MeshWriter::write(const NumberedChunk& chunk)
 void MeshWriter::write_vertices(Index end)
 {
     for (; vertices_ < end; ++vertices_) {
-        __builtin_prefetch(&mesh_.vertices[old_vertex_[std::min(vertices_ + kAhead, end - 1)]]);
+        __builtin_prefetch(&mesh_.vertices[old_vertex_[std::min(vertices_ + kReadAhead, end - 1)]]);
         const Vertex& vertex = u_.vertices[vertices_] = mesh_.vertices[old_vertex_[vertices_]];
         if (point_[vertices_] != points_) continue;
         u_.mesh.set_position(point(vertices_), vertex.position);

@@ -10,7 +10,7 @@ namespace {
 
 /// How many triangles ahead memory is asked for: this pass reads all over the mesh, and its branches can't be foretold,
 /// so the processor does not read ahead by itself.
-constexpr std::size_t kAhead = 12;
+constexpr std::size_t kTrianglesAhead = 12;
 
 template <class T>
 Buffer<T> room_for(std::size_t size)
@@ -55,8 +55,8 @@ NumberedChunk Numbering::next()
     chunk.first = counts_.triangles;
     chunk.count = static_cast<Index>(std::min(order_.size() - counts_.triangles, NumberedChunk::kTriangles));
     for (Index i = chunk.first; i < chunk.first + chunk.count; ++i) {
-        prefetch_triangle(order_[std::min(i + 2 * kAhead, order_.size() - 1)]);
-        prefetch_neighbours(order_[std::min(i + kAhead, order_.size() - 1)]);
+        prefetch_triangle(order_[std::min(i + 2 * kTrianglesAhead, order_.size() - 1)]);
+        prefetch_neighbours(order_[std::min(i + kTrianglesAhead, order_.size() - 1)]);
         const Index old_triangle = order_[i];
         const Triangle& t = mesh_.triangles[old_triangle];
         Triangle& slot = (*slots_)[SlotId(i)];
