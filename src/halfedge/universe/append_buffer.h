@@ -21,8 +21,8 @@ namespace kerf::core::halfedge {
 ///
 /// A large buffer never moves: room behind it is reserved as addresses (memory_block.h) and touched bit by bit when it
 /// runs out, so that the cost of growth depends on what is added, not on what is there. A small one has addresses for
-/// four times what it was made for. If addresses run out, the elements are copied, and the old ones stay where they are until
-/// the buffer ends. So who reads elements that were there once may go on while others are appended.
+/// four times what it was made for. If addresses run out, the elements are copied, and the old ones stay where they are
+/// until the buffer ends. So who reads elements that were there once may go on while others are appended.
 ///
 /// Key: what an element is found by, a number or an id.
 template <class T, class Key = std::size_t>

@@ -8,10 +8,9 @@
 
 namespace kerf::core::halfedge {
 
-/// The triangles of a mesh in an order in which those near each other in space lie near each other in memory: by (group,
-/// shell, place of the centre along a Morton curve, number). `group_of` gives each triangle its group, below `groups`; it may
-/// be empty if there is one.
-/// O(n), by radix sort.
+/// The triangles of a mesh in an order in which those near each other in space lie near each other in memory: by
+/// (group, shell, place of the centre along a Morton curve, number). `group_of` gives each triangle its group, below
+/// `groups`; it may be empty if there is one. O(n), by radix sort.
 Buffer<Index> spatial_order(const ProvenMesh& proven, std::span<const Index> group_of, std::size_t groups);
 
 }  // namespace kerf::core::halfedge

@@ -138,7 +138,7 @@ TEST(AppendBuffer, ALargeOneGrowsWhereItStands)
 {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) GTEST_SKIP() << "addresses are short";
-    constexpr std::uint32_t kMany = 1 << 22;  // 16 MB, and 32 MB of addresses are asked for
+    constexpr std::uint32_t kMany = 1 << 22;  // 16 MB: more than the least that is mapped
     Numbers buffer = numbers(kMany);
     const std::uint32_t* const first = buffer.data();
     buffer.reserve(std::size_t{4} * kMany);
