@@ -89,17 +89,17 @@ void set_sizes(Universe& u, const UniverseSize& size)
 /// With fewer triangles a second thread costs more than it saves.
 constexpr std::size_t kWorthAThread = 20'000;
 
-/// Does a job on another thread if it is asked to and there is one to be had, otherwise at once.
+/// Does a job on another thread if it is asked to and there is one to be had, otherwise when the future is asked. (A
+/// future of one of the library's types would show that type's name to whoever loads a plugin with the library inside.)
 template <class Job>
-auto beside(bool on_another_thread, Job job)
+std::future<void> beside(bool on_another_thread, Job job)
 {
     if (on_another_thread) try {
             return std::async(std::launch::async, job);
         } catch (const std::system_error&) {
+            // Then without.
         }
-    std::packaged_task<decltype(job())()> task(job);
-    task();
-    return task.get_future();
+    return std::async(std::launch::deferred, job);
 }
 
 }  // namespace
@@ -124,11 +124,13 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     u.has_boundary = boundary > 0;
     UniverseSize size{mesh.point_count, (3 * n + boundary) / 2, n, mesh.vertices.size(), 0};
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
-    auto order_to_be = beside(two_threads, [&] { return spatial_order(proven, group_of, u.groups.size()); });
+    Buffer<Index> order;
+    std::future<void> order_is_made =
+        beside(two_threads, [&] { order = spatial_order(proven, group_of, u.groups.size()); });
     reserve(u, size, crossings_of_one_cut(n), {progress, 0.0, 0.3});
     set_sizes(u, size);
     Numbering numbering(proven, boundary);
-    const Buffer<Index> order = order_to_be.get();
+    order_is_made.get();
     const std::vector<Run> runs = find_runs(order, group_of, adjacency);
     progress.at(0.4);
     for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
