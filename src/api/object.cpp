@@ -74,6 +74,7 @@ Result<Object> prepare(Mesh mesh, const PrepareOptions& options) noexcept
         inside.listener = {options.listener.released, options.listener.user};
         inside.progress = {options.progress, options.user};
         inside.threads = options.threads != 0 ? options.threads : std::thread::hardware_concurrency();
+        inside.cuts_with_room = options.cuts_with_room;
         // Both ends of a bar, whatever the back end says between.
         const auto goes_on = [&](double share) {
             return options.progress == nullptr || options.progress(options.user, share);

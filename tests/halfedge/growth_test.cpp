@@ -160,27 +160,43 @@ TEST(Growth, EveryCutOfAChainCostsWhatItsSectionCosts)
     EXPECT_GT(grown, 0u) << "the chain is to use up what is reserved";
 }
 
-TEST(Growth, ReservedRoomIsSaidToBeUsedUp)
+/// Cuts an object to pieces until memory grows: the crossing triangles of all cuts until then.
+std::uint64_t crossings_until_growth(std::unique_ptr<Cuttable> object)
 {
-    auto object = std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(20'000, 1))).object);
+    constexpr std::uint64_t kSmallest = 500;  // triangles of what is cut
     test::Random random(2);
     std::vector<std::unique_ptr<Cuttable>> objects;
     objects.push_back(std::move(object));
-    std::uint64_t grown = 0, first_grown_at = 0, crossings = 0;
-    while (grown == 0 && !objects.empty()) {
+    std::uint64_t crossings = 0;
+    while (!objects.empty()) {
         auto next = std::move(objects.back());
         objects.pop_back();
-        if (next->triangle_count() < 1000) continue;
+        if (next->triangle_count() < kSmallest) continue;
         CutResult result = cut(std::move(next), *Plane::through({0, 0, 0}, random.direction()));
         crossings += result.statistics.crossing_triangles;
-        grown += result.statistics.bytes_grown;
-        first_grown_at = crossings;
+        if (result.statistics.bytes_grown > 0) return crossings;
         for (auto* side : {&result.negative, &result.positive})
             for (auto& fragment : *side) objects.push_back(std::move(fragment));
     }
-    EXPECT_GT(grown, 0u);
-    // Room for the stated number of crossing triangles was there.
-    EXPECT_GE(double(first_grown_at), 0.5 * double(crossings_of_one_cut(20'000)));
+    ADD_FAILURE() << "memory never grew";
+    return crossings;
+}
+
+TEST(Growth, RoomIsThereForTheCutsThatWereNamed)
+{
+    constexpr std::uint64_t kTriangles = 20'000;
+    for (const std::uint32_t cuts : {0u, 1u, 8u}) {
+        PrepareOptions options;
+        options.cuts_with_room = cuts;
+        auto object =
+            std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(kTriangles, 1)), options).object);
+        auto copy = object->clone();
+        const double named = double(std::max(cuts, 1u)) * double(crossings_of_one_cut(kTriangles));
+        const std::uint64_t of_object = crossings_until_growth(std::move(object));
+        EXPECT_GE(double(of_object), 0.5 * named) << cuts;
+        EXPECT_LE(double(of_object), 3.0 * named) << cuts;
+        EXPECT_EQ(crossings_until_growth(std::move(copy)), of_object) << cuts << ", a clone";
+    }
 }
 
 }  // namespace

@@ -4,6 +4,14 @@
 
 namespace kerf::sim {
 
+namespace {
+
+/// The room that is asked for, as cuts through the middle: a swipe or two cuts what flies and its pieces a dozen times,
+/// and a piece has fewer triangles in its section.
+constexpr std::uint32_t kCutsOfAThrow = 4;
+
+}  // namespace
+
 const std::vector<std::string>& backend_names()
 {
     static const std::vector<std::string> names = [] {
@@ -26,6 +34,7 @@ Result<Object> prepare(const Mesh& mesh, const std::string& back_end)
     add_report_back_ends();
     PrepareOptions options;
     options.back_end_name = back_end.c_str();
+    options.cuts_with_room = kCutsOfAThrow;
     return kerf::prepare(mesh, options);
 }
 

@@ -250,7 +250,8 @@ struct PrepareOptions
 {
     BufferListener listener;  ///< of the object's buffers, and of all that descend from it
     Progress progress;
-    unsigned threads = 1;  ///< that may work at it
+    unsigned threads = 1;              ///< that may work at it
+    std::uint32_t cuts_with_room = 1;  ///< for how many cuts memory is got in advance; 0 as 1
 };
 
 /// A way to cut. Stateless: one backend may prepare any number of objects from any number of threads.

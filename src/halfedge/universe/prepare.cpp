@@ -127,14 +127,15 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     Buffer<Index> order;
     std::future<void> order_is_made =
         beside(two_threads, [&] { order = spatial_order(proven, group_of, u.groups.size()); });
-    reserve(u, size, crossings_of_one_cut(n), {progress, 0.0, 0.3});
+    const std::size_t crossings = crossings_of_one_cut(n) * std::max<std::size_t>(options.cuts_with_room, 1);
+    reserve(u, size, crossings, {progress, 0.0, 0.3});
     set_sizes(u, size);
     Numbering numbering(proven, boundary);
     order_is_made.get();
     const std::vector<Run> runs = find_runs(order, group_of, adjacency);
     progress.at(0.4);
     for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
-    reserve_nodes(u, size, crossings_of_one_cut(n));
+    reserve_nodes(u, size, crossings);
 
     numbering.begin(order, u.slots);
     NumberedChunks chunks(numbering, two_threads);

@@ -110,8 +110,8 @@ struct ShellRoot
     bool connected = true;
 };
 
-/// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for a cut
-/// (crossings_of_one_cut()). Returns the shells of the mesh. O(n log n) with a radix sort's constant. Throws Cancelled.
+/// Fills an empty universe with a mesh: triangles in Morton order, half-edges, the tree, and reserved room for the
+/// cuts that the options name (crossings_of_one_cut()). Returns the shells of the mesh. O(n log n) with a radix sort's constant. Throws Cancelled.
 std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& universe,
                                         const PrepareOptions& options = {});
 
