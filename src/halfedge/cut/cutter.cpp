@@ -1,7 +1,7 @@
 #include "halfedge/cut/cutter.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <vector>
 
 #include "common/cutting/back_end_helpers.h"
 #include "common/mesh/plane_frame.h"
@@ -150,16 +150,34 @@ void Cutter::plan_cap_groups(const CutOptions& options)
         material = adds_cap_material_ ? static_cast<std::uint32_t>(u.materials.size()) : u.cap_material;
         material_count_ = std::max<std::size_t>(material_count_, material + 1);
     }
-    std::unordered_map<std::uint32_t, Index> group_of_solid;
-    for (Index g = 0; g < u.groups.size(); ++g)
-        if (u.groups[g].material == material && u.groups[g].kind == TriangleKind::cap)
-            group_of_solid.emplace(u.groups[g].solid, g);
+    struct GroupOfSolid
+    {
+        std::uint32_t solid;
+        Index group;  // kNone: there is none yet
+        bool operator<(const GroupOfSolid& other) const { return solid < other.solid; }
+    };
+    std::vector<GroupOfSolid> group_of_solid;
+    group_of_solid.reserve(w_.pieces.shells.size());
+    for (const PieceShell& shell : w_.pieces.shells)
+        if (shell.cap_count > 0) group_of_solid.push_back({shell.solid, kNone});
+    std::sort(group_of_solid.begin(), group_of_solid.end());
+    const auto find = [&](std::uint32_t solid) {
+        return std::lower_bound(group_of_solid.begin(), group_of_solid.end(), GroupOfSolid{solid, kNone});
+    };
+    for (Index g = 0; g < u.groups.size(); ++g) {
+        if (u.groups[g].material != material || u.groups[g].kind != TriangleKind::cap) continue;
+        const auto entry = find(u.groups[g].solid);
+        if (entry != group_of_solid.end() && entry->solid == u.groups[g].solid && entry->group == kNone)
+            entry->group = g;
+    }
     for (PieceShell& shell : w_.pieces.shells) {
         if (shell.cap_count == 0) continue;
-        const auto [entry, is_new] =
-            group_of_solid.try_emplace(shell.solid, static_cast<Index>(u.groups.size() + new_groups_.size()));
-        if (is_new) new_groups_.push_back({material, shell.solid, TriangleKind::cap});
-        shell.cap_group = GroupId(entry->second);
+        Index& group = find(shell.solid)->group;
+        if (group == kNone) {
+            group = static_cast<Index>(u.groups.size() + new_groups_.size());
+            new_groups_.push_back({material, shell.solid, TriangleKind::cap});
+        }
+        shell.cap_group = GroupId(group);
     }
     if (adds_cap_material_) u.make_room_for_material();
     u.groups.reserve(u.groups.size() + new_groups_.size());

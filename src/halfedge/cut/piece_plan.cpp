@@ -54,6 +54,28 @@ PiecesOutline outline_of(const Universe& u, const Found& found, const Section& s
     return outline;
 }
 
+/// Whether all that is cut is one shell that falls into one part a side, and nothing else is there: most cuts of a game.
+bool is_one_part_a_side(const Found& found, const Section& section, const Pieces& pieces)
+{
+    return !section.is_irregular() && pieces.targets.size() == 2 && found.whole[Side::negative].empty() &&
+           found.whole[Side::positive].empty() &&
+           std::none_of(pieces.targets.begin(), pieces.targets.end(), [](const Target& t) { return t.is_empty; });
+}
+
+/// What group_pieces() would say of it.
+void make_one_piece_a_side(const Found& found, Pieces& pieces)
+{
+    for (const Side side : kSides) {
+        PieceShell made;
+        made.side = side;
+        made.solid = found.shells.front().solid;
+        pieces.target(first_target(0, side)).piece_shell = static_cast<Index>(pieces.shells.size());
+        pieces.shells.push_back(made);
+        pieces.whole_fragment[side].clear();
+        pieces.fragment_count[side] = 1;
+    }
+}
+
 }  // namespace
 
 void make_first_targets(const Found& found, Pieces& pieces)
@@ -99,6 +121,7 @@ void plan_sides(const Found& found, const Section& section, Pieces& pieces)
 
 void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Section& section, Pieces& pieces)
 {
+    if (is_one_part_a_side(found, section, pieces)) return make_one_piece_a_side(found, pieces);
     BySide<PartsOfSide> sides{PartsOfSide(universe, plane, Side::negative, found, pieces),
                               PartsOfSide(universe, plane, Side::positive, found, pieces)};
     DisjointSets same(static_cast<std::uint32_t>(pieces.targets.size()));
@@ -122,6 +145,10 @@ void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Sec
 
 void plan_cap_sets(const Found& found, const Pieces& pieces, Section& section)
 {
+    if (section.loops.size() == 1) {
+        section.loops.front().cap_set = 0;
+        return;
+    }
     std::map<BySide<Index>, Index> sets;
     for (Loop& loop : section.loops)
         loop.cap_set =
@@ -148,9 +175,8 @@ void divide_piece_shells(const Found& found, const Section& section, Caps& caps,
 {
     const auto target_count = static_cast<std::uint32_t>(pieces.targets.size());
     const auto cap_count = static_cast<std::uint32_t>(caps.triangles.size());
-    std::vector<std::uint32_t> targets_in(pieces.shells.size(), 0);
-    for (const Target& t : pieces.targets) ++targets_in[t.piece_shell];
-    if (std::none_of(targets_in.begin(), targets_in.end(), [](std::uint32_t count) { return count > 1; })) return;
+    // A piece shell has at least one target.
+    if (target_count == pieces.shells.size()) return;
 
     // Targets, then the caps of either side.
     DisjointSets joined(target_count + 2 * cap_count);

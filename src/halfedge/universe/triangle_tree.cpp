@@ -21,6 +21,7 @@ namespace kerf::core::halfedge {
 namespace {
 
 constexpr std::size_t kLines = kSupportDirections / 2;  // directions come in opposite pairs, i and i + kLines
+constexpr std::size_t kUsualDepth = 64;                 // what a stack has room for
 
 /// One of each pair of directions, four at a time.
 struct Lines
@@ -366,7 +367,6 @@ public:
     {
         for (const NodeId root : roots) best_.add(tree.supports[root]);
         points_.fill(glm::vec3(0.0f));
-        constexpr std::size_t kUsualDepth = 64;
         stack_.reserve(roots.size() + kUsualDepth);
         for (auto root = roots.rbegin(); root != roots.rend(); ++root) visit_later(*root, ~Directions(0));
         while (!stack_.empty()) {
@@ -448,7 +448,9 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Node
         const auto [lo, hi] = plane.distance_range(tree.nodes[n].box);
         return sign > 0 ? std::array{lo, hi} : std::array{-hi, -lo};
     };
-    std::vector<NodeId> stack{root};
+    std::vector<NodeId> stack;
+    stack.reserve(kUsualDepth);
+    stack.push_back(root);
     while (!stack.empty()) {
         const NodeId n = stack.back();
         stack.pop_back();
