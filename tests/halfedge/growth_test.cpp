@@ -184,14 +184,14 @@ std::uint64_t crossings_until_growth(std::unique_ptr<Cuttable> object)
 
 TEST(Growth, RoomIsThereForTheCutsThatWereNamed)
 {
-    constexpr std::uint64_t kTriangles = 20'000;
+    constexpr std::uint64_t kSize = 20'000;
     for (const std::uint32_t cuts : {0u, 1u, 8u}) {
         PrepareOptions options;
         options.cuts_with_room = cuts;
-        auto object =
-            std::move(make_back_end()->prepare(test::repaired(shapes::asteroid(kTriangles, 1)), options).object);
+        const ProvenMesh proven = std::move(prove(test::repaired(shapes::asteroid(kSize, 1))).mesh);
+        auto object = std::move(make_back_end()->prepare(proven, options).object);
         auto copy = object->clone();
-        const double named = double(std::max(cuts, 1u)) * double(crossings_of_one_cut(kTriangles));
+        const double named = double(std::max(cuts, 1u)) * double(crossings_of_one_cut(kSize));
         const std::uint64_t of_object = crossings_until_growth(std::move(object));
         EXPECT_GE(double(of_object), 0.5 * named) << cuts;
         EXPECT_LE(double(of_object), 3.0 * named) << cuts;
