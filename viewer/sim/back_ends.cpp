@@ -8,7 +8,7 @@ namespace {
 
 /// The room that is asked for, as cuts through the middle: a swipe or two cuts what flies and its pieces a dozen times,
 /// and a piece has fewer triangles in its section.
-constexpr std::uint32_t kCutsOfAThrow = 4;
+constexpr std::uint32_t kCutsOfAThrow = 8;
 
 }  // namespace
 

@@ -149,9 +149,12 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
 
     CutOptions how;
     how.components = true;
-    record.cpu_ms = cpu.lap() * 1e3;
-    const double caps_before = options.hash_surfaces ? sim::cap_area(body.object()) : 0.0;
-    if (const double checked = cpu.lap(); options.hash_surfaces) record.check_cpu_ms = checked * 1e3;
+    double caps_before = 0.0;
+    if (options.hash_surfaces) {
+        record.cpu_ms = cpu.lap() * 1e3;
+        caps_before = sim::cap_area(body.object());
+        record.check_cpu_ms = cpu.lap() * 1e3;
+    }
     watch.lap();
     Cut result = cut(body.take_object(), *section, how);
     record.cut_ms = watch.lap();

@@ -12,6 +12,7 @@
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body_proxies.h"
 #include "viewer/sim/kerf_glm.h"
+#include "viewer/sim/rehearsal.h"
 
 namespace kerf::sim {
 
@@ -143,6 +144,7 @@ void ModelLibrary::prepare_once(Prepared& entry, std::size_t index, const std::s
         entry.error = "there is no back end '" + backend + "'";
     } else {
         Result<Object> object = sim::prepare(model(index).mesh, backend);
+        if (object) rehearse(backend);
         if (!object) entry.error = model(index).name + " can't be prepared: " + object.reason();
         entry.object = *std::move(object);
     }

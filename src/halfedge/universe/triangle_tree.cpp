@@ -248,6 +248,8 @@ std::size_t TriangleTree::bytes_reserved() const
 void TriangleTree::append_runs(NodeId root, std::vector<Run>& runs) const
 {
     std::vector<NodeId> stack;
+    stack.reserve(kUsualDepth);
+    if (runs.empty()) runs.reserve(kUsualDepth);
     if (root.is_valid()) stack.push_back(root);
     while (!stack.empty()) {
         const Node& node = nodes[stack.back()];

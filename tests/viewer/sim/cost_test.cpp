@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "support/allocations.h"
+#include "viewer/sim/back_ends.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/cut_body.h"
+#include "viewer/sim/rehearsal.h"
 
 namespace kerf::sim {
 namespace {
@@ -58,6 +60,34 @@ Cost cut_asteroid(std::uint64_t triangles)
         mark_all_uploaded(piece->object());
     }
     return cost;
+}
+
+/// Whatever a back end keeps from cut to cut is there after it.
+TEST(Rehearsal, LeavesNothingForTheFirstCutToGet)
+{
+    constexpr std::uint64_t kSpare = 10;  // lists that this cut needs longer
+    for (const std::string& back_end : backend_names()) {
+        const Object whole = *prepare(test::shape("asteroid", 500), back_end);
+        rehearse(back_end);
+        const std::uint64_t before = test::allocations();
+        rehearse(back_end);
+        EXPECT_EQ(test::allocations(), before) << back_end << ": once is enough";
+
+        std::vector<std::uint64_t> allocations;
+        for (int i = 0; i < 2; ++i) {
+            Object object = *whole.clone();
+            const std::uint64_t begin = test::allocations();
+            const Cut pieces = cut(std::move(object), *Plane::at(Point(0.0, 0.0, 0.0), Normal(1.0, 2.0, 0.3)));
+            allocations.push_back(test::allocations() - begin);
+            EXPECT_EQ(pieces.status, Status::done);
+        }
+        EXPECT_LE(allocations[0], allocations[1] + kSpare) << back_end;
+    }
+}
+
+TEST(Rehearsal, OfAnUnknownBackEndDoesNothing)
+{
+    rehearse("no such back end");
 }
 
 TEST(Cost, BytesToUploadAreThoseThatTheCutNamed)
