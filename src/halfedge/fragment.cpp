@@ -12,6 +12,7 @@
 #include "halfedge/cut/workspace_pool.h"
 #include "halfedge/universe/compaction.h"
 #include "halfedge/universe/export.h"
+#include "halfedge/universe/support_search.h"
 
 namespace kerf::core::halfedge {
 

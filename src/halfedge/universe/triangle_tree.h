@@ -137,8 +137,4 @@ struct TriangleTree
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, NodeId root, const Plane& plane,
                     double limit, int sign, std::uint64_t& visited);
 
-/// For each support direction the extreme vertex under `roots`, as support_points() defines it.
-std::array<glm::vec3, kSupportDirections> support_points(const TriangleTree& tree, const TreeGeometry& geometry,
-                                                         std::span<const NodeId> roots);
-
 }  // namespace kerf::core::halfedge
