@@ -41,8 +41,8 @@ struct PrepareOptions
     std::uint32_t threads = 1;
     /// For how many cuts the object has room from the start, in memory that was touched; clones have the same. A later
     /// cut gets memory for what it adds, and the first touch of a page can cost more than the work of a small cut on it
-    /// (`CutStatistics::bytes_grown`). A game asks for as many as an object and its pieces will get. Half-edge back end;
-    /// the room for a cut is some 3 KB for each square root of a triangle, plus 50 KB. The linear one copies in any case.
+    /// (`CutStatistics::bytes_grown`). A game asks for as many as an object and its pieces will get. Half-edge back end:
+    /// the room for a cut grows with the square root of the triangles. The linear one copies in any case.
     std::uint32_t cuts_with_room = 1;
 };
 

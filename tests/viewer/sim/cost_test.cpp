@@ -85,11 +85,6 @@ TEST(Rehearsal, LeavesNothingForTheFirstCutToGet)
     }
 }
 
-TEST(Rehearsal, OfAnUnknownBackEndDoesNothing)
-{
-    rehearse("no such back end");
-}
-
 TEST(Cost, BytesToUploadAreThoseThatTheCutNamed)
 {
     const Cost cost = cut_asteroid(50'000);
