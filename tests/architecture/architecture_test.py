@@ -102,6 +102,21 @@ class Architecture(unittest.TestCase):
         self.assertGreater(looked_at, 200)
         self.assertEqual([], wrong)
 
+    def test_programs_link_the_components_that_they_include(self):
+        """A library that leaves one out links only where another library brings it along."""
+        looked_at, wrong = 0, []
+        for folder in ("tools", "viewer", "bench", "tests"):
+            for path in sorted((ROOT / folder).rglob("*")):
+                if path.suffix not in {".h", ".cpp"}:
+                    continue
+                component = set(re.findall(r"#include <kerf/(io|shapes|proxy)\.h>", path.read_text()))
+                looked_at += bool(component)
+                build = next(above / "CMakeLists.txt" for above in path.parents if (above / "CMakeLists.txt").exists())
+                wrong += [f"{path.relative_to(ROOT)} includes kerf/{name}.h, and {build.relative_to(ROOT)} does not link it"
+                          for name in sorted(component) if not re.search(rf"kerf::({name}|kerf)\b", build.read_text())]
+        self.assertGreater(looked_at, 20)
+        self.assertEqual([], wrong)
+
     def test_irregular_sections_are_behind_one_door(self):
         """What only they need has one header for the rest of the back end."""
         folder, door = "src/halfedge/cut/irregular/", "src/halfedge/cut/irregular/irregular.h"
