@@ -50,5 +50,26 @@ class Concerned(unittest.TestCase):
         self.assertEqual([], self.concerned())
 
 
+class WhatIsRead(unittest.TestCase):
+    tidy = load_program()
+
+    def same(self, name, before, after):
+        return self.tidy.what_is_read(name, before) == self.tidy.what_is_read(name, after)
+
+    def test_code_without_lines_that_are_comments(self):
+        self.assertTrue(self.same("a.h", "/// Says it.\nint a;\n", "    // Says it\n    // better.\nint a;\n"))
+        self.assertFalse(self.same("a.h", "// Says it.\nint a;\n", "// Says it.\nint b;\n"))
+        self.assertFalse(self.same("a.h", "int a;  // one\n", "int a;  // two\n"))
+        self.assertFalse(self.same("a.cpp", "// NOLINTNEXTLINE(some-check)\nint a;\n", "int a;\n"))
+
+    def test_one_preset_of_all(self):
+        presets = (self.tidy.ROOT / "CMakePresets.json").read_text()
+        self.assertTrue(self.same("CMakePresets.json", presets, presets.replace('"name": "asan"', '"name": "other"')))
+        self.assertFalse(self.same("CMakePresets.json", presets, presets.replace('"name": "tidy"', '"name": "other"')))
+        own = self.tidy.what_is_read("CMakePresets.json", presets)
+        self.assertEqual(1, len(own))
+        self.assertNotIn("inherits", own[0])  # what it inherits would not be compared
+
+
 if __name__ == "__main__":
     unittest.main()
