@@ -26,10 +26,11 @@ void describe_vertices(const SharedBuffers& buffers)
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-/// What a buffer starts with that holds so many bytes.
-std::uint64_t capacity_for(std::uint64_t bytes, Room room)
+/// A buffer for so many bytes. One that is written once is not worth to be kept mapped.
+GrowingBuffer buffer_for(std::uint64_t bytes, Room room)
 {
-    return bytes + (room == Room::to_grow ? std::min(bytes, kMostRoom) : 0);
+    if (room == Room::exact) return GrowingBuffer(bytes, Mapping::each_write);
+    return GrowingBuffer(bytes + std::min(bytes, kMostRoom));
 }
 
 /// The materials of an object, their images where `images` says that they are.
@@ -89,9 +90,9 @@ std::shared_ptr<SharedBuffers> FragmentStore::buffers_for(const DrawView& view, 
     const auto found = sets_.find(view.buffers);
     is_new = found == sets_.end();
     if (!is_new) return found->second;
-    auto made = std::make_shared<SharedBuffers>(
-        SharedBuffers{GrowingBuffer(capacity_for(view.vertices.size_bytes(), room)),
-                      GrowingBuffer(capacity_for(view.indices.size_bytes(), room)), GlVertexArray::create()});
+    auto made = std::make_shared<SharedBuffers>(SharedBuffers{buffer_for(view.vertices.size_bytes(), room),
+                                                              buffer_for(view.indices.size_bytes(), room),
+                                                              GlVertexArray::create()});
     describe_vertices(*made);
     sets_.emplace(view.buffers, made);
     return made;
@@ -133,8 +134,8 @@ std::uint64_t FragmentStore::bring(Object& object, Arrival& arrival, std::uint64
     const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
     if (!arrival.buffers) {
         // The index buffer gets its size when its turn comes.
-        arrival.buffers = std::make_shared<SharedBuffers>(SharedBuffers{
-            GrowingBuffer(capacity_for(vertices.size(), room)), GrowingBuffer(0), GlVertexArray::create()});
+        arrival.buffers = std::make_shared<SharedBuffers>(
+            SharedBuffers{buffer_for(vertices.size(), room), buffer_for(0, Room::exact), GlVertexArray::create()});
         arrival.bytes = vertices.size() + indices.size();
         arriving_.push_back(arrival.buffers);
     }
@@ -146,8 +147,7 @@ std::uint64_t FragmentStore::bring(Object& object, Arrival& arrival, std::uint64
         left -= size;
     };
     go_on(arrival.buffers->vertices, vertices, arrival.vertex_bytes);
-    if (left > 0 && arrival.index_bytes == 0)
-        arrival.buffers->indices = GrowingBuffer(capacity_for(indices.size(), room));
+    if (left > 0 && arrival.index_bytes == 0) arrival.buffers->indices = buffer_for(indices.size(), room);
     go_on(arrival.buffers->indices, indices, arrival.index_bytes);
     bytes_uploaded_ += most - left;
     if (arrival.vertex_bytes + arrival.index_bytes == arrival.bytes) {

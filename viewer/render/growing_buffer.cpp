@@ -13,24 +13,40 @@ namespace {
 /// The target through which buffers are filled: binding it disturbs no vertex array.
 constexpr GLenum kTarget = GL_COPY_WRITE_BUFFER;
 
-GlBuffer allocated(std::uint64_t size)
-{
-    GlBuffer buffer = GlBuffer::create();
-    glBindBuffer(kTarget, buffer.id());
-    glBufferData(kTarget, static_cast<GLsizeiptr>(size), nullptr, GL_STATIC_DRAW);
-    GLint64 got = 0;
-    glGetBufferParameteri64v(kTarget, GL_BUFFER_SIZE, &got);
-    if (static_cast<std::uint64_t>(got) != size)
-        throw RenderError("the graphics card has no room for " + std::to_string(size) + " bytes");
-    return buffer;
-}
+/// Written bytes are seen by what is drawn afterwards, without a call in between.
+constexpr GLbitfield kKept = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
 
 }  // namespace
 
-// A buffer of no bytes cannot be mapped or copied.
-GrowingBuffer::GrowingBuffer(std::uint64_t capacity) : capacity_(std::max<std::uint64_t>(capacity, 1))
+Mapping mapping_for(std::uint64_t capacity)
 {
-    buffer_ = allocated(capacity_);
+    const bool is_offered = epoxy_gl_version() >= 44 || epoxy_has_gl_extension("GL_ARB_buffer_storage");
+    return is_offered && capacity <= kMostKeptMapped ? Mapping::kept : Mapping::each_write;
+}
+
+GrowingBuffer::Storage GrowingBuffer::allocated(std::uint64_t capacity, Mapping mapping)
+{
+    Storage storage{GlBuffer::create(), nullptr};
+    const auto size = static_cast<GLsizeiptr>(capacity);
+    glBindBuffer(kTarget, storage.buffer.id());
+    if (mapping == Mapping::kept)
+        glBufferStorage(kTarget, size, nullptr, kKept | GL_DYNAMIC_STORAGE_BIT);
+    else
+        glBufferData(kTarget, size, nullptr, GL_STATIC_DRAW);
+    GLint64 got = 0;
+    glGetBufferParameteri64v(kTarget, GL_BUFFER_SIZE, &got);
+    if (got != GLint64(size))
+        throw RenderError("the graphics card has no room for " + std::to_string(capacity) + " bytes");
+    // A driver that refuses to map leaves a buffer that is written as any other.
+    if (mapping == Mapping::kept) storage.place = static_cast<std::byte*>(glMapBufferRange(kTarget, 0, size, kKept));
+    return storage;
+}
+
+// A buffer of no bytes cannot be mapped or copied.
+GrowingBuffer::GrowingBuffer(std::uint64_t capacity, Mapping mapping)
+    : storage_(allocated(std::max<std::uint64_t>(capacity, 1), mapping)),
+      capacity_(std::max<std::uint64_t>(capacity, 1))
+{
 }
 
 bool GrowingBuffer::write(std::uint64_t offset, std::span<const std::byte> bytes)
@@ -40,16 +56,26 @@ bool GrowingBuffer::write(std::uint64_t offset, std::span<const std::byte> bytes
     const bool must_grow = end > capacity_;
     if (must_grow) {
         const std::uint64_t capacity = std::max(end, 2 * capacity_);
-        GlBuffer larger = allocated(capacity);
-        glBindBuffer(GL_COPY_READ_BUFFER, buffer_.id());
+        Storage larger = allocated(capacity, mapping_for(capacity));
+        glBindBuffer(GL_COPY_READ_BUFFER, id());
         if (used_ != 0) glCopyBufferSubData(GL_COPY_READ_BUFFER, kTarget, 0, 0, static_cast<GLsizeiptr>(used_));
         glBindBuffer(GL_COPY_READ_BUFFER, 0);
         bytes_copied_ += used_;
-        buffer_ = std::move(larger);
+        storage_ = std::move(larger);
         capacity_ = capacity;
     }
-    glBindBuffer(kTarget, buffer_.id());
     // Nothing drawn so far reads these bytes, so there is nothing to wait for.
+    if (storage_.place != nullptr)
+        std::memcpy(storage_.place + offset, bytes.data(), bytes.size());
+    else
+        write_mapping(offset, bytes);
+    used_ = std::max(used_, end);
+    return must_grow;
+}
+
+void GrowingBuffer::write_mapping(std::uint64_t offset, std::span<const std::byte> bytes)
+{
+    glBindBuffer(kTarget, id());
     void* const place = glMapBufferRange(kTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()),
                                          GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_UNSYNCHRONIZED_BIT);
     bool is_written = false;
@@ -61,8 +87,6 @@ bool GrowingBuffer::write(std::uint64_t offset, std::span<const std::byte> bytes
     if (!is_written)
         glBufferSubData(kTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
     glBindBuffer(kTarget, 0);
-    used_ = std::max(used_, end);
-    return must_grow;
 }
 
 }  // namespace kerf::render
