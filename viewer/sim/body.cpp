@@ -29,21 +29,21 @@ Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose&
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
     core::Stopwatch watch;
-    const CollisionProxy shape = body_proxy(object_, proxy);
+    CollisionProxy shape = body_proxy(object_, proxy);
     proxy_ms_ = watch.lap();
-    embody(shape, pose, motion);
+    embody(std::move(shape), pose, motion);
 }
 
 Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
-           const CollisionProxy& proxy)
+           CollisionProxy proxy)
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)
 {
-    embody(proxy, pose, motion);
+    embody(std::move(proxy), pose, motion);
 }
 
-void Body::embody(const CollisionProxy& proxy, const MeshPose& pose, const Motion& motion)
+void Body::embody(CollisionProxy proxy, const MeshPose& pose, const Motion& motion)
 {
-    proxy_ = std::make_unique<ProxyShape>(proxy, solid_.centre, solid_.axes, identity_.origin.scale);
+    proxy_ = std::make_unique<ProxyShape>(std::move(proxy), solid_.centre, solid_.axes, identity_.origin.scale);
     const glm::dvec3 moments = glm::max(solid_.moments, glm::dvec3(kLeastMomentForSolver));
     btRigidBody::btRigidBodyConstructionInfo info(btScalar(std::max(solid_.mass, kLightestForSolver)), nullptr,
                                                   &proxy_->shape(), to_bullet(moments));

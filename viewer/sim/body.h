@@ -68,7 +68,7 @@ public:
          ProxyKind proxy);
     /// The same with a proxy that was built before: of this object or one that it is a copy of.
     Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
-         const CollisionProxy& proxy);
+         CollisionProxy proxy);
     ~Body();
     Body(const Body&) = delete;
     Body& operator=(const Body&) = delete;
@@ -123,8 +123,8 @@ public:
     void remember_pose();
 
 private:
-    /// Makes the rigid body that stands for `proxy`.
-    void embody(const CollisionProxy& proxy, const MeshPose& pose, const Motion& motion);
+    /// Makes the rigid body that stands for the proxy.
+    void embody(CollisionProxy proxy, const MeshPose& pose, const Motion& motion);
     MeshPose mesh_pose(const glm::dvec3& centre, const glm::dmat3& rotation) const;
 
     Identity identity_;

@@ -14,6 +14,8 @@
 namespace kerf::sim {
 namespace {
 
+constexpr std::size_t kUsualPieces = 2;
+
 struct Piece
 {
     Object object;
@@ -29,6 +31,7 @@ void append(std::vector<Piece>& pieces, Cut& cut, Side side)
         const Box box = object->bounds();
         pieces.push_back({std::move(*object), box, side == Side::positive, {}});
     }
+    if (pieces.end() - pieces.begin() - first < 2) return;
     const auto key = [](const Piece& p) {
         return std::array{p.box.lo.x, p.box.lo.y, p.box.lo.z, p.box.hi.x, p.box.hi.y, p.box.hi.z};
     };
@@ -47,6 +50,7 @@ double cap_area(Cut& cut)
 std::vector<Part> weigh(std::vector<Piece>& pieces, const MeshPose& pose)
 {
     std::vector<Part> parts;
+    parts.reserve(pieces.size());
     for (Piece& piece : pieces) {
         piece.solid = solid_of(piece.object.mass_properties(), piece.box, pose.scale);
         Part part;
@@ -88,8 +92,10 @@ Choice choose_heaviest(const std::vector<Piece>& pieces, const MeshPose& pose, c
     const std::size_t room = std::max<std::size_t>(kMostBodies - std::min(kMostBodies, others), 2);
     std::vector<std::size_t> order(pieces.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return pieces[a].solid.mass > pieces[b].solid.mass; });
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const double first = pieces[a].solid.mass, second = pieces[b].solid.mass;
+        return first > second || (first == second && a < b);
+    });
     Choice choice;
     choice.stays.resize(pieces.size(), false);
     if (others + std::min(room, pieces.size()) <= kMostNeighbours + 1) {
@@ -127,9 +133,15 @@ void hash_surfaces(const World& world, CutRecord& record)
 
 void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyOptions& options, CutRecord& record)
 {
+    Body& body = *world.find(id);
+    double caps_before = 0.0;
+    if (options.hash_surfaces) {
+        core::CpuStopwatch check;
+        caps_before = sim::cap_area(body.object());
+        record.check_cpu_ms = check.lap() * 1e3;
+    }
     core::CpuStopwatch cpu;
     core::Stopwatch watch;
-    Body& body = *world.find(id);
     const Origin& origin = body.identity().origin;
     record.object = id;
     record.model = origin.model;
@@ -149,12 +161,6 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
 
     CutOptions how;
     how.components = true;
-    double caps_before = 0.0;
-    if (options.hash_surfaces) {
-        record.cpu_ms = cpu.lap() * 1e3;
-        caps_before = sim::cap_area(body.object());
-        record.check_cpu_ms = cpu.lap() * 1e3;
-    }
     watch.lap();
     Cut result = cut(body.take_object(), *section, how);
     record.cut_ms = watch.lap();
@@ -164,11 +170,11 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     if (result.object) {
         body.put_back(std::move(result.object));
         body.mark_missed(record.swipe);
-        record.cpu_ms += cpu.lap() * 1e3;
+        record.cpu_ms = cpu.lap() * 1e3;
         return;
     }
     if (options.hash_surfaces) {
-        record.cpu_ms += cpu.lap() * 1e3;
+        record.cpu_ms = cpu.lap() * 1e3;
         const double caps_after = cap_area(result);
         record.closed_rightly = is_closed_rightly(caps_before, caps_after, record.section_area);
         record.check_cpu_ms += cpu.lap() * 1e3;
@@ -176,6 +182,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     }
 
     std::vector<Piece> pieces;
+    pieces.reserve(kUsualPieces);
     append(pieces, result, Side::positive);
     append(pieces, result, Side::negative);
     std::vector<Part> parts = weigh(pieces, pose);

@@ -36,6 +36,8 @@ constexpr double kFlatShare = 2e-4;
 class TightHullShape : public btConvexHullShape
 {
 public:
+    explicit TightHullShape(std::size_t points) { m_unscaledPoints.reserve(int(points)); }
+
     void getAabb(const btTransform& frame, btVector3& lo, btVector3& hi) const override
     {
         lo.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
@@ -77,15 +79,10 @@ bool are_flat(std::span<const glm::vec3> points)
     return largest([&](const glm::dvec3& p) { return std::abs(glm::dot(normal, p)); }).first <= kFlatShare * extent;
 }
 
-double length(const btVector3& v)
-{
-    return double(v.length());
-}
-
 }  // namespace
 
-ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, const glm::dmat3& axes, double scale)
-    : proxy_(proxy)
+ProxyShape::ProxyShape(CollisionProxy proxy, const glm::dvec3& centre, const glm::dmat3& axes, double scale)
+    : proxy_(std::move(proxy))
 {
     const glm::dmat3 to_axes = glm::transpose(axes);
     const auto local = [&](const glm::dvec3& p) { return to_bullet(scale * (to_axes * (p - centre))); };
@@ -94,7 +91,7 @@ ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, co
         const btVector3 middle = local(glm::dvec3(proxy_.centre));
         const auto ball = btScalar(std::max(scale * double(proxy_.radius), kThinnestSide));
         shape_ = std::make_unique<btMultiSphereShape>(&middle, &ball, 1);
-        radius_ = length(middle) + double(ball);
+        radius_ = double(middle.length()) + double(ball);
         return;
     }
 
@@ -105,13 +102,14 @@ ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, co
 
     const bool is_hull = proxy_.kind != ProxyKind::box && proxy_.points.size() >= 4 && thinnest >= kThinnestSide &&
                          (proxy_.kind == ProxyKind::points || !are_flat(proxy_.points));
-    auto hull = std::make_unique<TightHullShape>();
+    constexpr int kCorners = 8;
+    auto hull = std::make_unique<TightHullShape>(is_hull ? proxy_.points.size() : kCorners);
     if (is_hull) {
         for (const glm::vec3& p : proxy_.points) hull->addPoint(local(glm::dvec3(p)), false);
     } else {
         const glm::dvec3 middle = (lo + hi) * 0.5;
         const glm::dvec3 half = glm::max(side, glm::dvec3(kThinnestSide)) * (0.5 / scale);
-        for (int corner = 0; corner < 8; ++corner) {
+        for (int corner = 0; corner < kCorners; ++corner) {
             const glm::dvec3 sign((corner & 1) ? 1.0 : -1.0, (corner & 2) ? 1.0 : -1.0, (corner & 4) ? 1.0 : -1.0);
             hull->addPoint(local(middle + sign * half), false);
         }
@@ -119,8 +117,10 @@ ProxyShape::ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, co
     const double margin = std::min(kMargin, kMarginShare * std::max(thinnest, kThinnestSide));
     hull->setMargin(btScalar(margin));
     hull->recalcLocalAabb();
+    btScalar farthest = 0.0f;  // squared
     for (int i = 0; i < hull->getNumPoints(); ++i)
-        radius_ = std::max(radius_, length(hull->getUnscaledPoints()[i]) + margin);
+        farthest = std::max(farthest, hull->getUnscaledPoints()[i].length2());
+    radius_ = double(btSqrt(farthest)) + margin;
     shape_ = std::move(hull);
 }
 

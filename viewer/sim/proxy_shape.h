@@ -19,7 +19,7 @@ public:
     /// A box is the hull of its eight corners, because it keeps the mesh's axes and not the principal ones. A hull
     /// without a volume, or thinner than Bullet's arithmetic stands, becomes its box with sides of at least
     /// kThinnestSide. `points` go to Bullet as they are. O(points).
-    ProxyShape(const CollisionProxy& proxy, const glm::dvec3& centre, const glm::dmat3& axes, double scale);
+    ProxyShape(CollisionProxy proxy, const glm::dvec3& centre, const glm::dmat3& axes, double scale);
     ~ProxyShape();
     ProxyShape(const ProxyShape&) = delete;
     ProxyShape& operator=(const ProxyShape&) = delete;
