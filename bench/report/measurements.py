@@ -102,8 +102,8 @@ def load(stage_files: list[Path]) -> Measurements:
             all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
         else:
             model = model_name(stage["command"][1])
-            all_of_them.runs += [viewer_run(model, result["graphics"], run)
-                                 for run in result["runs"][1:]]  # the first warms up
+            warm = {run["backend"]: run for run in result["runs"]}  # the last of each: those before warm up
+            all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in warm.values()]
     all_of_them.bench = collect(benchmarks)
     return all_of_them
 

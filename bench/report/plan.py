@@ -157,8 +157,9 @@ def viewer_stages(extent: Extent, scratch: Path) -> list[Stage]:
 
 
 def viewer_stage(name: str, file: str, backends: tuple[str, ...], shape: tuple[str, ...] = ()) -> Stage:
-    # The graphics driver compiles shaders in the first frames of a process: a first run warms up and is not counted.
-    warmed_up = (backends[0], *backends)
+    # The graphics driver compiles shaders in the first frames of a process, and a back end's first cuts find none of its
+    # code in a cache: a first run of each warms up and is not counted.
+    warmed_up = tuple(name for backend in backends for name in (backend, backend))
     arguments = (file, "--headless", "--autopilot", "--seed", str(VIEWER_SEED), "--frames", str(VIEWER_FRAMES),
                  "--size", VIEWER_SIZE, "--backend", ",".join(warmed_up))
     return Stage(name, Kind.VIEWER, arguments, (8.0 if shape else 1.5) * len(warmed_up), shape)

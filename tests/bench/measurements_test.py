@@ -36,16 +36,17 @@ class Loading(unittest.TestCase):
         self.assertEqual(found.comparisons, {"nasty": {"files": []}})
         self.assertEqual(found.drawn_caps, [{"model": "car", "number": 7}])
 
-    def test_the_first_run_of_the_viewer_warms_up_and_missed_cuts_are_no_cuts(self):
-        def run(status):
+    def test_the_last_run_of_a_back_end_counts_and_missed_cuts_are_no_cuts(self):
+        def run(backend, status):
             cut = {"status": status, "triangles": 9, "crossing": 3, "cut_to_upload_cpu_ms": 0.5, "bytes_uploaded": 100}
             times = ("frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")
-            return {"backend": "halfedge", "cuts": [cut]} | {name: {"median": 1.0} for name in times}
+            return {"backend": backend, "cuts": [cut]} | {name: {"median": 1.0} for name in times}
 
         found = self.load({"stage": "viewer-rook", "kind": "viewer", "command": ["viewer", "data/models/rook.obj"],
-                           "result": {"graphics": "a card", "runs": [run("cut"), run("cut"), run("missed")]}})
-        self.assertEqual([(each.model, each.graphics, len(each.cuts)) for each in found.runs],
-                         [("rook", "a card", 1), ("rook", "a card", 0)])
+                           "result": {"graphics": "a card", "runs": [run("halfedge", "missed"), run("halfedge", "cut"),
+                                               run("linear", "cut"), run("linear", "missed")]}})
+        self.assertEqual([(each.model, each.backend, each.graphics, len(each.cuts)) for each in found.runs],
+                         [("rook", "halfedge", "a card", 1), ("rook", "linear", "a card", 0)])
 
     def test_answers_of_other_libraries_are_rows(self):
         found = self.load(*({"stage": kind, "kind": kind, "result": {"peers": [{"peer": kind}]}}

@@ -37,6 +37,13 @@ class Plans(unittest.TestCase):
         for with_vtk in (False, True):
             self.assertEqual(any(stage.kind == Kind.VTK for stage in plan(QUICK, Path("scratch"), with_vtk)), with_vtk)
 
+    def test_each_back_end_of_the_viewer_has_a_run_that_warms_up(self):
+        for stage in plan(NORMAL, Path("scratch")):
+            if stage.kind == Kind.VIEWER:
+                names = stage.arguments[-1].split(",")
+                self.assertEqual(names[0::2], names[1::2], stage.name)
+                self.assertEqual(len(set(names)), len(names) // 2, stage.name)
+
     def test_text_is_made_of_benchmarks_that_the_page_has_too(self):
         stages = text_plan(NORMAL)
         self.assertEqual({stage.kind for stage in stages}, {Kind.BENCH})

@@ -179,8 +179,8 @@ def frames(found: Measurements) -> Section:
     return Section("frames", "Frames while cutting", [
         "The viewer runs without a screen. A seeded autopilot throws one model at a time and cuts its pieces, ten to "
         "twenty cuts a model, as the report did by hand. *Simulate* is processor time of a frame's physics and "
-        "cutting. Preparing happens on a worker and is not in it. The first run of every process warms the driver up "
-        "and is not counted.",
+        "cutting. Preparing happens on a worker and is not in it. A first run of each back end warms up the driver and "
+        "what the processor keeps of code, and is not counted.",
         ShownTable(worst_frames_table(found), "The worst frame while cutting, ms of processor time for physics and "
                                               "cutting.",
                    published=True),
