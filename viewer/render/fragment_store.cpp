@@ -30,7 +30,7 @@ void describe_vertices(const SharedBuffers& buffers)
 GrowingBuffer buffer_for(std::uint64_t bytes, Room room)
 {
     if (room == Room::exact) return GrowingBuffer(bytes, Mapping::each_write);
-    return GrowingBuffer(bytes + std::min(bytes, kMostRoom));
+    return GrowingBuffer(bytes + std::clamp(bytes, kLeastRoom, kMostRoom));
 }
 
 /// The materials of an object, their images where `images` says that they are.

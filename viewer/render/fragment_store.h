@@ -54,8 +54,11 @@ struct DrawnFragment
 enum class Room
 {
     exact,    ///< for what will not grow
-    to_grow,  ///< twice the content, but no more than kMostRoom beyond it: for an object that is about to be cut
+    to_grow,  ///< twice the content, but between kLeastRoom and kMostRoom: for an object that is about to be cut
 };
+
+/// For a dozen cuts of the smallest models: a section may be longer than all that it cuts.
+inline constexpr std::uint64_t kLeastRoom = 64u << 10;
 
 /// For more than thirty cuts of four million triangles. Room costs time, too: drivers clear it.
 inline constexpr std::uint64_t kMostRoom = 32u << 20;

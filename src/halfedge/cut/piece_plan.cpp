@@ -55,9 +55,12 @@ PiecesOutline outline_of(const Universe& u, const Found& found, const Section& s
 }
 
 /// Whether all that is cut is one shell that falls into one part a side, and nothing else is there: most cuts of a game.
-bool is_one_part_a_side(const Found& found, const Section& section, const Pieces& pieces)
+/// Then the pieces divide an irregular outline no further than link_outline() has done by solid, unless edges at a
+/// boundary bound nothing.
+bool is_one_part_a_side(const Universe& universe, const Found& found, const Section& section, const Pieces& pieces)
 {
-    return !section.is_irregular() && pieces.targets.size() == 2 && found.whole[Side::negative].empty() &&
+    const bool is_linked = !section.is_irregular() || !universe.has_boundary;
+    return is_linked && pieces.targets.size() == 2 && found.whole[Side::negative].empty() &&
            found.whole[Side::positive].empty() &&
            std::none_of(pieces.targets.begin(), pieces.targets.end(), [](const Target& t) { return t.is_empty; });
 }
@@ -121,7 +124,7 @@ void plan_sides(const Found& found, const Section& section, Pieces& pieces)
 
 void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Section& section, Pieces& pieces)
 {
-    if (is_one_part_a_side(found, section, pieces)) return make_one_piece_a_side(found, pieces);
+    if (is_one_part_a_side(universe, found, section, pieces)) return make_one_piece_a_side(found, pieces);
     BySide<PartsOfSide> sides{PartsOfSide(universe, plane, Side::negative, found, pieces),
                               PartsOfSide(universe, plane, Side::positive, found, pieces)};
     DisjointSets same(static_cast<std::uint32_t>(pieces.targets.size()));
