@@ -32,9 +32,13 @@ void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfSte
     const std::size_t v = mesh_.n_vertices(), e = mesh_.n_edges(), f = mesh_.n_faces();
     if (wanted.points > asked_.points || wanted.edges > asked_.edges || wanted.faces > asked_.faces) {
         ask_for(wanted);
-        // OpenMesh tells no address but that of an element, so one edge must exist.
-        mesh_.resize(v, std::max<std::size_t>(e, 1), f);
-        prefer_huge_pages(&mesh_.edge(EdgeId(0)), wanted.edges * kEdgeBytes);
+        // OpenMesh tells no address but that of an element, so one of each must exist.
+        mesh_.resize(std::max<std::size_t>(v, 1), std::max<std::size_t>(e, 1), std::max<std::size_t>(f, 1));
+        const auto prefer = [](auto& first, std::size_t count) { prefer_huge_pages(&first, count * sizeof(first)); };
+        prefer(mesh_.edge(EdgeId(0)), wanted.edges);
+        prefer(mesh_.face(FaceId(0)), wanted.faces);
+        prefer(mesh_.vertex(PointId(0)), wanted.points);
+        prefer(mesh_.point(PointId(0)), wanted.points);
     }
     // The first touch of this memory is most of what it takes to prepare tens of millions of triangles.
     constexpr std::size_t kEdgesTouchedAtOnce = std::size_t(1) << 20;
