@@ -40,6 +40,23 @@ def wrong_arrows(path, text, rooms):
             if room_of(name, rooms) not in [room, *rooms[room]]]
 
 
+GEOMETRIC = re.compile(r"\bglm::(cross|distance|dot|length|normalize)\(")  # of glm/geometric.hpp
+
+
+def reads(path, name, seen):
+    """Whether a file includes `name`, itself or by others of the project. `seen` keeps those that were looked into."""
+    if path in seen:
+        return False
+    seen.add(path)
+    for included in re.findall(r'^\s*#\s*include [<"]([^">]+)[">]', path.read_text(), re.M):
+        if included == name:
+            return True
+        for folder in (path.parent, SOURCE, ROOT, ROOT / "tests", ROOT / "include"):
+            if (folder / included).is_file() and reads(folder / included, name, seen):
+                return True
+    return False
+
+
 def unused_permissions(rooms, used):
     """Permissions of the table that no include needs; `used` holds pairs of rooms: who includes whom."""
     return [f"{room} may include {below}, and no file does" for room, may in rooms.items() for below in may
@@ -115,6 +132,18 @@ class Architecture(unittest.TestCase):
                 wrong += [f"{path.relative_to(ROOT)} includes kerf/{name}.h, and {build.relative_to(ROOT)} does not link it"
                           for name in sorted(component) if not re.search(rf"kerf::({name}|kerf)\b", build.read_text())]
         self.assertGreater(looked_at, 20)
+        self.assertEqual([], wrong)
+
+    def test_files_include_what_they_call_of_glm(self):
+        """Builds that precompile headers or join files find it anyway; those that do neither, as the fuzzers', do not."""
+        looked_at, wrong = 0, []
+        for folder in ("src", "viewer", "tools", "bench", "tests"):
+            for path in sorted((ROOT / folder).rglob("*")):
+                if path.suffix in {".h", ".cpp"} and GEOMETRIC.search(path.read_text()):
+                    looked_at += 1
+                    if not reads(path, "glm/geometric.hpp", set()):
+                        wrong.append(str(path.relative_to(ROOT)))
+        self.assertGreater(looked_at, 60)
         self.assertEqual([], wrong)
 
     def test_irregular_sections_are_behind_one_door(self):

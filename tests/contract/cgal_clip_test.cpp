@@ -5,6 +5,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "common/cutting/cut.h"

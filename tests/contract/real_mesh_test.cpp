@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 
 #include "common/io/mesh_file.h"
 #include "common/mesh/plane_noise.h"

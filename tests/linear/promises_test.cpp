@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "common/repair/proven_mesh.h"
 #include "common/shapes/shapes.h"

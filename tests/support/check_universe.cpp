@@ -3,6 +3,7 @@
 #include "common/mesh/support_points.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "support/random_case.h"
 
 #include <rapidcheck.h>
+#include <glm/geometric.hpp>
 
 #include "common/shapes/shapes.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "common/mesh/indexed_mesh.h"

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <map>
 #include <memory>
 #include <numeric>

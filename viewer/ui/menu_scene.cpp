@@ -1,6 +1,7 @@
 #include "viewer/ui/menu_scene.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "viewer/sim/simulation.h"

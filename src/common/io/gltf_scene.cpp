@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <optional>

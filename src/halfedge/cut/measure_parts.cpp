@@ -1,6 +1,7 @@
 #include "halfedge/cut/measure_parts.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <unordered_map>
 
 #include "common/geometry/parallel_rays.h"

@@ -4,6 +4,7 @@
 
 #include <rapidcheck/gtest.h>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 
 namespace kerf::core {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 
 #include "viewer/support/stages.h"
 

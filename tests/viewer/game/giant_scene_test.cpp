@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <glm/geometric.hpp>
 #include <thread>
 
 #include "viewer/game/autopilot.h"
