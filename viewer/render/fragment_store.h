@@ -54,10 +54,10 @@ struct DrawnFragment
 enum class Room
 {
     exact,    ///< for what will not grow
-    to_grow,  ///< twice the content, but between kLeastRoom and kMostRoom: for an object that is about to be cut
+    to_grow,  ///< as much again, from kLeastRoom to kMostRoom: for an object that is about to be cut
 };
 
-/// For a dozen cuts of the smallest models: a section may be longer than all that it cuts.
+/// For several cuts of the smallest models: what a cut adds may be more than all that was there.
 inline constexpr std::uint64_t kLeastRoom = 64u << 10;
 
 /// For more than thirty cuts of four million triangles. Room costs time, too: drivers clear it.
