@@ -5,6 +5,7 @@
 
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #endif
 
 namespace kerf::test {
@@ -29,6 +30,17 @@ std::optional<std::size_t> touched_memory()
     for (std::string word; file >> word;)
         if (std::size_t kilobytes = 0; word == "Referenced:" && file >> kilobytes) return 1024 * kilobytes;
     return std::nullopt;
+}
+
+std::size_t page_faults()
+{
+#ifdef __linux__
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    return static_cast<std::size_t>(usage.ru_minflt);
+#else
+    return 0;
+#endif
 }
 
 }  // namespace kerf::test

@@ -15,6 +15,9 @@ bool forget_touched_memory();
 /// forget_touched_memory(): whatever they were asked from. Empty where the system does not say.
 std::optional<std::size_t> touched_memory();
 
+/// How often this thread has touched a page that the system had to find for it; always 0 where the system does not say.
+std::size_t page_faults();
+
 }  // namespace kerf::test
 
 namespace kerf::core::test {

@@ -18,7 +18,7 @@ constexpr std::size_t kMost = std::size_t(1) << 30;
 
 SurfaceMesh::SurfaceMesh(const SurfaceMesh& other)
 {
-    grow(other.room_, {}, {});
+    grow(other.room_, other.sizes(), {});
     mesh_.assign_connectivity(other.mesh_);
     if (other.points() > 0)
         std::copy_n(other.mesh_.points(), other.points(), const_cast<decltype(mesh_)::Point*>(mesh_.points()));
@@ -49,6 +49,9 @@ void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfSte
         progress.at(static_cast<double>(part) / static_cast<double>(parts));
     }
     mesh_.resize(wanted.points, wanted.edges, wanted.faces);
+    // New positions are all that OpenMesh does not write to.
+    const std::size_t touched = std::max(room_.points, then.points);
+    for (std::size_t i = touched; i < wanted.points; ++i) set_position(PointId(static_cast<int>(i)), glm::vec3(0.0f));
     mesh_.resize(then.points, then.edges, then.faces);
     room_ = wanted;
 }
