@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -97,7 +99,8 @@ glm::dvec2 place_of(const Outline& outline, const CapMesh& cap, Index corner)
 struct Areas
 {
     double loops = 0, cap = 0, absolute = 0;
-    double scale = 0;  ///< sum of what was added up, for rounding
+    double scale = 0;               ///< sum of what was added up, for rounding
+    double turned_by_rounding = 0;  ///< twice the area of triangles that are as thin as rounding, and turned over
 };
 
 Areas areas_of(const Outline& outline, const CapMesh& cap)
@@ -105,6 +108,8 @@ Areas areas_of(const Outline& outline, const CapMesh& cap)
     Areas areas;
     const glm::dvec2 origin = outline.points.front();
     const auto place = [&](Index i) { return place_of(outline, cap, i) - origin; };
+    double largest = 0;
+    for (const glm::dvec2& p : outline.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
     for (Index l = 0; l + 1 < outline.starts.size(); ++l)
         for (Index i = outline.starts[l]; i < outline.starts[l + 1]; ++i) {
             const glm::dvec2 a = place(i), b = place(outline.view().successor(i, l));
@@ -117,6 +122,9 @@ Areas areas_of(const Outline& outline, const CapMesh& cap)
         const double area = (cross(a, b) + cross(b, c) + cross(c, a)) / 2;
         areas.cap += area;
         areas.absolute += std::abs(area);
+        const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+        const double thin = std::numeric_limits<float>::epsilon() * largest * longest;
+        if (area < 0 && -area <= thin) areas.turned_by_rounding -= 2 * area;
         for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}})
             areas.scale += std::abs(p.x * q.y) + std::abs(p.y * q.x);
     }
@@ -213,7 +221,8 @@ void fuzz_cap(Bytes input)
         const double rounding = 1e-12 * areas.scale;
         require(std::abs(areas.cap - areas.loops) <= rounding, way.name + ": the cap has the area of its loops");
         if (way.covers_once)
-            require(std::abs(areas.absolute - areas.loops) <= rounding, way.name + ": nothing is covered twice");
+            require(std::abs(areas.absolute - areas.loops) <= rounding + areas.turned_by_rounding,
+                    way.name + ": nothing is covered twice, but for what rounding explains");
     }
 }
 

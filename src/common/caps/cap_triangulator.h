@@ -88,6 +88,8 @@ struct CapMesh
     /// Points whose corners bear the number of another point at the same position, or do not hang together: only its
     /// neighbours tell what a corner belongs to.
     std::vector<Index> shared_points;
+    /// A triangle may be turned over, though the way that made it turns none over but by rounding.
+    bool turns_over = false;
     /// Corners and edges looked at, and CGAL's predicates, so far: a refusal counts, and clear() does not reset it.
     std::uint64_t steps = 0;
 
@@ -97,6 +99,7 @@ struct CapMesh
         crossing_points.clear();
         cancelled.clear();
         shared_points.clear();
+        turns_over = false;
     }
 
     /// Joins two edges; they cancel if both belong to the outline.

@@ -1,10 +1,21 @@
 #include "common/caps/ear_clipper.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "common/geometry/turn.h"
 
 namespace kerf::core {
+
+namespace {
+
+/// How far rounding moves a point of a section along an axis, for each unit of the largest coordinate: one unit in the last
+/// place. A cap that is turned over by that is as good as its outline (caps_exceed_section()).
+constexpr double kTurnedByRounding = std::numeric_limits<float>::epsilon();
+
+}  // namespace
 
 bool EarClipper::clip_in_layers(CapMesh& cap, std::uint64_t& looks_left)
 {
@@ -37,10 +48,10 @@ bool EarClipper::clip_layer(CapMesh& cap)
     const std::size_t n = ring_.size();
     const auto before = [&](std::size_t i) { return i == 0 ? n - 1 : i - 1; };
     const auto after = [&](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
-    reflex_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) reflex_[i] = is_reflex_between(before(i), i, after(i));
+    corners_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) corners_[i] = corner_between(before(i), i, after(i));
     boxes_.build(n, [&](std::size_t i, Box2& box) {
-        if (reflex_[i] != 0) box.add(ring_.points[i].x, ring_.points[i].y);
+        if (corners_[i] != Corner::convex) box.add(ring_.points[i].x, ring_.points[i].y);
     });
 
     clipped_.resize(n);
@@ -48,8 +59,8 @@ bool EarClipper::clip_layer(CapMesh& cap)
     std::size_t left = n;
     for (std::size_t i = 0; i < n; ++i) {
         const bool free = !last_clipped && !(i + 1 == n && first_clipped) && left > 3;
-        last_clipped =
-            free && reflex_[i] == 0 && is_ear(before(i), i, after(i), [](std::size_t corner) { return corner; });
+        last_clipped = free && corners_[i] != Corner::reflex &&
+                       is_ear(before(i), i, after(i), [](std::size_t corner) { return corner; });
         clipped_[i] = last_clipped;
         if (last_clipped) {
             if (i == 0) first_clipped = true;
@@ -86,7 +97,7 @@ bool EarClipper::clip_one_by_one(CapMesh& cap)
         for (std::size_t next = 0; next < queue_.size() && left > enough; ++next) {
             const Index b = queue_[next];
             is_waiting_[b] = 0;
-            if (!is_left(b) || is_reflex_between(before_[b], b, after_[b])) continue;
+            if (!is_left(b) || corner_between(before_[b], b, after_[b]) == Corner::reflex) continue;
             if (!is_ear(before_[b], b, after_[b], corner_at)) continue;
             clip_corner(b, cap);
             --left;
@@ -115,16 +126,16 @@ void EarClipper::link_corners()
     const Index n = static_cast<Index>(ring_.size());
     before_.resize(n);
     after_.resize(n);
-    reflex_.resize(n);
+    corners_.resize(n);
     for (Index i = 0; i < n; ++i) {
         before_[i] = i == 0 ? n - 1 : i - 1;
         after_[i] = i + 1 == n ? 0 : i + 1;
-        reflex_[i] = is_reflex_between(before_[i], i, after_[i]);
+        corners_[i] = corner_between(before_[i], i, after_[i]);
     }
     // If loops do not cross, a corner never becomes reflex.
     order_.clear();
     for (Index i = 0; i < n; ++i)
-        if (reflex_[i] != 0) order_.push_back(i);
+        if (corners_[i] != Corner::convex) order_.push_back(i);
     boxes_.build(order_.size(),
                  [&](std::size_t i, Box2& box) { box.add(ring_.points[order_[i]].x, ring_.points[order_[i]].y); });
     is_waiting_.assign(n, 0);
@@ -138,7 +149,7 @@ void EarClipper::clip_corner(Index b, CapMesh& cap)
     before_[c] = a;
     after_[b] = b;
     for (const Index i : {a, c}) {
-        reflex_[i] = is_reflex_between(before_[i], i, after_[i]);
+        corners_[i] = corner_between(before_[i], i, after_[i]);
         wait(i);
     }
 }
@@ -150,9 +161,13 @@ void EarClipper::wait(Index i)
     queue_.push_back(i);
 }
 
-bool EarClipper::is_reflex_between(std::size_t a, std::size_t b, std::size_t c) const
+EarClipper::Corner EarClipper::corner_between(std::size_t ia, std::size_t ib, std::size_t ic) const
 {
-    return turn(ring_.points[a], ring_.points[b], ring_.points[c]) <= 0.0;
+    const glm::dvec2 &a = ring_.points[ia], &b = ring_.points[ib], &c = ring_.points[ic];
+    const double side = turn(a, b, c);
+    if (side != 0.0) return side > 0.0 ? Corner::convex : Corner::reflex;
+    // The three lie on a line, so both products have one sign, and rounding can't change it.
+    return glm::dot(b - a, c - b) < 0.0 && a != c ? Corner::folded : Corner::reflex;
 }
 
 template <class CornerAt>
@@ -168,7 +183,8 @@ bool EarClipper::is_ear(std::size_t ia, std::size_t ib, std::size_t ic, CornerAt
         const glm::dvec2& p = ring_.points[i];
         // In one go: each of these alone is a branch that can't be foretold.
         const auto bit = [](bool is_so) { return unsigned{is_so}; };
-        if ((bit(reflex_[i] != 0) & bit(i != ia) & bit(i != ib) & bit(i != ic) & bit(box.holds(p.x, p.y))) == 0)
+        if ((bit(corners_[i] != Corner::convex) & bit(i != ia) & bit(i != ib) & bit(i != ic) &
+             bit(box.holds(p.x, p.y))) == 0)
             return false;
         if (turn(a, b, p) < 0.0 || turn(b, c, p) < 0.0 || turn(c, a, p) < 0.0) return false;
         return !places_may_repeat_ || (p != a && p != b && p != c);
@@ -185,11 +201,28 @@ CapLink EarClipper::add_triangle(CapMesh& cap, std::size_t a, std::size_t b, std
     return CapLink::to_triangle(t, 2);
 }
 
+/// Whether the three corners that are left, each moved by kTurnedByRounding, may run counter-clockwise.
+bool EarClipper::is_turned_by_rounding(double twice_area) const
+{
+    double largest = 0.0, longest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec2 &from = ring_.points[i], &to = ring_.points[(i + 1) % 3];
+        largest = std::max({largest, std::abs(from.x), std::abs(from.y)});
+        longest = std::max(longest, glm::distance(from, to));
+    }
+    return std::abs(twice_area) <= 2.0 * kTurnedByRounding * largest * longest;
+}
+
 bool EarClipper::add_last_triangle(CapMesh& cap)
 {
     // A triangle of no area closes a ring that folds back on itself, but needs three places.
     const glm::dvec2 &a = ring_.points[0], &b = ring_.points[1], &c = ring_.points[2];
-    if (turn(a, b, c) < 0.0 || (places_may_repeat_ && (a == b || b == c || c == a))) return false;
+    const double side = turn(a, b, c);
+    if (side < 0.0) {
+        if (!is_turned_by_rounding(side)) return false;
+        cap.turns_over = true;
+    }
+    if (places_may_repeat_ && (a == b || b == c || c == a)) return false;
     cap.connect(add_triangle(cap, 0, 1, 2), ring_.edges[2]);
     return true;
 }

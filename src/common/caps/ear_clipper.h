@@ -37,8 +37,13 @@ struct Ring
 /// corner (O'Rourke 1998, "Computational Geometry in C", section 1.6.5), so corners wait in a queue, and come back to it if a
 /// neighbour was clipped.
 ///
+/// A corner at which the ring runs straight back upon itself is an ear, too, of a triangle without area: points along a
+/// straight edge of a piece may be out of order by a rounding.
+///
 /// Triangles that all run counter-clockwise cover a place as often as the ring winds around it, since their edges are those
-/// of the ring: a corner that is taken for an ear and is none can stop the clipping, and do no other harm.
+/// of the ring: a corner that is taken for an ear and is none can stop the clipping, and do no other harm. Only the last
+/// triangle may be turned over, by no more than the rounding of its corners: where the tip of a wedge is as thin as that,
+/// they may have changed places (kTurnedByRounding).
 class EarClipper
 {
 public:
@@ -63,17 +68,26 @@ private:
     void clip_corner(Index b, CapMesh& cap);
     void wait(Index i);
     bool is_left(Index i) const { return after_[i] != i; }
-    bool is_reflex_between(std::size_t a, std::size_t b, std::size_t c) const;
-    /// Whether no reflex corner other than these three lies in or on their triangle; no if no look is left.
+    /// What a corner may be.
+    enum class Corner : std::uint8_t
+    {
+        convex,
+        reflex,  ///< or straight on
+        folded,  ///< straight back: it may be an ear, and it may lie in one
+    };
+    Corner corner_between(std::size_t a, std::size_t b, std::size_t c) const;
+    /// Whether no corner that is not convex, other than these three, lies in or on their triangle; no if no look is left.
     /// `corner_at(i)` is the corner of item i of `boxes_`.
     template <class CornerAt>
     bool is_ear(std::size_t a, std::size_t b, std::size_t c, CornerAt corner_at);
     CapLink add_triangle(CapMesh& cap, std::size_t a, std::size_t b, std::size_t c);
     bool add_last_triangle(CapMesh& cap);
+    bool is_turned_by_rounding(double twice_area) const;
 
     Ring ring_;
-    std::vector<std::uint8_t> reflex_, clipped_;
-    LoopBoxes boxes_;  // over the reflex corners
+    std::vector<Corner> corners_;
+    std::vector<std::uint8_t> clipped_;
+    LoopBoxes boxes_;  // over the corners that are not convex
     bool places_may_repeat_ = false;
     /// A layer of less than one of so many corners is few ears: rings that wind like a spiral have few at a time. With
     /// patience fewer layers are worth a pass over the ring.
@@ -83,7 +97,7 @@ private:
     std::vector<Index> before_, after_;  // of each corner that is left; one that was clipped follows itself
     std::vector<std::uint8_t> is_waiting_;
     std::vector<Index> queue_;
-    std::vector<Index> order_;  // of the corners that were reflex at the beginning
+    std::vector<Index> order_;  // of the corners that were not convex at the beginning
 };
 
 }  // namespace kerf::core

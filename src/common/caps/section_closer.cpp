@@ -159,9 +159,10 @@ void SectionCloser::close_outline()
     const auto way =
         std::find_if(ways.begin(), ways.end(), [&](Way each) { return ways_[each]->triangulate(outline, mesh_); });
     take_over();
-    // These turn no triangle over, and name each corner by its own point.
-    if (way != ways.end() && (*way == convex || *way == clipping)) return;
-    excess_ += 2.0 * turned_area();
+    // These turn hardly a triangle over, and name each corner by its own point.
+    const bool is_simple = way != ways.end() && (*way == convex || *way == clipping);
+    if (!is_simple || mesh_.turns_over) excess_ += 2.0 * turned_area();
+    if (is_simple) return;
     share_ends_of_links(outline);
 }
 
