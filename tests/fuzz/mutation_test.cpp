@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fuzz/fuzzer.h"
+#include "support/brief.h"
 #include "support/fixtures.h"
 
 namespace kerf::core::fuzz {
@@ -80,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzMutations, testing::ValuesIn(fuzzers().begin()
 
 TEST_P(FuzzMutations, KeepThePromise)
 {
-    constexpr int kInputs = 1500;
+    constexpr int kInputs = test::kBrief ? 500 : 1500;
     const std::vector<Input> seeds = seeds_of(GetParam());
     ASSERT_FALSE(seeds.empty());
     test::Random random(1);
