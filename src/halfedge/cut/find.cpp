@@ -26,9 +26,8 @@ class ShellFinder
 {
 public:
     /// @param shell  its number among the cut shells
-    ShellFinder(Universe& universe, const Plane& plane, Index shell, std::vector<std::pair<NodeId, bool>>& stack,
-                Found& found)
-        : u_(universe), plane_(plane), shell_(shell), stack_(stack), found_(found)
+    ShellFinder(Universe& universe, const Plane& plane, Index shell, FindLists& lists, Found& found)
+        : u_(universe), plane_(plane), shell_(shell), lists_(lists), found_(found)
     {
     }
 
@@ -36,75 +35,107 @@ public:
     BySide<bool> run(NodeId root)
     {
         const std::size_t first_op = found_.ops.size();
-        traverse(root);
+        write_program(visit_levels(root));
         open_leaves(first_op);
         return present_;
     }
 
 private:
-    /// Writes the program; leaves that the plane meets wait for open_leaves().
-    void traverse(NodeId root)
+    /// Which nodes the plane meets. Level by level, because memory is far away: a node is asked for when its parent is
+    /// looked at, long before its own turn. Without branches on what can't be predicted, which is where a box lies.
+    /// Returns the end of the visits.
+    std::size_t visit_levels(NodeId root)
     {
-        const auto visit_later = [&](NodeId n, bool children_done) {
-            stack_.push_back({n, children_done});
-            __builtin_prefetch(&u_.tree.nodes[n]);
-        };
-        stack_.assign(1, {root, false});
-        while (!stack_.empty()) {
-            const auto [n, children_done] = stack_.back();
-            stack_.pop_back();
-            if (children_done) {
-                found_.ops.push_back({TreeOp::Kind::join, n, kNone});
-                continue;
-            }
-            ++found_.nodes_visited;
+        std::vector<FindLists::Visit>& visits = lists_.visits;
+        std::size_t end = FindLists::kFirstVisit;
+        visits[end++].op.node = root;
+        for (std::size_t i = FindLists::kFirstVisit; i < end; ++i) {
+            if (visits.size() < end + 2) visits.resize(2 * visits.size());
+            const NodeId n = visits[i].op.node;
             const Node& node = u_.tree.nodes[n];
             const auto [lo, hi] = plane_.distance_range(node.box);
             // A box that touches the plane may hold faces in the plane, so only > and < decide.
-            if (lo > 0.0) {
-                found_.ops.push_back(whole(n, Side::positive));
-            } else if (hi < 0.0) {
-                found_.ops.push_back(whole(n, Side::negative));
-            } else if (node.is_leaf()) {
-                found_.ops.push_back({TreeOp::Kind::leaf, n, kNone});
-                prefetch(&u_.slots[node.first], node.count * sizeof(Triangle));
-            } else {
-                stack_.push_back({n, true});
-                visit_later(node.right, false);
-                visit_later(node.left, false);
+            const bool above = lo > 0.0, below = hi < 0.0, met = !(above || below), leaf = node.is_leaf();
+            present_[Side::positive] |= above;
+            present_[Side::negative] |= below;
+            visits[i].op.kind = !met ? TreeOp::Kind::whole : leaf ? TreeOp::Kind::leaf : TreeOp::Kind::join;
+            visits[i].op.argument = met ? kNone : target(static_cast<Side>(above)).number();
+            if (leaf) {
+                if (met) prefetch_triangles(node);
+                visits[i].child = 0;
+                continue;
             }
+            visits[i].child = met ? static_cast<Index>(end) : 0;
+            visits[end].op.node = node.left;
+            visits[end + 1].op.node = node.right;
+            end += met ? 2 : 0;
+            prefetch(u_.tree.nodes[node.left]);
+            prefetch(u_.tree.nodes[node.right]);
+        }
+        found_.nodes_visited += end - FindLists::kFirstVisit;
+        return end;
+    }
+
+    /// Writes the program: the visits up to `end` in post-order. Leaves wait for open_leaves().
+    void write_program(std::size_t end)
+    {
+        std::vector<FindLists::Visit>& visits = lists_.visits;
+        constexpr std::size_t kRoot = FindLists::kFirstVisit;
+        visits[0].count = visits[1].count = 0;
+        for (std::size_t i = end; i-- > kRoot;)
+            visits[i].count = 1 + visits[visits[i].child].count + visits[visits[i].child + 1].count;
+        visits[kRoot].first_op = static_cast<Index>(found_.ops.size());
+        found_.ops.resize(found_.ops.size() + visits[kRoot].count);
+        for (std::size_t i = kRoot; i < end; ++i) {
+            const FindLists::Visit visit = visits[i];
+            visits[visit.child].first_op = visit.first_op;
+            visits[visit.child + 1].first_op = visit.first_op + visits[visit.child].count;
+            found_.ops[visit.first_op + visit.count - 1] = visit.op;
         }
     }
 
-    /// Memory is far away and a leaf's vertices lie anywhere: those of the leaves to come are asked for in time.
+    /// A leaf's vertices lie anywhere: those of the leaves to come are asked for in time.
     void open_leaves(std::size_t first_op)
     {
-        std::size_t ahead = first_op;
-        const auto next_leaf = [&] {
-            while (ahead < found_.ops.size() && found_.ops[ahead].kind != TreeOp::Kind::leaf) ++ahead;
-            if (ahead == found_.ops.size()) return;
-            const Node& node = u_.tree.nodes[found_.ops[ahead++].node];
-            for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
-                __builtin_prefetch(&u_.vertices[u_.slots[slot][0]]);
-                __builtin_prefetch(&u_.vertices[u_.slots[slot][1]]);
-            }
-            prefetch(&u_.face_of_slot[node.first], node.count * sizeof(FaceId));
-        };
-        for (int i = 0; i < kLeavesAhead; ++i) next_leaf();
+        std::vector<Index>& leaves = lists_.leaves;
+        leaves.resize(found_.ops.size() - first_op);
+        std::size_t count = 0;
         for (std::size_t i = first_op; i < found_.ops.size(); ++i) {
-            if (found_.ops[i].kind != TreeOp::Kind::leaf) continue;
-            next_leaf();
-            found_.ops[i] = open_leaf(found_.ops[i].node);
+            leaves[count] = static_cast<Index>(i);
+            count += found_.ops[i].kind == TreeOp::Kind::leaf ? 1 : 0;
+        }
+        constexpr std::size_t kAhead = 3;
+        for (std::size_t i = 0; i < std::min(kAhead, count); ++i) prefetch_vertices(found_.ops[leaves[i]].node);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + kAhead < count) prefetch_vertices(found_.ops[leaves[i + kAhead]].node);
+            TreeOp& op = found_.ops[leaves[i]];
+            op = open_leaf(op.node);
         }
     }
 
+    void prefetch_vertices(NodeId leaf) const
+    {
+        const Node& node = u_.tree.nodes[leaf];
+        for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
+            __builtin_prefetch(&u_.vertices[u_.slots[slot][0]]);
+            __builtin_prefetch(&u_.vertices[u_.slots[slot][1]]);
+        }
+    }
+    void prefetch_triangles(const Node& leaf) const
+    {
+        prefetch(&u_.slots[leaf.first], leaf.count * sizeof(Triangle));
+        prefetch(&u_.face_of_slot[leaf.first], leaf.count * sizeof(FaceId));
+    }
+    static void prefetch(const Node& node)
+    {
+        __builtin_prefetch(&node);
+        __builtin_prefetch(reinterpret_cast<const char*>(&node + 1) - 1);
+    }
     static void prefetch(const void* begin, std::size_t bytes)
     {
         constexpr std::size_t kCacheLine = 64;
         for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(static_cast<const char*>(begin) + i);
     }
-
-    static constexpr int kLeavesAhead = 3;
 
     TargetId target(Side side) const { return first_target(shell_, side); }
 
@@ -210,7 +241,7 @@ private:
     Universe& u_;
     const Plane& plane_;
     const Index shell_;
-    std::vector<std::pair<NodeId, bool>>& stack_;
+    FindLists& lists_;
     Found& found_;
     LeafDistances distances_;
     BySide<bool> present_{};
@@ -220,7 +251,9 @@ private:
 
 Finder::Finder()
 {
-    reserve_touched(stack_, 128);
+    constexpr std::size_t kUsualVisits = 256;
+    lists_.visits.resize(kUsualVisits);
+    reserve_touched(lists_.leaves, kUsualVisits);
 }
 
 void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found)
@@ -235,7 +268,7 @@ void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const
         cut_shell.first_in_plane = found.in_plane.size();
         cut_shell.first_crossing = found.crossings.size();
         const BySide<bool> present =
-            ShellFinder(universe, plane, static_cast<Index>(found.shells.size()), stack_, found).run(shells[i].root);
+            ShellFinder(universe, plane, static_cast<Index>(found.shells.size()), lists_, found).run(shells[i].root);
         if (present[Side::negative] && present[Side::positive]) {
             cut_shell.op_count = found.ops.size() - cut_shell.first_op;
             cut_shell.crossing_count = found.crossings.size() - cut_shell.first_crossing;

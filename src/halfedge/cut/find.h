@@ -148,6 +148,23 @@ struct Found
     }
 };
 
+/// What FIND works with, kept for its memory.
+struct FindLists
+{
+    /// A node that was met.
+    struct Visit
+    {
+        TreeOp op;           ///< what becomes of it
+        Index child = 0;     ///< the visit of its left child, which that of the right one follows; 0: none was met
+        Index count = 0;     ///< visits in its subtree
+        Index first_op = 0;  ///< where the subtree's part of the program begins
+    };
+    std::vector<Visit> visits;  ///< level by level; those before kFirstVisit stand for nobody
+    std::vector<Index> leaves;  ///< places in the program
+
+    static constexpr std::size_t kFirstVisit = 2;
+};
+
 /// FIND: which shells and subtrees lie wholly on one side, and which triangles cross the plane. O(s log(n / s)) nodes
 /// for s leaves whose box meets the plane.
 class Finder
@@ -159,7 +176,7 @@ public:
     void run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found);
 
 private:
-    std::vector<std::pair<NodeId, bool>> stack_;  // nodes to visit; true: its children are done
+    FindLists lists_;
 };
 
 }  // namespace kerf::core::halfedge
