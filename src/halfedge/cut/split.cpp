@@ -21,11 +21,14 @@ void note_coincidences(const Universe& u, const Crossing& c, Coincidences& noted
 Coincidences split_crossings(const Universe& u, Found& found)
 {
     Coincidences noted;
-    // What a triangle leads to is asked for some triangles ahead: its face, then its half-edges.
+    // What a triangle leads to is asked for some triangles ahead: its face and vertices, then its half-edges.
     constexpr std::size_t kAhead = 8;
     const std::size_t count = found.crossings.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (i + 2 * kAhead < count) u.mesh.prefetch(found.crossings[i + 2 * kAhead].face);
+        if (i + 2 * kAhead < count) {
+            u.mesh.prefetch(found.crossings[i + 2 * kAhead].face);
+            for (const VertexId v : found.crossings[i + 2 * kAhead].corner) __builtin_prefetch(&u.vertex(v));
+        }
         if (i + kAhead < count) u.mesh.prefetch(u.mesh.halfedge_of(found.crossings[i + kAhead].face));
         if (i + kAhead / 2 < count) {
             const HalfedgeId h = u.mesh.halfedge_of(found.crossings[i + kAhead / 2].face);

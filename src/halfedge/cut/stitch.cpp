@@ -87,7 +87,11 @@ public:
                 mesh_.set_position(plan_.cut_point(CutPointId(j), side), section_.cut_points[j]);
 
         for (const BoundaryCut& cut : section_.boundary_cuts) divide_boundary(cut);
-        for (Index c = 0; c < found_.crossings.size(); ++c) divide(c);
+        for (Index c = 0; c < found_.crossings.size(); ++c) {
+            constexpr Index kAhead = 8;
+            if (c + kAhead < found_.crossings.size()) prefetch(found_.crossings[c + kAhead]);
+            divide(c);
+        }
         open_in_plane_edges(found_, plan_, mesh_);
         if (section_.is_irregular() || !section_.cancelled.empty()) contract(section_.cancelled, plan_, mesh_);
         for (Index t = 0; t < caps_.triangles.size(); ++t) sew_cap(t);
@@ -124,6 +128,14 @@ private:
         mesh_.set_face(second, FaceId());
         plan_.boundary.push_back(first);
         plan_.boundary.push_back(second);
+    }
+
+    /// Asks for the memory that divide() will read.
+    void prefetch(const Crossing& c) const
+    {
+        for (const HalfedgeId h : c.halfedge) mesh_.prefetch(h);
+        mesh_.prefetch(c.point[static_cast<std::size_t>(c.lone())]);
+        mesh_.prefetch(c.point[static_cast<std::size_t>(c.previous())]);
     }
 
     void divide(Index number)

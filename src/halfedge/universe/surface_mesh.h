@@ -40,6 +40,7 @@ public:
         return {p[0], p[1], p[2]};
     }
 
+    void prefetch(PointId p) const { __builtin_prefetch(&mesh_.vertex(p)); }
     void prefetch(FaceId f) const { __builtin_prefetch(&mesh_.face(f)); }
     void prefetch(HalfedgeId h) const { __builtin_prefetch(&mesh_.edge(edge_of(h))); }
 

@@ -26,7 +26,8 @@ TEST(SurfaceMesh, RoomIsTouchedBeforeItIsNeeded)
 {
     if (test::kAddressSanitized) GTEST_SKIP() << "the sanitizer touches memory of its own";
     constexpr std::size_t kInAnyCase = 8;  // the stack, and pages of the program; one array alone is 50 pages and more
-    test::use_small_pages();  // a large one would hide what is missing
+    // A large one would hide what is missing.
+    test::use_small_pages();
     SurfaceMesh mesh;
     mesh.start(kSizes, {kSizes.points + 2 * kNew.points, kSizes.edges + 2 * kNew.edges, kSizes.faces + 2 * kNew.faces},
                {});
