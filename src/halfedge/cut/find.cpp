@@ -251,9 +251,15 @@ private:
 
 Finder::Finder()
 {
-    constexpr std::size_t kUsualVisits = 256;
-    lists_.visits.resize(kUsualVisits);
-    reserve_touched(lists_.leaves, kUsualVisits);
+    reserve(0);
+}
+
+void Finder::reserve(std::size_t crossings_expected)
+{
+    // On the asteroid 1.5 visits for each crossing triangle.
+    const std::size_t visits = 64 + 2 * crossings_expected;
+    if (lists_.visits.size() < visits) lists_.visits.resize(visits);
+    reserve_touched(lists_.leaves, visits);
 }
 
 void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found)

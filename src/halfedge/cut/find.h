@@ -171,6 +171,7 @@ class Finder
 {
 public:
     Finder();
+    void reserve(std::size_t crossings_expected);
     /// Sorts the shells of an object by what the plane does to them, and writes the programs of those that it cuts.
     /// Stamps the crossing triangles in the universe. May throw std::bad_alloc.
     void run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found);

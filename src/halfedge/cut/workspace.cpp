@@ -7,6 +7,7 @@ namespace kerf::core::halfedge {
 
 void CutWorkspace::reserve(std::size_t crossings)
 {
+    finder.reserve(crossings);
     found.reserve(crossings);
     walker.reserve(crossings);
     section.reserve(crossings);
