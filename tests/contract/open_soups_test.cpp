@@ -19,7 +19,7 @@
 
 #ifndef KERF_OPEN_SOUPS
 #ifdef KERF_BRIEF_TESTS
-#define KERF_OPEN_SOUPS 150
+#define KERF_OPEN_SOUPS 300
 #else
 #define KERF_OPEN_SOUPS 2000  // at a time; times KERF_OPEN_SOUP_RUNS
 #endif
