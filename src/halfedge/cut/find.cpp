@@ -1,6 +1,7 @@
 #include "halfedge/cut/find.h"
 
 #include "halfedge/cut/leaf_distances.h"
+#include "halfedge/cut/leaf_prefetch.h"
 
 namespace kerf::core::halfedge {
 
@@ -27,7 +28,7 @@ class ShellFinder
 public:
     /// @param shell  its number among the cut shells
     ShellFinder(Universe& universe, const Plane& plane, Index shell, FindLists& lists, Found& found)
-        : u_(universe), plane_(plane), shell_(shell), lists_(lists), found_(found)
+        : u_(universe), plane_(plane), shell_(shell), lists_(lists), found_(found), vertices_ahead_(universe)
     {
     }
 
@@ -94,7 +95,6 @@ private:
         }
     }
 
-    /// A leaf's vertices lie anywhere: those of the leaves to come are asked for in time.
     void open_leaves(std::size_t first_op)
     {
         std::vector<Index>& leaves = lists_.leaves;
@@ -104,23 +104,16 @@ private:
             leaves[count] = static_cast<Index>(i);
             count += found_.ops[i].kind == TreeOp::Kind::leaf ? 1 : 0;
         }
-        constexpr std::size_t kAhead = 3;
-        for (std::size_t i = 0; i < std::min(kAhead, count); ++i) prefetch_vertices(found_.ops[leaves[i]].node);
+        constexpr std::size_t kAhead = 2;
+        const std::size_t asked_for = is_far_away(u_) ? count : 0;
         for (std::size_t i = 0; i < count; ++i) {
-            if (i + kAhead < count) prefetch_vertices(found_.ops[leaves[i + kAhead]].node);
+            vertices_ahead_.aim_at_none();
+            if (i + kAhead < asked_for) vertices_ahead_.aim_at(u_.tree.nodes[found_.ops[leaves[i + kAhead]].node]);
             TreeOp& op = found_.ops[leaves[i]];
             op = open_leaf(op.node);
         }
     }
 
-    void prefetch_vertices(NodeId leaf) const
-    {
-        const Node& node = u_.tree.nodes[leaf];
-        for (SlotId slot = node.first; slot < node.first + node.count; ++slot) {
-            __builtin_prefetch(&u_.vertices[u_.slots[slot][0]]);
-            __builtin_prefetch(&u_.vertices[u_.slots[slot][1]]);
-        }
-    }
     void prefetch_triangles(const Node& leaf) const
     {
         prefetch(&u_.slots[leaf.first], leaf.count * sizeof(Triangle));
@@ -155,6 +148,7 @@ private:
         BySide<std::uint32_t> kept{};
         std::uint32_t crossing = 0;
         for (std::uint32_t i = 0; i < node.count; ++i) {
+            vertices_ahead_.step(i);
             const SlotId slot = node.first + i;
             // What classify() says, without branches: which side a triangle is on can't be predicted here.
             const bool above = distances_.is_above(i), below = distances_.is_below(i);
@@ -244,6 +238,7 @@ private:
     FindLists& lists_;
     Found& found_;
     LeafDistances distances_;
+    VertexPrefetch vertices_ahead_;
     BySide<bool> present_{};
 };
 

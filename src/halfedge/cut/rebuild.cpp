@@ -1,7 +1,9 @@
 #include "halfedge/cut/rebuild.h"
-#include "common/mesh/plane_frame.h"
 
 #include <algorithm>
+
+#include "common/mesh/plane_frame.h"
+#include "halfedge/cut/leaf_prefetch.h"
 
 namespace kerf::core::halfedge {
 
@@ -18,7 +20,72 @@ std::size_t nodes_for_part(std::uint32_t count)
     return count == 0 ? 0 : 1 + (count <= kMaxLeafTriangles ? 1 : TriangleTree::nodes_of_full_leaves(count));
 }
 
+/// The leaves of a program that are rewritten, one after another.
+class LeavesToCome
+{
+public:
+    explicit LeavesToCome(std::span<const TreeOp> ops) : ops_(ops) {}
+
+    /// The next one, or none.
+    NodeId next()
+    {
+        while (next_ < ops_.size() && ops_[next_].kind != TreeOp::Kind::leaf) ++next_;
+        return next_ < ops_.size() ? ops_[next_++].node : NodeId();
+    }
+
+private:
+    std::span<const TreeOp> ops_;
+    std::size_t next_ = 0;
+};
+
 }  // namespace
+
+/// Asks for what leaves to come consist of while others are rewritten: from FIND to here it has left the caches.
+class Rebuilder::Ahead
+{
+public:
+    Ahead(const Universe& universe, std::span<const TreeOp> ops)
+        : u_(universe),
+          for_triangles_(is_far_away(universe) ? ops : std::span<const TreeOp>()),
+          for_vertices_(for_triangles_),
+          triangles_(universe),
+          vertices_(universe)
+    {
+        for (int i = 0; i < kTriangles; ++i) for_triangles_.next();
+        for (int i = 0; i < kVertices; ++i) for_vertices_.next();
+    }
+
+    /// Before each leaf.
+    void next()
+    {
+        aim(triangles_, for_triangles_.next());
+        aim(vertices_, for_vertices_.next());
+    }
+
+    /// At each of its triangles.
+    void step(Index i) const
+    {
+        triangles_.step(i);
+        vertices_.step(i);
+    }
+
+private:
+    static constexpr int kTriangles = 4, kVertices = 2;  // leaves ahead
+
+    template <class Prefetch>
+    void aim(Prefetch& prefetch, NodeId leaf) const
+    {
+        if (leaf.is_valid())
+            prefetch.aim_at(u_.tree.nodes[leaf]);
+        else
+            prefetch.aim_at_none();
+    }
+
+    const Universe& u_;
+    LeavesToCome for_triangles_, for_vertices_;
+    TrianglePrefetch triangles_;
+    VertexPrefetch vertices_;
+};
 
 std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& section, const Caps& caps, Pieces& pieces)
 {
@@ -115,6 +182,7 @@ void Rebuilder::run(Universe& u, std::uint64_t triangles, const Plane& plane, co
     for (const CutShell& shell : found.shells) {
         results_.clear();
         lengths_.clear();
+        Ahead ahead(u, std::span(found.ops).subspan(shell.first_op, shell.op_count));
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
             constexpr std::size_t kAhead = 8;
             if (i + kAhead < shell.first_op + shell.op_count && found.ops[i + kAhead].kind == TreeOp::Kind::whole)
@@ -126,7 +194,8 @@ void Rebuilder::run(Universe& u, std::uint64_t triangles, const Plane& plane, co
                     lengths_.push_back(1);
                     break;
                 case TreeOp::Kind::leaf:
-                    rewrite_leaf(u, op, numbers, found, pieces);
+                    ahead.next();
+                    rewrite_leaf(u, op, ahead, numbers, found, pieces);
                     break;
                 case TreeOp::Kind::join:
                     join_results(u);
@@ -177,8 +246,8 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const PlaneF
         }
 }
 
-void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& numbers, const Found& found,
-                             Pieces& pieces)
+void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Ahead& ahead, const StitchPlan& numbers,
+                             const Found& found, Pieces& pieces)
 {
     const Node leaf = u.tree.nodes[op.node];
     touched_.clear();
@@ -193,6 +262,7 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const StitchPlan& nu
         ++t.cursor;
     };
     for (Index i = 0; i < leaf.count; ++i) {
+        ahead.step(i);
         const LeafEntry entry = found.entries[op.argument + i];
         if (!entry.is_crossing()) {
             emit(entry.target(), u.slots[leaf.first + i], u.face_of_slot[leaf.first + i]);

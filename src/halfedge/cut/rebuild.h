@@ -29,6 +29,8 @@ public:
     std::size_t new_slots() const { return new_slots_; }
 
 private:
+    class Ahead;
+
     /// A target's part of a leaf that is written anew.
     struct LeafPart
     {
@@ -39,8 +41,8 @@ private:
     void count_leaf(const Universe& universe, const TreeOp& op, Index number, const Found& found, Pieces& pieces);
     void write_cap_vertices(Universe& universe, const Plane& plane, const PlaneFrame& frame, const Found& found,
                             const Section& section);
-    void rewrite_leaf(Universe& universe, const TreeOp& op, const StitchPlan& numbers, const Found& found,
-                      Pieces& pieces);
+    void rewrite_leaf(Universe& universe, const TreeOp& op, const Ahead& ahead, const StitchPlan& numbers,
+                      const Found& found, Pieces& pieces);
     void join_results(Universe& universe);
     void write_caps(Universe& universe, const StitchPlan& numbers, std::size_t points, const Caps& caps,
                     Pieces& pieces);
