@@ -170,7 +170,11 @@ private:
             return whole(n, kept[Side::negative] == 0 ? Side::positive : Side::negative);
         }
         for (const Side side : kSides) present_[side] |= crossing > 0 || kept[side] > 0;
-        return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry)};
+        LeafCounts counts;
+        counts.crossing = static_cast<std::uint8_t>(crossing);
+        for (const Side side : kSides) counts.kept[side] = static_cast<std::uint8_t>(kept[side]);
+        counts.sides_are_targets = true;
+        return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry), counts};
     }
 
     Side side_on_plane(SlotId slot, const std::array<double, 3>& d) const

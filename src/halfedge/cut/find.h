@@ -13,6 +13,14 @@
 
 namespace kerf::core::halfedge {
 
+/// What FIND counts in a leaf that is rewritten.
+struct LeafCounts
+{
+    std::uint8_t crossing = 0;       ///< triangles that cross: so many of Found::crossings, in the order of the program
+    BySide<std::uint8_t> kept{};     ///< others, by the side that they are kept on
+    bool sides_are_targets = false;  ///< everything goes to the first target of its side
+};
+
 /// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.
 struct TreeOp
 {
@@ -25,6 +33,7 @@ struct TreeOp
     Kind kind;
     NodeId node;
     Index argument;
+    LeafCounts counts = {};
 
     static TreeOp hand_over(NodeId node, TargetId target) { return {Kind::whole, node, target.number()}; }
     TargetId target() const { return TargetId(argument); }

@@ -338,18 +338,24 @@ void PartFinder::retarget(Index shell)
                 found_->ops.begin() + static_cast<std::ptrdiff_t>(cut_shell.first_op + cut_shell.op_count));
     // The program moves to the end of the list.
     cut_shell.first_op = found_->ops.size();
-    for (const TreeOp& op : ops_) {
+    for (TreeOp& op : ops_) {
         if (op.kind == TreeOp::Kind::whole) {
             open_subtree(op.node, pieces_->target(op.target()).side, shell);
             continue;
         }
         if (op.kind == TreeOp::Kind::leaf) {
             const Node& node = u_->tree.nodes[op.node];
+            const auto is_first = [&](TargetId target, Side side) { return target == first_target(shell, side); };
             for (Index e = 0; e < node.count; ++e) {
                 LeafEntry& entry = found_->entries[op.argument + e];
-                if (entry.is_crossing()) continue;
+                if (entry.is_crossing()) {
+                    const BySide<TargetId>& target = found_->crossings[entry.crossing()].target;
+                    for (const Side side : kSides) op.counts.sides_are_targets &= is_first(target[side], side);
+                    continue;
+                }
                 const Side side = pieces_->target(entry.target()).side;
                 entry = LeafEntry::to_target(target_of(u_->face_of_slot[node.first + e], side, shell));
+                op.counts.sides_are_targets &= is_first(entry.target(), side);
             }
         }
         found_->ops.push_back(op);

@@ -93,12 +93,20 @@ std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& sect
     part_nodes_ = 0;
     start_.assign(pieces.targets.size(), SlotId());
     std::size_t whole = 0;
-    for (const CutShell& shell : found.shells)
+    for (Index s = 0; s < found.shells.size(); ++s) {
+        const CutShell& shell = found.shells[s];
+        std::size_t crossing = shell.first_crossing;
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
             const TreeOp& op = found.ops[i];
             whole += op.kind == TreeOp::Kind::whole;
-            if (op.kind == TreeOp::Kind::leaf) count_leaf(u, op, static_cast<Index>(i), found, pieces);
+            if (op.kind != TreeOp::Kind::leaf) continue;
+            if (op.counts.sides_are_targets)
+                count_sides(op.counts, s, crossing, found, pieces);
+            else
+                count_targets(u, op, static_cast<Index>(i), found, pieces);
+            crossing += op.counts.crossing;
         }
+    }
 
     for (const LeafPart& part : part_) part_nodes_ += nodes_for_part(part.count);
 
@@ -136,7 +144,19 @@ std::size_t Rebuilder::plan(Universe& u, const Found& found, const Section& sect
     return grown;
 }
 
-void Rebuilder::count_leaf(const Universe& u, const TreeOp& op, Index number, const Found& found, Pieces& pieces)
+void Rebuilder::count_sides(const LeafCounts& counts, Index shell, std::size_t first_crossing, const Found& found,
+                            Pieces& pieces)
+{
+    BySide<std::uint32_t> triangles{counts.kept[Side::negative], counts.kept[Side::positive]};
+    for (std::size_t c = first_crossing; c < first_crossing + counts.crossing; ++c)
+        for (const SubTriangle& t : found.crossings[c].split.sub_triangles()) ++triangles[t.side];
+    for (const Side side : kSides) {
+        part_nodes_ += nodes_for_part(triangles[side]);
+        pieces.target(first_target(shell, side)).count += triangles[side];
+    }
+}
+
+void Rebuilder::count_targets(const Universe& u, const TreeOp& op, Index number, const Found& found, Pieces& pieces)
 {
     const auto count = [&](TargetId id) {
         LeafPart& part = part_[id.number()];
@@ -179,7 +199,8 @@ void Rebuilder::run(Universe& u, std::uint64_t triangles, const Plane& plane, co
     u.slots.extend(new_slots_);
     u.face_of_slot.extend(new_slots_);
     first_fresh_node_ = NodeId(static_cast<Index>(u.tree.nodes.size()));
-    for (const CutShell& shell : found.shells) {
+    for (Index s = 0; s < found.shells.size(); ++s) {
+        const CutShell& shell = found.shells[s];
         results_.clear();
         lengths_.clear();
         Ahead ahead(u, std::span(found.ops).subspan(shell.first_op, shell.op_count));
@@ -195,7 +216,10 @@ void Rebuilder::run(Universe& u, std::uint64_t triangles, const Plane& plane, co
                     break;
                 case TreeOp::Kind::leaf:
                     ahead.next();
-                    rewrite_leaf(u, op, ahead, numbers, found, pieces);
+                    if (op.counts.sides_are_targets)
+                        rewrite_sides(u, op, s, ahead, numbers, found, pieces);
+                    else
+                        rewrite_targets(u, op, ahead, numbers, found, pieces);
                     break;
                 case TreeOp::Kind::join:
                     join_results(u);
@@ -246,8 +270,62 @@ void Rebuilder::write_cap_vertices(Universe& u, const Plane& plane, const PlaneF
         }
 }
 
-void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Ahead& ahead, const StitchPlan& numbers,
-                             const Found& found, Pieces& pieces)
+namespace {
+
+/// What of a crossing triangle exists, as the index buffer has it: calls visit(side, triangle, face).
+template <class Visit>
+void for_each_sub_triangle(const StitchPlan& numbers, const Crossing& c, Index number, Visit visit)
+{
+    const auto vertex = [&](std::uint8_t code) {
+        if (code == TriangleSplit::kCutNext) return c.n_vertex().number();
+        if (code == TriangleSplit::kCutPrevious) return c.p_vertex().number();
+        return c.corner[code].number();
+    };
+    for (const SubFace& sub : numbers.sub_faces(c, number))
+        if (sub.exists)
+            visit(sub.side, Triangle{vertex(sub.corners[0]), vertex(sub.corners[1]), vertex(sub.corners[2])}, sub.face);
+}
+
+}  // namespace
+
+void Rebuilder::rewrite_sides(Universe& u, const TreeOp& op, Index shell, const Ahead& ahead, const StitchPlan& numbers,
+                              const Found& found, Pieces& pieces)
+{
+    const Node leaf = u.tree.nodes[op.node];
+    const LeafEntry* const entries = &found.entries[op.argument];
+    const Triangle* const old_triangles = &u.slots[leaf.first];
+    const FaceId* const old_faces = &u.face_of_slot[leaf.first];
+    const BySide<SlotId> first{pieces.target(first_target(shell, Side::negative)).cursor,
+                               pieces.target(first_target(shell, Side::positive)).cursor};
+    const BySide<Triangle*> triangles{&u.slots[first[Side::negative]], &u.slots[first[Side::positive]]};
+    const BySide<FaceId*> faces{&u.face_of_slot[first[Side::negative]], &u.face_of_slot[first[Side::positive]]};
+    BySide<std::uint32_t> count{};
+    const auto emit = [&](Side side, const Triangle& triangle, FaceId face) {
+        triangles[side][count[side]] = triangle;
+        faces[side][count[side]] = face;
+        ++count[side];
+    };
+    for (Index i = 0; i < leaf.count; ++i) {
+        ahead.step(i);
+        const LeafEntry entry = entries[i];
+        if (!entry.is_crossing())
+            emit(side_of_target(entry.target()), old_triangles[i], old_faces[i]);
+        else
+            for_each_sub_triangle(numbers, found.crossings[entry.crossing()], entry.crossing(), emit);
+    }
+    std::uint32_t parts = 0;
+    for (const Side side : kSides) {
+        if (count[side] == 0) continue;
+        const TargetId target = first_target(shell, side);
+        pieces.target(target).cursor = first[side] + count[side];
+        results_.push_back({target, make_part(u, first[side], count[side], leaf.group)});
+        ++parts;
+    }
+    lengths_.push_back(parts);
+}
+
+void Rebuilder::rewrite_targets(Universe& u, const TreeOp& op, const Ahead& ahead, const StitchPlan& numbers,
+                                const Found& found, Pieces& pieces)
 {
     const Node leaf = u.tree.nodes[op.node];
     touched_.clear();
@@ -268,29 +346,24 @@ void Rebuilder::rewrite_leaf(Universe& u, const TreeOp& op, const Ahead& ahead, 
             emit(entry.target(), u.slots[leaf.first + i], u.face_of_slot[leaf.first + i]);
             continue;
         }
-        const Index number = entry.crossing();
-        const Crossing& c = found.crossings[number];
-        const auto vertex = [&](std::uint8_t code) {
-            if (code == TriangleSplit::kCutNext) return c.n_vertex().number();
-            if (code == TriangleSplit::kCutPrevious) return c.p_vertex().number();
-            return c.corner[code].number();
-        };
-        for (const SubFace& sub : numbers.sub_faces(c, number))
-            if (sub.exists)
-                emit(c.target[sub.side], {vertex(sub.corners[0]), vertex(sub.corners[1]), vertex(sub.corners[2])},
-                     sub.face);
+        const Crossing& c = found.crossings[entry.crossing()];
+        for_each_sub_triangle(numbers, c, entry.crossing(), [&](Side side, const Triangle& triangle, FaceId face) {
+            emit(c.target[side], triangle, face);
+        });
     }
     std::sort(touched_.begin(), touched_.end());
     for (const TargetId target : touched_) {
         const SlotId first = start_[target.number()];
-        const std::uint32_t count = pieces.target(target).cursor - first;
         start_[target.number()] = SlotId();
-        const NodeId node = count <= kMaxLeafTriangles
-                                ? u.tree.make_leaf(u.geometry(triangles_), first, count, leaf.group)
-                                : u.tree.make_run(u.geometry(triangles_), first, count, leaf.group);
-        results_.push_back({target, node});
+        results_.push_back({target, make_part(u, first, pieces.target(target).cursor - first, leaf.group)});
     }
     lengths_.push_back(static_cast<std::uint32_t>(touched_.size()));
+}
+
+NodeId Rebuilder::make_part(Universe& u, SlotId first, std::uint32_t count, GroupId group) const
+{
+    return count <= kMaxLeafTriangles ? u.tree.make_leaf(u.geometry(triangles_), first, count, group)
+                                      : u.tree.make_run(u.geometry(triangles_), first, count, group);
 }
 
 void Rebuilder::join_results(Universe& u)

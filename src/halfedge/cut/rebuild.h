@@ -38,11 +38,21 @@ private:
         std::uint32_t count = 0;
     };
 
-    void count_leaf(const Universe& universe, const TreeOp& op, Index number, const Found& found, Pieces& pieces);
+    /// Counts what a leaf gives to the two sides, or, if they fall apart, to targets.
+    ///
+    /// @param first_crossing  the first of its crossing triangles
+    /// @param number          of the step
+    void count_sides(const LeafCounts& counts, Index shell, std::size_t first_crossing, const Found& found,
+                     Pieces& pieces);
+    void count_targets(const Universe& universe, const TreeOp& op, Index number, const Found& found, Pieces& pieces);
     void write_cap_vertices(Universe& universe, const Plane& plane, const PlaneFrame& frame, const Found& found,
                             const Section& section);
-    void rewrite_leaf(Universe& universe, const TreeOp& op, const Ahead& ahead, const StitchPlan& numbers,
-                      const Found& found, Pieces& pieces);
+    /// Writes a leaf anew for the two sides, or, if they fall apart, for targets.
+    void rewrite_sides(Universe& universe, const TreeOp& op, Index shell, const Ahead& ahead, const StitchPlan& numbers,
+                       const Found& found, Pieces& pieces);
+    void rewrite_targets(Universe& universe, const TreeOp& op, const Ahead& ahead, const StitchPlan& numbers,
+                         const Found& found, Pieces& pieces);
+    NodeId make_part(Universe& universe, SlotId first, std::uint32_t count, GroupId group) const;
     void join_results(Universe& universe);
     void write_caps(Universe& universe, const StitchPlan& numbers, std::size_t points, const Caps& caps,
                     Pieces& pieces);
