@@ -151,6 +151,26 @@ Support find_maxima(const TreeGeometry& geometry, SlotId first, std::uint32_t co
     return find_maxima_by_four(geometry, first, count);
 }
 
+Box both(Box a, const Box& b)
+{
+    a.add(b);
+    return a;
+}
+
+MassMoments sum(MassMoments a, const MassMoments& b)
+{
+    a.add(b);
+    return a;
+}
+
+Support largest(const Support& a, const Support& b)
+{
+    Support support;
+    for (std::size_t i = 0; i < kSupportDirections; i += kLanes)
+        store(&support.best[i], larger(load(&b.best[i]), load(&a.best[i])));
+    return support;
+}
+
 }  // namespace
 
 Support Support::none()
@@ -199,20 +219,11 @@ NodeId TriangleTree::join(NodeId left, NodeId right)
 {
     if (!left.is_valid()) return right;
     if (!right.is_valid()) return left;
-    Node node;
     const Node &l = nodes[left], &r = nodes[right];
-    node.box = l.box;
-    node.box.add(r.box);
-    node.left = left;
-    node.right = right;
-    node.count = l.count + r.count;
-    node.first = l.first;
-    node.group = l.group == r.group && l.first + l.count == r.first ? l.group : GroupId();
-    nodes.push(node);
-    moments.push(moments[left]);
-    moments[last()].add(moments[right]);
-    supports.push(supports[left]);
-    supports[last()].add(supports[right]);
+    const bool is_one_run = l.group == r.group && l.first + l.count == r.first;
+    nodes.push({both(l.box, r.box), left, right, l.first, l.count + r.count, is_one_run ? l.group : GroupId()});
+    moments.push(sum(moments[left], moments[right]));
+    supports.push(largest(supports[left], supports[right]));
     return last();
 }
 
