@@ -39,6 +39,7 @@ struct Crossing
     std::array<HalfedgeId, 3> halfedge;  ///< halfedge[i] leaves corner i; before the cut
     std::array<PointId, 3> point;        ///< at the corners; before the cut
     TriangleSplit split;
+    Index beyond_n = kNone, beyond_p = kNone;  ///< the crossing triangles beyond the edges of N and P; none: a boundary
 
     // WALK
     bool walked = false;

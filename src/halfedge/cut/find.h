@@ -157,6 +157,15 @@ struct Found
     }
 };
 
+/// The number of the crossing triangle that a face is, or kNone. FIND has stamped it.
+inline Index crossing_of(const Universe& universe, const Found& found, FaceId face)
+{
+    const std::uint64_t stamp = universe.stamp_of_face[face];
+    return stamp >= universe.stamp_base && stamp - universe.stamp_base < found.crossings.size()
+               ? static_cast<Index>(stamp - universe.stamp_base)
+               : kNone;
+}
+
 /// What FIND works with, kept for its memory.
 struct FindLists
 {

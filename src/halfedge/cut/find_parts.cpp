@@ -105,10 +105,7 @@ void PartFinder::search_side(Side side, bool connected)
 
 Index PartFinder::crossing_of(FaceId face) const
 {
-    const std::uint64_t stamp = u_->stamp_of_face[face];
-    return stamp >= u_->stamp_base && stamp - u_->stamp_base < found_->crossings.size()
-               ? static_cast<Index>(stamp - u_->stamp_base)
-               : kNone;
+    return halfedge::crossing_of(*u_, *found_, face);
 }
 
 bool PartFinder::keeps_something(FaceId face, Side side) const

@@ -205,7 +205,7 @@ void Rebuilder::run(Universe& u, std::uint64_t triangles, const Plane& plane, co
         lengths_.clear();
         Ahead ahead(u, std::span(found.ops).subspan(shell.first_op, shell.op_count));
         for (std::size_t i = shell.first_op; i < shell.first_op + shell.op_count; ++i) {
-            constexpr std::size_t kAhead = 8;
+            constexpr std::size_t kAhead = 12;
             if (i + kAhead < shell.first_op + shell.op_count && found.ops[i + kAhead].kind == TreeOp::Kind::whole)
                 u.tree.prefetch(found.ops[i + kAhead].node);
             const TreeOp& op = found.ops[i];

@@ -63,15 +63,6 @@ private:
         return VertexId(v);
     }
 
-    /// The crossing triangle of a face, or kNone.
-    Index crossing_of(FaceId face) const
-    {
-        const std::uint64_t stamp = u_.stamp_of_face[face];
-        return stamp >= u_.stamp_base && stamp - u_.stamp_base < found_.crossings.size()
-                   ? static_cast<Index>(stamp - u_.stamp_base)
-                   : kNone;
-    }
-
     /// Over the exit (or entry) edge to the next crossing triangle; kNone where the run ends.
     Index step(Index from, bool exit)
     {
@@ -85,15 +76,14 @@ private:
         (exit ? c.exit_cut_point : c.entry_cut_point) = cut_point;
         (exit ? c.exit_vertex : c.entry_vertex) = vertex;
 
-        const HalfedgeId outer = opposite(e.halfedge);
-        const FaceId face = u_.mesh.face(outer);
-        if (!face.is_valid()) {
+        const Index to = e.is_n ? c.beyond_n : c.beyond_p;
+        if (to == kNone) {
+            const HalfedgeId outer = opposite(e.halfedge);
             // A half-edge that leaves through the exit runs from negative to positive.
             const PointId a = u_.mesh.to(outer), b = u_.mesh.to(e.halfedge);
             section_.boundary_cuts.push_back({outer, cut_point, exit ? b : a, exit ? a : b});
             return kNone;
         }
-        const Index to = crossing_of(face);
         Crossing& d = found_.crossings[to];
         const Crossed f = crossed(d, !exit);
         if (f.needs_vertex && !(vertex.is_valid() && f.from == e.to && f.to == e.from)) vertex = new_vertex(f);

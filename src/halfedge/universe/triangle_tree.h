@@ -109,6 +109,8 @@ struct TriangleTree
     /// Asks for the memory that join() will read.
     void prefetch(NodeId node) const
     {
+        __builtin_prefetch(&nodes[node]);
+        __builtin_prefetch(reinterpret_cast<const char*>(&nodes[node] + 1) - 1);
         __builtin_prefetch(&moments[node]);
         __builtin_prefetch(reinterpret_cast<const char*>(&moments[node]) + 64);
         __builtin_prefetch(&supports[node]);
