@@ -39,7 +39,8 @@ struct Crossing
     std::array<HalfedgeId, 3> halfedge;  ///< halfedge[i] leaves corner i; before the cut
     std::array<PointId, 3> point;        ///< at the corners; before the cut
     TriangleSplit split;
-    Index beyond_n = kNone, beyond_p = kNone;  ///< the crossing triangles beyond the edges of N and P; none: a boundary
+    /// The crossing triangles beyond the edges of N and P. None: a boundary, or an edge that only touches the plane.
+    Index beyond_n = kNone, beyond_p = kNone;
 
     // WALK
     bool walked = false;
