@@ -105,7 +105,7 @@ private:
             count += found_.ops[i].kind == TreeOp::Kind::leaf ? 1 : 0;
         }
         constexpr std::size_t kAhead = 2;
-        const std::size_t asked_for = is_far_away(u_) ? count : 0;
+        const std::size_t asked_for = u_.geometry().is_far_away() ? count : 0;
         for (std::size_t i = 0; i < count; ++i) {
             vertices_ahead_.aim_at_none();
             if (i + kAhead < asked_for) vertices_ahead_.aim_at(u_.tree.nodes[found_.ops[leaves[i + kAhead]].node]);

@@ -10,13 +10,6 @@
 
 namespace kerf::core::halfedge {
 
-/// Whether asking early can pay: the arrays of smaller universes stay in the caches of a processor's core.
-inline bool is_far_away(const Universe& universe)
-{
-    constexpr std::size_t kNear = 32768;  // triangles, of some 130 bytes
-    return universe.slots.size() > kNear;
-}
-
 /// Asks for the triangles of a leaf that is to be read later, a little at a time.
 class TrianglePrefetch
 {

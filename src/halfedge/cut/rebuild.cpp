@@ -46,7 +46,7 @@ class Rebuilder::Ahead
 public:
     Ahead(const Universe& universe, std::span<const TreeOp> ops)
         : u_(universe),
-          for_triangles_(is_far_away(universe) ? ops : std::span<const TreeOp>()),
+          for_triangles_(universe.geometry().is_far_away() ? ops : std::span<const TreeOp>()),
           for_vertices_(for_triangles_),
           triangles_(universe),
           vertices_(universe)

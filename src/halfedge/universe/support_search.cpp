@@ -1,10 +1,10 @@
 #include "halfedge/universe/support_search.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "common/cutting/cut_geometry.h"
@@ -112,6 +112,10 @@ CornerBits extreme_corners(const LeafCorners& corners, const glm::vec3& d, float
 }
 
 /// One walk over the tree for the extreme vertices along all directions: most leaves that hold one hold several.
+///
+/// Far from the caches it goes down level by level, so that the nodes of a level are waited for together. A level gets
+/// large only if many vertices share a maximum (a flat side). From there on the walk goes node by node, least corner
+/// first: what it finds rules most of the others out.
 class SupportSearch
 {
 public:
@@ -123,16 +127,62 @@ public:
         constexpr std::size_t kUsualDepth = 64;
         stack_.reserve(roots.size() + kUsualDepth);
         for (auto root = roots.rbegin(); root != roots.rend(); ++root) visit_later(*root, ~Directions(0));
+        if (geometry.is_far_away()) go_down_together();
         while (!stack_.empty()) {
-            const auto [node, directions] = stack_.back();
+            const Step step = stack_.back();
             stack_.pop_back();
-            visit(node, directions);
+            visit(step.node, step.directions);
         }
     }
 
     const std::array<glm::vec3, kSupportDirections>& points() const { return points_; }
 
 private:
+    /// A subtree to be looked at, for some of the directions.
+    struct Step
+    {
+        NodeId node;
+        Directions directions;
+    };
+
+    /// From the nodes of the stack down to the leaves, or until a level is large; they are the stack then.
+    void go_down_together()
+    {
+        constexpr std::size_t kTogether = 2 * kSupportDirections;
+        std::vector<Step> level, below;
+        level.swap(stack_);
+        while (!level.empty() && level.size() <= kTogether) {
+            below.clear();
+            for (const Step& step : level) {
+                const Node& node = tree_.nodes[step.node];
+                if (node.is_leaf()) {
+                    stack_.push_back(step);
+                    for (std::uint32_t i = 0; i < node.count; ++i)
+                        __builtin_prefetch(&geometry_.triangle(node.first + i));
+                    continue;
+                }
+                for (const NodeId child : {node.left, node.right}) {
+                    tree_.prefetch_support(child);
+                    below.push_back({child, step.directions});
+                }
+            }
+            level.clear();
+            for (const Step& step : below)
+                if (const Directions reached = step.directions & reached_by(step.node); reached != 0)
+                    level.push_back({step.node, reached});
+        }
+        for (const Step& step : stack_) {
+            const Node& leaf = tree_.nodes[step.node];
+            for (std::uint32_t i = 0; i < leaf.count; ++i)
+                for (const Index v : geometry_.triangle(leaf.first + i)) __builtin_prefetch(&geometry_.vertices[v]);
+        }
+        if (level.empty()) return;
+        stack_.insert(stack_.end(), level.begin(), level.end());
+        std::sort(stack_.begin(), stack_.end(), [&](const Step& a, const Step& b) {
+            return lexicographically_less(tree_.nodes[b.node].box.lo, tree_.nodes[a.node].box.lo);
+        });
+    }
+
     void visit_later(NodeId n, Directions directions)
     {
         if ((directions &= reached_by(n)) != 0) stack_.push_back({n, directions});
@@ -190,7 +240,7 @@ private:
     Support best_ = Support::none();
     Directions found_ = 0;  ///< those that a point was found for
     std::array<glm::vec3, kSupportDirections> points_;
-    std::vector<std::pair<NodeId, Directions>> stack_;
+    std::vector<Step> stack_;
 };
 
 }  // namespace
