@@ -49,10 +49,12 @@ bool EarClipper::clip_layer(CapMesh& cap)
     const auto before = [&](std::size_t i) { return i == 0 ? n - 1 : i - 1; };
     const auto after = [&](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
     corners_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) corners_[i] = corner_between(before(i), i, after(i));
-    boxes_.build(n, [&](std::size_t i, Box2& box) {
-        if (corners_[i] != Corner::convex) box.add(ring_.points[i].x, ring_.points[i].y);
-    });
+    tree_.clear(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        corners_[i] = corner_between(before(i), i, after(i));
+        if (corners_[i] != Corner::convex) tree_.put(i, ring_.points[i]);
+    }
+    tree_.build();
 
     clipped_.resize(n);
     bool last_clipped = false, first_clipped = false;
@@ -136,8 +138,9 @@ void EarClipper::link_corners()
     order_.clear();
     for (Index i = 0; i < n; ++i)
         if (corners_[i] != Corner::convex) order_.push_back(i);
-    boxes_.build(order_.size(),
-                 [&](std::size_t i, Box2& box) { box.add(ring_.points[order_[i]].x, ring_.points[order_[i]].y); });
+    tree_.clear(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) tree_.put(i, ring_.points[order_[i]]);
+    tree_.build();
     is_waiting_.assign(n, 0);
 }
 
@@ -176,16 +179,10 @@ bool EarClipper::is_ear(std::size_t ia, std::size_t ib, std::size_t ic, CornerAt
     const glm::dvec2 &a = ring_.points[ia], &b = ring_.points[ib], &c = ring_.points[ic];
     Box2 box;
     for (const glm::dvec2* p : {&a, &b, &c}) box.add(p->x, p->y);
-    return !boxes_.any(box, [&](std::size_t item) {
-        if (looks_left_ == 0) return true;
-        --looks_left_;
+    return !tree_.any(box, looks_left_, [&](std::size_t item) {
         const std::size_t i = corner_at(item);
+        if (corners_[i] == Corner::convex || i == ia || i == ib || i == ic) return false;
         const glm::dvec2& p = ring_.points[i];
-        // In one go: each of these alone is a branch that can't be foretold.
-        const auto bit = [](bool is_so) { return unsigned{is_so}; };
-        if ((bit(corners_[i] != Corner::convex) & bit(i != ia) & bit(i != ib) & bit(i != ic) &
-             bit(box.holds(p.x, p.y))) == 0)
-            return false;
         if (turn(a, b, p) < 0.0 || turn(b, c, p) < 0.0 || turn(c, a, p) < 0.0) return false;
         return !places_may_repeat_ || (p != a && p != b && p != c);
     });

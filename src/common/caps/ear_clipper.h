@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/caps/cap_triangulator.h"
-#include "common/caps/loop_boxes.h"
+#include "common/caps/corner_tree.h"
 
 namespace kerf::core {
 
@@ -77,7 +77,7 @@ private:
     };
     Corner corner_between(std::size_t a, std::size_t b, std::size_t c) const;
     /// Whether no corner that is not convex, other than these three, lies in or on their triangle; no if no look is left.
-    /// `corner_at(i)` is the corner of item i of `boxes_`.
+    /// `corner_at(i)` is the corner of item i of the tree.
     template <class CornerAt>
     bool is_ear(std::size_t a, std::size_t b, std::size_t c, CornerAt corner_at);
     CapLink add_triangle(CapMesh& cap, std::size_t a, std::size_t b, std::size_t c);
@@ -87,7 +87,7 @@ private:
     Ring ring_;
     std::vector<Corner> corners_;
     std::vector<std::uint8_t> clipped_;
-    LoopBoxes boxes_;  // over the corners that are not convex
+    CornerTree tree_;  // of the corners that are not convex
     bool places_may_repeat_ = false;
     /// A layer of less than one of so many corners is few ears: rings that wind like a spiral have few at a time. With
     /// patience fewer layers are worth a pass over the ring.

@@ -31,8 +31,6 @@ struct Box2
         box.hi_y = std::max(hi_y, other.hi_y);
         return box;
     }
-    /// Without a branch.
-    bool holds(double x, double y) const { return (lo_x <= x) & (x <= hi_x) & (lo_y <= y) & (y <= hi_y); }
     bool overlaps(const Box2& other) const
     {
         return lo_x <= other.hi_x && other.lo_x <= hi_x && lo_y <= other.hi_y && other.lo_y <= hi_y;

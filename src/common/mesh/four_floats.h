@@ -23,16 +23,21 @@ inline Four smaller(Four a, Four b)
     return a < b ? a : b;
 }
 
-/// In which lanes two are equal: bit i for lane i.
-inline unsigned equal_lanes(Four a, Four b)
+/// In which lanes a comparison of two is true: bit i for lane i.
+inline unsigned lanes_of(decltype(Four{} == Four{}) comparison)
 {
 #ifdef __SSE__
-    return unsigned(_mm_movemask_ps(_mm_cmpeq_ps(a, b)));
+    return unsigned(_mm_movemask_ps(__m128(comparison)));
 #else
     unsigned lanes = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) lanes |= unsigned{a[i] == b[i]} << i;
+    for (std::size_t i = 0; i < kLanes; ++i) lanes |= unsigned{comparison[i] != 0} << i;
     return lanes;
 #endif
+}
+/// In which lanes two are equal.
+inline unsigned equal_lanes(Four a, Four b)
+{
+    return lanes_of(a == b);
 }
 
 inline Four load(const float* p)
