@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "halfedge/universe/huge_pages.h"
 #include "halfedge/universe/ids.h"
 #include "halfedge/universe/memory_block.h"
 
@@ -74,8 +73,6 @@ public:
         const std::size_t bytes = capacity * sizeof(T);
         if (blocks_.empty() || blocks_.back().reserved() < bytes) move_to_block_for(capacity);
         if (!blocks_.back().commit(bytes)) throw std::bad_alloc();
-        T* const fresh = data_ + capacity_;
-        prefer_huge_pages(static_cast<void*>(fresh), (capacity - capacity_) * sizeof(T));
         const std::size_t first = std::max(capacity_, written_soon);
         // Not 0: the compiler would ask the system for zeroed memory, which comes untouched.
         if (first < capacity) std::memset(static_cast<void*>(data_ + first), 0xff, (capacity - first) * sizeof(T));

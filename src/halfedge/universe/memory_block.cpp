@@ -1,5 +1,6 @@
 #include "halfedge/universe/memory_block.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <new>
 
@@ -37,6 +38,12 @@ std::size_t page_size()
 std::size_t whole_pages(std::size_t bytes)
 {
     return (bytes + page_size() - 1) / page_size() * page_size();
+}
+
+/// A huge page is touched at once, and only if all of it may be.
+std::size_t whole_huge_pages(std::size_t bytes)
+{
+    return (bytes + kHugePage - 1) / kHugePage * kHugePage;
 }
 
 /// So many bytes of addresses, whole pages, from a place where a huge page may begin; null if there are none.
@@ -90,9 +97,11 @@ bool MemoryBlock::commit(std::size_t bytes)
     if (bytes > reserved_) return false;
 #ifdef __linux__
     if (is_mapped_ && bytes > committed_) {
-        const std::size_t wanted = whole_pages(bytes);
+        const std::size_t wanted =
+            std::min(reserved_, bytes < kFewHugePages ? whole_pages(bytes) : whole_huge_pages(bytes));
         char* const from = static_cast<char*>(begin_) + committed_;
         if (mprotect(from, wanted - committed_, PROT_READ | PROT_WRITE) != 0) return false;
+        prefer_huge_pages(from, wanted - committed_);
         committed_ = wanted;
     }
 #endif

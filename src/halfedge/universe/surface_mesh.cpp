@@ -34,11 +34,14 @@ void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfSte
         ask_for(wanted);
         // OpenMesh tells no address but that of an element, so one of each must exist.
         mesh_.resize(std::max<std::size_t>(v, 1), std::max<std::size_t>(e, 1), std::max<std::size_t>(f, 1));
-        const auto prefer = [](auto& first, std::size_t count) { prefer_huge_pages(&first, count * sizeof(first)); };
-        prefer(mesh_.edge(EdgeId(0)), wanted.edges);
-        prefer(mesh_.face(FaceId(0)), wanted.faces);
-        prefer(mesh_.vertex(PointId(0)), wanted.points);
-        prefer(mesh_.point(PointId(0)), wanted.points);
+        // What a long chain of cuts adds, too.
+        const auto prefer = [](auto& first, std::size_t count, std::size_t asked) {
+            prefer_huge_pages(&first, (count * sizeof(first) < kFewHugePages ? count : asked) * sizeof(first));
+        };
+        prefer(mesh_.edge(EdgeId(0)), wanted.edges, asked_.edges);
+        prefer(mesh_.face(FaceId(0)), wanted.faces, asked_.faces);
+        prefer(mesh_.vertex(PointId(0)), wanted.points, asked_.points);
+        prefer(mesh_.point(PointId(0)), wanted.points, asked_.points);
     }
     // The first touch of this memory is most of what it takes to prepare tens of millions of triangles.
     constexpr std::size_t kEdgesTouchedAtOnce = std::size_t(1) << 20;
