@@ -1,5 +1,6 @@
 """What the finished stages say, without the programs' own formats: the input of tables and plots."""
 
+import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Iterator
@@ -23,7 +24,7 @@ class Cut:
 
 @dataclass(frozen=True)
 class Run:
-    """One viewer run: a model with a back end."""
+    """The viewer's runs of a model with a back end: all alike but for their times."""
 
     model: str
     backend: str
@@ -102,15 +103,20 @@ def load(stage_files: list[Path]) -> Measurements:
             all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
         else:
             model = model_name(stage["command"][1])
-            warm = {run["backend"]: run for run in result["runs"]}  # the last of each: those before warm up
-            all_of_them.runs += [viewer_run(model, result["graphics"], run) for run in warm.values()]
+            for backend in dict.fromkeys(run["backend"] for run in result["runs"]):
+                runs = [run for run in result["runs"] if run["backend"] == backend]
+                warm = runs[1:] or runs  # the first warms up
+                all_of_them.runs.append(viewer_run(model, result["graphics"], warm))
     all_of_them.bench = collect(benchmarks)
     return all_of_them
 
 
-def viewer_run(model: str, graphics: str, run: dict[str, Any]) -> Run:
+def viewer_run(model: str, graphics: str, runs: list[dict[str, Any]]) -> Run:
+    """Of several alike the medians of their times, and the cuts of the last."""
+    run = runs[-1]
     cuts = [Cut(model, run["backend"], cut["triangles"], cut["crossing"], cut["cut_to_upload_cpu_ms"],
                 cut["bytes_uploaded"])
             for cut in run["cuts"] if cut["status"] == "cut"]
-    times = {name: run[name] for name in ("frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
+    times = {name: {what: statistics.median(each[name][what] for each in runs) for what in run[name]}
+             for name in ("frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
     return Run(model, run["backend"], graphics, cuts, times)

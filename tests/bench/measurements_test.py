@@ -48,6 +48,15 @@ class Loading(unittest.TestCase):
         self.assertEqual([(each.model, each.backend, each.graphics, len(each.cuts)) for each in found.runs],
                          [("rook", "halfedge", "a card", 1), ("rook", "linear", "a card", 0)])
 
+    def test_times_of_the_viewer_are_medians_of_the_runs_behind_the_first(self):
+        def run(ms):
+            times = ("frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")
+            return {"backend": "halfedge", "cuts": []} | {name: {"max": ms} for name in times}
+
+        found = self.load({"stage": "viewer-rook", "kind": "viewer", "command": ["viewer", "data/models/rook.obj"],
+                           "result": {"graphics": "a card", "runs": [run(ms) for ms in (90.0, 1.0, 7.0, 2.0)]}})
+        self.assertEqual([each.times["simulate_cpu_ms"]["max"] for each in found.runs], [2.0])
+
     def test_answers_of_other_libraries_are_rows(self):
         found = self.load(*({"stage": kind, "kind": kind, "result": {"peers": [{"peer": kind}]}}
                             for kind in ("peers", "vtk")))

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from report.judged_caps import WorstFan
 from report.names import Kind
-from report.plan import FULL, NORMAL, QUICK, gallery_stages, plan, text_plan
+from report.plan import FULL, NORMAL, QUICK, VIEWER_OPPONENTS, VIEWER_RUNS, gallery_stages, plan, text_plan
 
 
 class Plans(unittest.TestCase):
@@ -41,8 +41,15 @@ class Plans(unittest.TestCase):
         for stage in plan(NORMAL, Path("scratch")):
             if stage.kind == Kind.VIEWER:
                 names = stage.arguments[-1].split(",")
-                self.assertEqual(names[0::2], names[1::2], stage.name)
-                self.assertEqual(len(set(names)), len(names) // 2, stage.name)
+                each, more = names[:2 * len(set(names))], names[2 * len(set(names)):]
+                self.assertEqual(each[0::2], each[1::2], stage.name)
+                self.assertEqual(len(set(each)), len(each) // 2, stage.name)
+                self.assertEqual(more, list(VIEWER_OPPONENTS * (VIEWER_RUNS - 1)), stage.name)
+
+    def test_a_quick_report_runs_each_back_end_of_the_viewer_once(self):
+        for stage in plan(QUICK, Path("scratch")):
+            if stage.kind == Kind.VIEWER:
+                self.assertEqual(len(stage.arguments[-1].split(",")), 2 * len(QUICK.viewer_backends), stage.name)
 
     def test_text_is_made_of_benchmarks_that_the_page_has_too(self):
         stages = text_plan(NORMAL)

@@ -180,7 +180,8 @@ def frames(found: Measurements) -> Section:
         "The viewer runs without a screen. A seeded autopilot throws one model at a time and cuts its pieces, ten to "
         "twenty cuts a model, as the report did by hand. *Simulate* is processor time of a frame's physics and "
         "cutting. Preparing happens on a worker and is not in it. A first run of each back end warms up the driver and "
-        "what the processor keeps of code, and is not counted.",
+        "what the processor keeps of code, and is not counted. Of `remap` and the half-edge back end there are five runs "
+        "more, by turns, and the times are their medians: which frame is the worst changes from run to run.",
         ShownTable(worst_frames_table(found), "The worst frame while cutting, ms of processor time for physics and "
                                               "cutting.",
                    published=True),
