@@ -23,54 +23,96 @@ namespace {
 using Directions = std::uint32_t;
 static_assert(kSupportDirections <= 32);
 
-/// The corners of a leaf, coordinate by coordinate, the last one repeated up to a whole number of blocks.
-struct LeafCorners
+/// The vertices at the corners of a leaf, in blocks; the last corner is repeated up to a whole block.
+class CornerVertices
 {
+public:
     static constexpr std::size_t kBlock = 8;
-    static constexpr std::size_t kCorners = std::size_t{3} * kMaxLeafTriangles;
-    static_assert(kCorners % kBlock == 0);
 
-    LeafCorners(const TreeGeometry& geometry, const Node& leaf)
+    CornerVertices(const TreeGeometry& geometry, const Node& leaf)
+        : vertices_(geometry.vertices.data()), index_(geometry.triangle(leaf.first).data())
     {
-        assert(leaf.count <= kMaxLeafTriangles);
         static_assert(sizeof(Triangle) == 3 * sizeof(Index));
-        const Index* const index = geometry.triangle(leaf.first).data();
         const std::size_t corners = std::size_t{3} * leaf.count;
-        const auto vertex = [&](std::size_t corner) { return &geometry.vertices[index[corner]]; };
-        for (; count + kLanes <= corners; count += kLanes)
-            put_four(count, {vertex(count), vertex(count + 1), vertex(count + 2), vertex(count + 3)});
-        for (const Vertex* const last = vertex(corners - 1); count < corners || count % kBlock != 0; count += kLanes) {
-            const auto or_last = [&](std::size_t corner) { return corner < corners ? vertex(corner) : last; };
-            put_four(count, {or_last(count), or_last(count + 1), or_last(count + 2), or_last(count + 3)});
-        }
+        whole_ = corners / kBlock;
+        blocks_ = (corners + kBlock - 1) / kBlock;
+        for (std::size_t i = 0; i < kBlock; ++i) rest_[i] = index_[std::min(whole_ * kBlock + i, corners - 1)];
     }
 
-    glm::vec3 operator[](std::size_t corner) const { return {x[corner], y[corner], z[corner]}; }
-
-    std::size_t count = 0;
-    std::array<float, kCorners> x, y, z;
+    std::size_t block_count() const { return blocks_; }
+    const Index* block(std::size_t b) const { return b < whole_ ? index_ + b * kBlock : rest_.data(); }
+    const glm::vec3& position(Index vertex) const { return vertices_[vertex].position; }
 
 private:
-    void put_four(std::size_t corner, const std::array<const Vertex*, kLanes>& v)
-    {
-#ifdef __SSE__
-        // A position and the first float of the normal in one load.
-        static_assert(offsetof(Vertex, position) + sizeof(Four) <= sizeof(Vertex));
-        const Four a = load(&v[0]->position.x), b = load(&v[1]->position.x);
-        const Four c = load(&v[2]->position.x), d = load(&v[3]->position.x);
-        const Four ab = _mm_unpacklo_ps(a, b), cd = _mm_unpacklo_ps(c, d);
-        store(&x[corner], _mm_movelh_ps(ab, cd));
-        store(&y[corner], _mm_movehl_ps(cd, ab));
-        store(&z[corner], _mm_movelh_ps(_mm_unpackhi_ps(a, b), _mm_unpackhi_ps(c, d)));
-#else
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            x[corner + i] = v[i]->position.x;
-            y[corner + i] = v[i]->position.y;
-            z[corner + i] = v[i]->position.z;
-        }
-#endif
-    }
+    const Vertex* vertices_;
+    const Index* index_;
+    std::size_t whole_, blocks_;
+    std::array<Index, kBlock> rest_;
 };
+
+/// The corners of a leaf, coordinate by coordinate.
+struct LeafCorners
+{
+    static constexpr std::size_t kCorners = std::size_t{3} * kMaxLeafTriangles;
+    static_assert(kCorners % CornerVertices::kBlock == 0);
+
+    std::size_t count = 0;  ///< whole blocks
+    std::array<float, kCorners> x, y, z;
+
+    glm::vec3 operator[](std::size_t corner) const { return {x[corner], y[corner], z[corner]}; }
+};
+
+// A position and the first float of the normal are read at once.
+static_assert(offsetof(Vertex, position) + sizeof(Four) <= sizeof(Vertex));
+
+void put_four(const CornerVertices& from, const Index* v, std::size_t at, LeafCorners& to)
+{
+#ifdef __SSE__
+    const Four a = load(&from.position(v[0]).x), b = load(&from.position(v[1]).x);
+    const Four c = load(&from.position(v[2]).x), d = load(&from.position(v[3]).x);
+    const Four ab = _mm_unpacklo_ps(a, b), cd = _mm_unpacklo_ps(c, d);
+    store(&to.x[at], _mm_movelh_ps(ab, cd));
+    store(&to.y[at], _mm_movehl_ps(cd, ab));
+    store(&to.z[at], _mm_movelh_ps(_mm_unpackhi_ps(a, b), _mm_unpackhi_ps(c, d)));
+#else
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::vec3& p = from.position(v[i]);
+        to.x[at + i] = p.x;
+        to.y[at + i] = p.y;
+        to.z[at + i] = p.z;
+    }
+#endif
+}
+
+void read_by_four(const CornerVertices& from, LeafCorners& to)
+{
+    for (std::size_t b = 0; b < from.block_count(); ++b)
+        for (std::size_t i = 0; i < CornerVertices::kBlock; i += kLanes, to.count += kLanes)
+            put_four(from, from.block(b) + i, to.count, to);
+}
+
+#ifdef KERF_AVX2
+KERF_AVX2 inline __m256 position_in_each_half(const CornerVertices& from, Index low, Index high)
+{
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(&from.position(low).x)),
+                                _mm_loadu_ps(&from.position(high).x), 1);
+}
+
+KERF_AVX2 inline void read_by_eight(const CornerVertices& from, LeafCorners& to)
+{
+    constexpr int kFronts = 0x44, kBacks = 0xEE;  // of each half: two numbers of one and two of the other
+    for (std::size_t block = 0; block < from.block_count(); ++block, to.count += CornerVertices::kBlock) {
+        const Index* const v = from.block(block);
+        const __m256 a = position_in_each_half(from, v[0], v[4]), b = position_in_each_half(from, v[1], v[5]);
+        const __m256 c = position_in_each_half(from, v[2], v[6]), d = position_in_each_half(from, v[3], v[7]);
+        const __m256 ab = _mm256_unpacklo_ps(a, b), cd = _mm256_unpacklo_ps(c, d);
+        _mm256_storeu_ps(&to.x[to.count], _mm256_shuffle_ps(ab, cd, kFronts));
+        _mm256_storeu_ps(&to.y[to.count], _mm256_shuffle_ps(ab, cd, kBacks));
+        _mm256_storeu_ps(&to.z[to.count],
+                         _mm256_shuffle_ps(_mm256_unpackhi_ps(a, b), _mm256_unpackhi_ps(c, d), kFronts));
+    }
+}
+#endif
 
 /// One bit for each corner of a leaf.
 using CornerBits = std::array<std::uint64_t, (LeafCorners::kCorners + 63) / 64>;
@@ -88,7 +130,7 @@ CornerBits extreme_by_four(const LeafCorners& corners, const glm::vec3& d, float
 
 #ifdef KERF_AVX2
 /// The same.
-KERF_AVX2 CornerBits extreme_by_eight(const LeafCorners& corners, const glm::vec3& d, float value)
+KERF_AVX2 inline CornerBits extreme_by_eight(const LeafCorners& corners, const glm::vec3& d, float value)
 {
     const __m256 dx = _mm256_set1_ps(d.x), dy = _mm256_set1_ps(d.y), dz = _mm256_set1_ps(d.z);
     const __m256 wanted = _mm256_set1_ps(value);
@@ -102,14 +144,6 @@ KERF_AVX2 CornerBits extreme_by_eight(const LeafCorners& corners, const glm::vec
     return bits;
 }
 #endif
-
-CornerBits extreme_corners(const LeafCorners& corners, const glm::vec3& d, float value)
-{
-#ifdef KERF_AVX2
-    if (has_avx2()) return extreme_by_eight(corners, d, value);
-#endif
-    return extreme_by_four(corners, d, value);
-}
 
 /// One walk over the tree for the extreme vertices along all directions: most leaves that hold one hold several.
 ///
@@ -219,14 +253,39 @@ private:
 
     void search(const Node& leaf, Directions directions)
     {
-        const LeafCorners corners(geometry_, leaf);
+#ifdef KERF_AVX2
+        if (has_avx2()) return search_by_eight(leaf, directions);
+#endif
+        search_by_four(leaf, directions);
+    }
+
+    void search_by_four(const Node& leaf, Directions directions)
+    {
+        LeafCorners corners;
+        read_by_four(CornerVertices(geometry_, leaf), corners);
         for (; directions != 0; directions &= directions - 1) {
             const auto d = std::size_t(std::countr_zero(directions));
-            const CornerBits is_extreme = extreme_corners(corners, support_directions()[d], best_.best[d]);
-            for (std::size_t word = 0; word < is_extreme.size(); ++word)
-                for (std::uint64_t bits = is_extreme[word]; bits != 0; bits &= bits - 1)
-                    propose(d, corners[64 * word + std::size_t(std::countr_zero(bits))]);
+            propose(d, corners, extreme_by_four(corners, wanted_[d], best_.best[d]));
         }
+    }
+
+#ifdef KERF_AVX2
+    KERF_AVX2 void search_by_eight(const Node& leaf, Directions directions)
+    {
+        LeafCorners corners;
+        read_by_eight(CornerVertices(geometry_, leaf), corners);
+        for (; directions != 0; directions &= directions - 1) {
+            const auto d = std::size_t(std::countr_zero(directions));
+            propose(d, corners, extreme_by_eight(corners, wanted_[d], best_.best[d]));
+        }
+    }
+#endif
+
+    KERF_IN_CALLER void propose(std::size_t d, const LeafCorners& corners, const CornerBits& is_extreme)
+    {
+        for (std::size_t word = 0; word < is_extreme.size(); ++word)
+            for (std::uint64_t bits = is_extreme[word]; bits != 0; bits &= bits - 1)
+                propose(d, corners[64 * word + std::size_t(std::countr_zero(bits))]);
     }
 
     void propose(std::size_t d, const glm::vec3& p)
@@ -237,6 +296,7 @@ private:
 
     const TriangleTree& tree_;
     const TreeGeometry& geometry_;
+    const std::array<glm::vec3, kSupportDirections>& wanted_ = support_directions();
     Support best_ = Support::none();
     Directions found_ = 0;  ///< those that a point was found for
     std::array<glm::vec3, kSupportDirections> points_;
