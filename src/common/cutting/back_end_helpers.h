@@ -9,7 +9,7 @@
 // whether caps exceed their section.
 //
 // A cut misses for one of three reasons, and each back end finds it as soon as it can: the object lies beyond
-// the plane (halfedge/cut/cutter.cpp: missed_side(); baseline/slice.cpp: bounds), a side keeps no triangle, or nothing
+// the plane (halfedge/cut/find.h: missed_side(); baseline/slice.cpp: bounds), a side keeps no triangle, or nothing
 // crosses but what vanishes (cutter.cpp: plan(); baseline/slicing_steps.h: vertices, and sides that vanish).
 
 namespace kerf::core {

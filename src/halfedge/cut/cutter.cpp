@@ -6,6 +6,7 @@
 #include "common/cutting/back_end_helpers.h"
 #include "common/mesh/plane_frame.h"
 #include "common/mesh/plane_noise.h"
+#include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/cut/piece_plan.h"
 #include "halfedge/cut/split.h"
 #include "halfedge/cut/stitch.h"
@@ -23,15 +24,16 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     cap_uv_scale_ = options.cap_uv_scale;
     for (const ShellRoot& shell : shells_) result.statistics.triangles += u_.tree.nodes[shell.root].count;
 
-    if (const std::optional<Side> side = missed_side(plane, result.statistics.nodes_visited)) {
+    if (const std::optional<Side> side = missed_side(u_, shells_, plane, result.statistics.nodes_visited)) {
         done(Phase::find, result);
         return misses(*side, result);
     }
     w_.begin(u_);
-    w_.finder.run(u_, shells_, plane, w_.found);
+    FaceStamps numbers(u_);
+    w_.finder.run(u_, shells_, plane, numbers, w_.found);
     done(Phase::find, result);
     make_room_for_vertices(result);
-    const Coincidences coincidences = split_crossings(u_, w_.found);
+    const Coincidences coincidences = split_crossings(u_, numbers, w_.found);
     done(Phase::split, result);
     // All of a side can vanish: a spike so thin that its cut points are one.
     for (const Side side : kSides)
@@ -123,19 +125,6 @@ void Cutter::carry_out(CutResult& result) noexcept
     statistics.bytes_to_upload =
         w_.rebuilder.new_vertices() * sizeof(Vertex) + w_.rebuilder.new_slots() * sizeof(Triangle);
     result.status = statistics.open_chains > 0 ? Status::open_section : Status::done;
-}
-
-std::optional<Side> Cutter::missed_side(const Plane& plane, std::uint64_t& nodes_visited) const
-{
-    const Universe& u = u_;
-    const auto reaches = [&](int sign) {
-        return std::any_of(shells_.begin(), shells_.end(), [&](const ShellRoot& shell) {
-            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, nodes_visited);
-        });
-    };
-    if (!reaches(1)) return Side::negative;
-    if (!reaches(-1)) return Side::positive;
-    return std::nullopt;
 }
 
 void Cutter::plan_cap_groups(const CutOptions& options)

@@ -67,8 +67,6 @@ private:
     /// Finds the parts and the pieces, and the loops that are closed together.
     void find_pieces(const CutOptions& options, CutResult& result);
     void close_section(CapQuality quality, CutResult& result);
-    /// The side that the object lies on, if the plane misses it.
-    std::optional<Side> missed_side(const Plane& plane, std::uint64_t& nodes_visited) const;
     /// Names the groups of the caps, those that are to be added included, and makes room for them.
     void plan_cap_groups(const CutOptions& options);
     /// Adds the cap material and groups; can't fail.

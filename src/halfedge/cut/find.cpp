@@ -1,5 +1,8 @@
 #include "halfedge/cut/find.h"
 
+#include <algorithm>
+
+#include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/cut/leaf_distances.h"
 #include "halfedge/cut/leaf_prefetch.h"
 
@@ -23,12 +26,20 @@ Side kept_side(const Plane& plane, const std::array<glm::vec3, 3>& p, const std:
 }
 
 /// FIND for one shell: appends its program, crossing triangles and edges in the plane.
+template <class Numbers>
 class ShellFinder
 {
 public:
     /// @param shell  its number among the cut shells
-    ShellFinder(Universe& universe, const Plane& plane, Index shell, FindLists& lists, Found& found)
-        : u_(universe), plane_(plane), shell_(shell), lists_(lists), found_(found), vertices_ahead_(universe)
+    ShellFinder(const Universe& universe, const Plane& plane, Index shell, FindLists& lists, Numbers& numbers,
+                Found& found)
+        : u_(universe),
+          plane_(plane),
+          shell_(shell),
+          lists_(lists),
+          numbers_(numbers),
+          found_(found),
+          vertices_ahead_(universe)
     {
     }
 
@@ -195,7 +206,7 @@ private:
         c.bounds_nothing = {};
         c.corner = {VertexId(t[0]), VertexId(t[1]), VertexId(t[2])};
         c.distance = d;
-        u_.stamp_of_face[c.face] = static_cast<Index>(u_.stamp_base + found_.crossings.size() - 1);
+        numbers_.add(c.face);
     }
 
     /// Edges in the plane at a face, each once: by the face on the negative side where the two are kept on different
@@ -236,10 +247,11 @@ private:
         return kept_side(plane_, p, d);
     }
 
-    Universe& u_;
+    const Universe& u_;
     const Plane& plane_;
     const Index shell_;
     FindLists& lists_;
+    Numbers& numbers_;
     Found& found_;
     LeafDistances distances_;
     VertexPrefetch vertices_ahead_;
@@ -261,7 +273,9 @@ void Finder::reserve(std::size_t crossings_expected)
     reserve_touched(lists_.leaves, visits);
 }
 
-void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found)
+template <class Numbers>
+void Finder::run(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Numbers& numbers,
+                 Found& found)
 {
     for (Index i = 0; i < shells.size(); ++i) {
         CutShell cut_shell;
@@ -273,7 +287,8 @@ void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const
         cut_shell.first_in_plane = found.in_plane.size();
         cut_shell.first_crossing = found.crossings.size();
         const BySide<bool> present =
-            ShellFinder(universe, plane, static_cast<Index>(found.shells.size()), lists_, found).run(shells[i].root);
+            ShellFinder(universe, plane, static_cast<Index>(found.shells.size()), lists_, numbers, found)
+                .run(shells[i].root);
         if (present[Side::negative] && present[Side::positive]) {
             cut_shell.op_count = found.ops.size() - cut_shell.first_op;
             cut_shell.crossing_count = found.crossings.size() - cut_shell.first_crossing;
@@ -286,6 +301,22 @@ void Finder::run(Universe& universe, const std::vector<ShellRoot>& shells, const
             found.whole[present[Side::positive] ? Side::positive : Side::negative].push_back(shells[i]);
         }
     }
+}
+
+template void Finder::run(const Universe&, const std::vector<ShellRoot>&, const Plane&, FaceStamps&, Found&);
+template void Finder::run(const Universe&, const std::vector<ShellRoot>&, const Plane&, FaceTable&, Found&);
+
+std::optional<Side> missed_side(const Universe& u, const std::vector<ShellRoot>& shells, const Plane& plane,
+                                std::uint64_t& nodes_visited)
+{
+    const auto reaches = [&](int sign) {
+        return std::ranges::any_of(shells, [&](const ShellRoot& shell) {
+            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, nodes_visited);
+        });
+    };
+    if (!reaches(1)) return Side::negative;
+    if (!reaches(-1)) return Side::positive;
+    return std::nullopt;
 }
 
 void Found::reserve(std::size_t crossings_expected)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/mesh/plane.h"
@@ -157,15 +158,6 @@ struct Found
     }
 };
 
-/// The number of the crossing triangle that a face is, or kNone. FIND has stamped it.
-inline Index crossing_of(const Universe& universe, const Found& found, FaceId face)
-{
-    const std::uint64_t stamp = universe.stamp_of_face[face];
-    return stamp >= universe.stamp_base && stamp - universe.stamp_base < found.crossings.size()
-               ? static_cast<Index>(stamp - universe.stamp_base)
-               : kNone;
-}
-
 /// What FIND works with, kept for its memory.
 struct FindLists
 {
@@ -183,6 +175,11 @@ struct FindLists
     static constexpr std::size_t kFirstVisit = 2;
 };
 
+/// Where an object lies that a plane misses: all of it on one side, or within plane_noise of it on the other. Nothing: the
+/// plane may cut it. O(log n) nodes for ordinary shapes, which are added to `nodes_visited`.
+std::optional<Side> missed_side(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane,
+                                std::uint64_t& nodes_visited);
+
 /// FIND: which shells and subtrees lie wholly on one side, and which triangles cross the plane. O(s log(n / s)) nodes
 /// for s leaves whose box meets the plane.
 class Finder
@@ -191,8 +188,10 @@ public:
     Finder();
     void reserve(std::size_t crossings_expected);
     /// Sorts the shells of an object by what the plane does to them, and writes the programs of those that it cuts.
-    /// Stamps the crossing triangles in the universe. May throw std::bad_alloc.
-    void run(Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Found& found);
+    /// Numbers the crossing triangles: FaceStamps or FaceTable, cleared. May throw std::bad_alloc.
+    template <class Numbers>
+    void run(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane, Numbers& numbers,
+             Found& found);
 
 private:
     FindLists lists_;

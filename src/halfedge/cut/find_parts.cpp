@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/universe/export.h"
 
 namespace kerf::core::halfedge {
@@ -105,7 +106,7 @@ void PartFinder::search_side(Side side, bool connected)
 
 Index PartFinder::crossing_of(FaceId face) const
 {
-    return halfedge::crossing_of(*u_, *found_, face);
+    return stamped_number(*u_, face, found_->crossings.size());
 }
 
 bool PartFinder::keeps_something(FaceId face, Side side) const

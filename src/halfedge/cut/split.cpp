@@ -1,5 +1,7 @@
 #include "halfedge/cut/split.h"
 
+#include "halfedge/cut/crossing_numbers.h"
+
 namespace kerf::core::halfedge {
 
 namespace {
@@ -16,24 +18,26 @@ void note_coincidences(const Universe& u, const Crossing& c, Coincidences& noted
     }
 }
 
-Index crossing_beyond(const Universe& u, const Found& found, HalfedgeId halfedge)
+template <class Numbers>
+Index crossing_beyond(const Universe& u, const Numbers& numbers, HalfedgeId halfedge)
 {
     const FaceId face = u.mesh.face(opposite(halfedge));
-    return face.is_valid() ? crossing_of(u, found, face) : kNone;
+    return face.is_valid() ? numbers.of(face) : kNone;
 }
 
 }  // namespace
 
-Coincidences split_crossings(const Universe& u, Found& found)
+template <class Numbers>
+Coincidences split_crossings(const Universe& u, const Numbers& numbers, Found& found)
 {
     Coincidences noted;
-    // What a triangle leads to is asked for some triangles ahead: its face, stamp and vertices, then its half-edges.
+    // What a triangle leads to is asked for some triangles ahead: its face, number and vertices, then its half-edges.
     constexpr std::size_t kAhead = 8;
     const std::size_t count = found.crossings.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (i + 2 * kAhead < count) {
             u.mesh.prefetch(found.crossings[i + 2 * kAhead].face);
-            __builtin_prefetch(&u.stamp_of_face[found.crossings[i + 2 * kAhead].face]);
+            numbers.prefetch(found.crossings[i + 2 * kAhead].face);
             for (const VertexId v : found.crossings[i + 2 * kAhead].corner) __builtin_prefetch(&u.vertex(v));
         }
         if (i + kAhead < count) u.mesh.prefetch(u.mesh.halfedge_of(found.crossings[i + kAhead].face));
@@ -55,9 +59,9 @@ Coincidences split_crossings(const Universe& u, Found& found)
             c.point[(corner + 1) % 3] = u.mesh.to(h);
             h = u.mesh.next(h);
         }
-        // Here the stamps of neighbours come one independent of the other; WALK would wait for each.
-        c.beyond_n = crossing_beyond(u, found, c.halfedge[static_cast<std::size_t>(c.lone())]);
-        c.beyond_p = crossing_beyond(u, found, c.halfedge[static_cast<std::size_t>(c.previous())]);
+        // Here the numbers of neighbours come one independent of the other; WALK would wait for each.
+        c.beyond_n = crossing_beyond(u, numbers, c.halfedge[static_cast<std::size_t>(c.lone())]);
+        c.beyond_p = crossing_beyond(u, numbers, c.halfedge[static_cast<std::size_t>(c.previous())]);
         if (c.split.next_code != TriangleSplit::kCutNext || c.split.previous_code != TriangleSplit::kCutPrevious)
             note_coincidences(u, c, noted);
     }
@@ -67,5 +71,8 @@ Coincidences split_crossings(const Universe& u, Found& found)
             if (u.mesh.is_boundary(u.mesh.halfedge_of(u.mesh.to(h)))) noted.meets_boundary = true;
     return noted;
 }
+
+template Coincidences split_crossings(const Universe&, const FaceStamps&, Found&);
+template Coincidences split_crossings(const Universe&, const FaceTable&, Found&);
 
 }  // namespace kerf::core::halfedge

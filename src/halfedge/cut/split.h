@@ -12,7 +12,9 @@ struct Coincidences
     bool meets_boundary = false;  ///< the section runs through a vertex on the boundary of the mesh
 };
 
-/// SPLIT: says of each crossing triangle how it falls apart. O(k).
-Coincidences split_crossings(const Universe& universe, Found& found);
+/// SPLIT: says of each crossing triangle how it falls apart, and what lies beyond its crossed edges by the numbers that
+/// FIND gave: FaceStamps or FaceTable. O(k).
+template <class Numbers>
+Coincidences split_crossings(const Universe& universe, const Numbers& numbers, Found& found);
 
 }  // namespace kerf::core::halfedge

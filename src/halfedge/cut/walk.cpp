@@ -8,11 +8,53 @@ namespace kerf::core::halfedge {
 
 namespace {
 
+/// One of the two crossed edges of a triangle.
+struct Crossed
+{
+    bool is_n;            ///< lone -> next, otherwise previous -> lone
+    HalfedgeId halfedge;  ///< of this triangle
+    VertexId from, to;    ///< its vertices
+    const CutPoint* point;
+    bool whole;         ///< the cut point is an end point: the edge is not divided
+    bool needs_vertex;  ///< a sub-triangle has the cut point as a corner
+};
+
+/// Writes vertices at cut points behind those of a universe, which has room for them.
+class VerticesBehind
+{
+public:
+    VerticesBehind(Universe& universe, std::size_t& count) : u_(universe), count_(count) {}
+
+    VertexId make(const Crossed& e)
+    {
+        const Index v = static_cast<Index>(u_.vertices.size() + count_++);
+        u_.vertices.data()[v] = interpolate(*e.point, u_.vertex(e.from), u_.vertex(e.to));
+        for (Stream& stream : u_.streams) {
+            float* values = stream.values.data();
+            const std::size_t w = stream.width;
+            interpolate(*e.point, values + e.from.number() * w, values + e.to.number() * w, values + v * w,
+                        stream.width);
+        }
+        return VertexId(v);
+    }
+
+private:
+    Universe& u_;
+    std::size_t& count_;
+};
+
+/// For outlines that need points alone.
+struct NoVertices
+{
+    static VertexId make(const Crossed&) { return {}; }
+};
+
+template <class NewVertices>
 class Walk
 {
 public:
-    Walk(Universe& universe, Found& found, Section& section, std::vector<Index>& run)
-        : u_(universe), found_(found), section_(section), run_(run)
+    Walk(NewVertices vertices, const Universe& universe, Found& found, Section& section, std::vector<Index>& run)
+        : vertices_(vertices), u_(universe), found_(found), section_(section), run_(run)
     {
     }
 
@@ -23,17 +65,6 @@ public:
     }
 
 private:
-    /// One of the two crossed edges of a triangle.
-    struct Crossed
-    {
-        bool is_n;            ///< lone -> next, otherwise previous -> lone
-        HalfedgeId halfedge;  ///< of this triangle
-        VertexId from, to;    ///< its vertices
-        const CutPoint* point;
-        bool whole;         ///< the cut point is an end point: the edge is not divided
-        bool needs_vertex;  ///< a sub-triangle has the cut point as a corner
-    };
-
     Crossed crossed(const Crossing& c, bool exit) const
     {
         Crossed e;
@@ -50,19 +81,6 @@ private:
         return e;
     }
 
-    VertexId new_vertex(const Crossed& e)
-    {
-        const Index v = static_cast<Index>(u_.vertices.size() + section_.new_vertices++);
-        u_.vertices.data()[v] = interpolate(*e.point, u_.vertex(e.from), u_.vertex(e.to));
-        for (Stream& stream : u_.streams) {
-            float* values = stream.values.data();
-            const std::size_t w = stream.width;
-            interpolate(*e.point, values + e.from.number() * w, values + e.to.number() * w, values + v * w,
-                        stream.width);
-        }
-        return VertexId(v);
-    }
-
     /// Over the exit (or entry) edge to the next crossing triangle; kNone where the run ends.
     Index step(Index from, bool exit)
     {
@@ -72,7 +90,7 @@ private:
 
         const CutPointId cut_point(static_cast<Index>(section_.cut_points.size()));
         section_.cut_points.push_back(e.point->position);
-        VertexId vertex = e.needs_vertex ? new_vertex(e) : VertexId();
+        VertexId vertex = e.needs_vertex ? vertices_.make(e) : VertexId();
         (exit ? c.exit_cut_point : c.entry_cut_point) = cut_point;
         (exit ? c.exit_vertex : c.entry_vertex) = vertex;
 
@@ -86,7 +104,7 @@ private:
         }
         Crossing& d = found_.crossings[to];
         const Crossed f = crossed(d, !exit);
-        if (f.needs_vertex && !(vertex.is_valid() && f.from == e.to && f.to == e.from)) vertex = new_vertex(f);
+        if (f.needs_vertex && !(vertex.is_valid() && f.from == e.to && f.to == e.from)) vertex = vertices_.make(f);
         (exit ? d.entry_cut_point : d.exit_cut_point) = cut_point;
         (exit ? d.entry_vertex : d.exit_vertex) = f.needs_vertex ? vertex : VertexId();
         return to;
@@ -130,7 +148,8 @@ private:
         section_.loops.push_back(loop);
     }
 
-    Universe& u_;
+    NewVertices vertices_;
+    const Universe& u_;
     Found& found_;
     Section& section_;
     std::vector<Index>& run_;
@@ -143,18 +162,30 @@ void Walker::reserve(std::size_t crossings_expected)
     reserve_touched(run_, crossings_expected);
 }
 
+template <class NewVertices>
+void Walker::run_with(NewVertices vertices, const Universe& universe, const Plane& plane,
+                      const Coincidences& coincidences, Found& found, Section& section)
+{
+    section.coincidences = coincidences;
+    Walk(vertices, universe, found, section, run_).run();
+    section.cut_point_is_shared.assign(section.cut_points.size(), 0);
+    if (!section.is_irregular()) return;
+    section.clear_loops();
+    link_outline(universe, plane, found, section);
+}
+
 void Walker::run(Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found,
                  Section& section)
 {
-    section.coincidences = coincidences;
-    Walk(universe, found, section, run_).run();
-    section.cut_point_is_shared.assign(section.cut_points.size(), 0);
-    if (section.is_irregular()) {
-        section.clear_loops();
-        link_outline(universe, plane, found, section);
-    }
+    run_with(VerticesBehind(universe, section.new_vertices), universe, plane, coincidences, found, section);
     section.loops_on_shell.assign(found.shells.size(), 0);
     for (const Loop& loop : section.loops) ++section.loops_on_shell[loop.shell];
+}
+
+void Walker::run_outline(const Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found,
+                         Section& section)
+{
+    run_with(NoVertices(), universe, plane, coincidences, found, section);
 }
 
 }  // namespace kerf::core::halfedge

@@ -14,8 +14,15 @@ public:
     /// There is room for the new vertices, which come behind the universe's. Notes the cut points in the crossing
     /// triangles. May throw std::bad_alloc.
     void run(Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found, Section& section);
+    /// The same loops without new vertices: nothing but `found` and `section` changes.
+    void run_outline(const Universe& universe, const Plane& plane, const Coincidences& coincidences, Found& found,
+                     Section& section);
 
 private:
+    template <class NewVertices>
+    void run_with(NewVertices vertices, const Universe& universe, const Plane& plane, const Coincidences& coincidences,
+                  Found& found, Section& section);
+
     std::vector<Index> run_;  // crossing triangles in a row
 };
 
