@@ -52,7 +52,7 @@ private:
 
 Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& options, VertexLookup lookup)
 {
-    if (std::optional<Slices> missed = missed_by_bounds(whole, plane)) return *std::move(missed);
+    if (const std::optional<Side> side = missed_by_bounds(whole, plane)) return missed_slices(whole, *side);
     FanClosing fan;
     switch (lookup) {
         case VertexLookup::scan:

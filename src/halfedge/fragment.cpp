@@ -9,6 +9,7 @@
 #include "common/mesh/mass_moments.h"
 #include "common/mesh/support_points.h"
 #include "halfedge/cut/cutter.h"
+#include "halfedge/cut/outline.h"
 #include "halfedge/cut/workspace_pool.h"
 #include "halfedge/universe/compaction.h"
 #include "halfedge/universe/export.h"
@@ -259,6 +260,13 @@ CutResult Fragment::cut_by(const Plane& plane, const CutOptions& options)
     hand_over(fragments[Side::positive], result.positive);
     release();
     return result;
+}
+
+void Fragment::find_section(const Plane& plane, PlaneSection& section) const
+{
+    const std::shared_lock lock(universe().mutex);
+    const BorrowedWorkspace workspace;
+    find_outline(universe(), shells_, plane, *workspace, section);
 }
 
 }  // namespace kerf::core::halfedge

@@ -41,6 +41,7 @@ public:
 
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override;
+    void find_section(const Plane& plane, PlaneSection& section) const override;
     std::uint64_t buffers() const noexcept override { return shared_->identity.serial(); }
     bool has_relatives() const noexcept override { return shared_.use_count() > 1; }
 

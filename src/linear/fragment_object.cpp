@@ -6,6 +6,7 @@
 #include "common/mesh/mass_moments.h"
 #include "common/mesh/plane_noise.h"
 #include "common/mesh/support_points.h"
+#include "linear/outline.h"
 
 namespace kerf::core::linear {
 
@@ -55,6 +56,11 @@ std::uint32_t FragmentObject::add_material(const Material& material)
 {
     fragment_.mesh.materials.push_back(material);
     return static_cast<std::uint32_t>(fragment_.mesh.materials.size() - 1);
+}
+
+void FragmentObject::find_section(const Plane& plane, PlaneSection& section) const
+{
+    find_outline(fragment_, plane, section);
 }
 
 Fragment fragment_of(ProvenMesh&& mesh)

@@ -33,6 +33,7 @@ protected:
     const BufferListener& listener() const { return identity_.listener(); }
 
 private:
+    void find_section(const Plane& plane, PlaneSection& section) const override;
     std::uint64_t buffers() const noexcept override { return identity_.serial(); }
 
     Fragment fragment_;

@@ -24,9 +24,10 @@ private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override
     {
         RightCaps caps;
-        std::optional<Slices> missed = missed_by_bounds(fragment(), plane);
-        return to_result(missed ? *std::move(missed) : RemapSlicer(fragment(), plane, options, caps).run(),
-                         [&](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part), listener()); });
+        const std::optional<Side> missed = missed_by_bounds(fragment(), plane);
+        return to_result(
+            missed ? missed_slices(fragment(), *missed) : RemapSlicer(fragment(), plane, options, caps).run(),
+            [&](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part), listener()); });
     }
 };
 

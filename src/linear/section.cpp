@@ -69,11 +69,12 @@ void cancel_opposite_edges(Section& section)
     std::erase_if(section.edges, [](const SectionEdge& edge) { return edge.from == kNone; });
 }
 
-/// An edge in the plane as it runs on the positive side, and the least source of the triangles at it.
+/// An edge in the plane as it runs on the positive side, with what is known of all triangles at it.
 struct SectionEdgeInPlane
 {
     EdgeInPlane edge;
-    std::uint32_t source;
+    std::uint32_t source;    // the least
+    std::uint32_t material;  // of the one on the negative side with the least source
 };
 
 /// The two vertices of an edge in the plane.
@@ -92,8 +93,10 @@ std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, 
     if (negative.empty() || positive.empty()) return {};
     struct Row
     {
-        std::int32_t below = 0, above = 0;  // edges that ascend less those that do not
-        std::uint32_t source = kNoSource;   // the least
+        std::int32_t below = 0, above = 0;       // edges that ascend less those that do not
+        std::uint32_t source = kNoSource;        // the least
+        std::uint32_t source_below = kNoSource;  // the least on the negative side
+        std::uint32_t group_below = kNone;       // and its group
     };
     PairTable row_at;  // by the edge's points, the smaller one first
     row_at.reset(negative.size() + positive.size());
@@ -115,6 +118,10 @@ std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, 
     for (const EdgeInPlane& edge : negative) {
         Row& row = row_of(edge, direction);
         row.below += direction;
+        const std::uint32_t source = mesh.sources[edge.triangle];
+        if (row.group_below != kNone && source >= row.source_below) continue;
+        row.source_below = source;
+        row.group_below = edge.group;
     }
     for (const EdgeInPlane& edge : positive) {
         Row& row = row_of(edge, direction);
@@ -126,7 +133,7 @@ std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, 
         if (row.above * direction <= 0 || row.below * direction >= 0) continue;
         row.above -= direction;
         row.below += direction;
-        result.push_back({edge, row.source});
+        result.push_back({edge, row.source, mesh.groups[row.group_below].material});
     }
     return result;
 }
@@ -149,13 +156,15 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
         const std::uint32_t to = numbers.of_corner(crossing, split.section_to);
         if (from == to) continue;
         section.edges.push_back({from, to, i, crossing.triangle, split.section_from, split.section_to,
-                                 mesh.groups[crossing.group].solid, mesh.sources[crossing.triangle]});
+                                 mesh.groups[crossing.group].solid, mesh.sources[crossing.triangle],
+                                 mesh.groups[crossing.group].material});
     }
-    for (const auto& [edge, source] : section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
+    for (const auto& [edge, source, material] :
+         section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
         const auto [from, to] = ends_of(mesh, edge);
         section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
                                  static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid,
-                                 source});
+                                 source, material});
     }
     cancel_opposite_edges(section);
     return section;

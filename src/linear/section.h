@@ -31,6 +31,7 @@ struct SectionEdge
     std::uint32_t solid;
     std::uint32_t source;  ///< of the triangle; of an edge in the plane the smaller one of the triangles at it, so that
                            ///< a flipped plane has the same
+    std::uint32_t material = 0;  ///< of the triangle; of an edge in the plane that of one on the negative side
 };
 
 /// The section: every edge between a triangle kept on one side and a triangle kept on the other.

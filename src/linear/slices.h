@@ -21,14 +21,21 @@ struct Slices
     std::uint64_t vertex_comparisons = 0;  ///< by look-ups that compare vertices
 };
 
-/// The report's exclusion, here by the bounds: a miss that costs nothing. Nothing if the plane may meet the fragment.
-inline std::optional<Slices> missed_by_bounds(const Fragment& whole, const Plane& plane)
+/// The report's exclusion, here by the bounds: where a fragment lies that the plane misses. Nothing if the plane may meet
+/// it. O(1).
+inline std::optional<Side> missed_by_bounds(const Fragment& whole, const Plane& plane)
 {
     const auto [least, most] = plane.distance_range(whole.bounds);
     if (most > whole.noise && least < -whole.noise) return std::nullopt;
+    return most <= whole.noise ? Side::negative : Side::positive;
+}
+
+/// What such a miss costs: nothing.
+inline Slices missed_slices(const Fragment& whole, Side side_of_object)
+{
     Slices missed;
     missed.statistics.triangles = whole.mesh.triangles.size();
-    missed.side_of_object = most <= whole.noise ? Side::negative : Side::positive;
+    missed.side_of_object = side_of_object;
     return missed;
 }
 

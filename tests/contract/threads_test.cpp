@@ -142,6 +142,14 @@ const std::vector<Reading>& readings()
                  for (const glm::vec3& p : loop.points) append(bytes, p);
              return bytes;
          }},
+        {"section",
+         [](const Cuttable& object) {
+             PlaneSection found;
+             Bytes bytes{static_cast<std::uint32_t>(section(object, first_plane(), found))};
+             for (const glm::vec3& p : found.points) append(bytes, p);
+             append(bytes, found.area);
+             return bytes;
+         }},
         {"to_indexed_mesh", [](const Cuttable& object) { return referee::bytes_of(object.to_indexed_mesh()); }},
         {"wants_compaction", [](const Cuttable& object) { return Bytes{object.wants_compaction()}; }},
         {"shares_buffers_with", [](const Cuttable& object) { return Bytes{object.shares_buffers_with(object)}; }},

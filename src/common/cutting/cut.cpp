@@ -79,6 +79,25 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     return result;
 }
 
+Status section(const Cuttable& object, const Plane& plane, PlaneSection& section) noexcept
+{
+    const auto fails = [&](Status status) {
+        section.clear();
+        return section.status = status;
+    };
+    if (!plane.valid()) return fails(Status::invalid_argument);
+    section.clear();
+    try {
+        object.find_section(plane, section);
+    } catch (const std::bad_alloc&) {
+        return fails(Status::out_of_memory);
+    } catch (const std::length_error&) {
+        // A container asked for more elements than its type can count.
+        return fails(Status::out_of_memory);
+    }
+    return section.status;
+}
+
 namespace {
 
 /// Says so in a sentence, where there is memory for one.

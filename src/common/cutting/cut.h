@@ -12,8 +12,10 @@
 
 #include "common/caps/cap_quality.h"
 #include "common/cutting/buffer_identity.h"
+#include "common/cutting/plane_section.h"
 #include "common/cutting/progress.h"
 #include "common/cutting/statistics.h"
+#include "common/cutting/status.h"
 #include "common/mesh/indexed_mesh.h"
 #include "common/mesh/mass_properties.h"
 #include "common/mesh/plane.h"
@@ -26,22 +28,6 @@
 // docs/cutting-rules.md.
 
 namespace kerf::core {
-
-/// Outcome of preparing, cutting or detaching. Bad geometry is an expected outcome, not an exception.
-enum class Status : std::uint8_t
-{
-    done,              ///< prepare: the mesh is ready; cut: both sides exist, every section loop was closed
-    missed,            ///< all of the object is on one side, or within plane_noise of it: it comes back unharmed
-    open_section,      ///< cut; but the object has boundary that the plane crosses: sides are right, open chains are
-                       ///< not capped
-    invalid_argument,  ///< a plane that is not finite, or whose normal is not a unit vector, or a scale of uv that is
-                       ///< not finite, or caps that this build has no way
-                       ///< to make: the object comes back
-    invalid_mesh,      ///< prepare: the mesh breaks what IndexedMesh promises; cut: there is nothing to cut
-    out_of_memory,     ///< the object comes back unharmed
-    cancelled,         ///< prepare: the caller asked to stop
-};
-std::string_view name_of(Status status);
 
 /// A polyline of the section, in mesh coordinates. Seen from the plane's positive side an outer loop runs
 /// counter-clockwise and a hole clockwise. The last point is not repeated.
@@ -199,10 +185,14 @@ protected:
 
 private:
     friend CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options);
+    friend Status section(const Cuttable& object, const Plane& plane, PlaneSection& section) noexcept;
 
     /// Cuts by a valid plane. With status `done` or `open_section` the fragments are in the result and the object is
     /// spent; with any other status, or an exception, the object is as it was. `CutResult::object` is not set.
     virtual CutResult cut_by(const Plane& plane, const CutOptions& options) = 0;
+
+    /// Fills `section`, which is clear, for a valid plane. May throw std::bad_alloc.
+    virtual void find_section(const Plane& plane, PlaneSection& section) const = 0;
 
     /// DrawView::buffers, from a BufferIdentity (cutting/buffer_identity.h).
     virtual std::uint64_t buffers() const noexcept = 0;
@@ -236,6 +226,15 @@ struct CutResult
 /// @note  Nothing to cut, as after a failed prepare(), is an `invalid_mesh`.
 /// @note  The baseline costs O(n); the half-edge back end what its section costs.
 CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOptions& options = {});
+
+/// The section of an object that stays as it is: the loops and chains, the area and the status of cut(), with the same
+/// bytes. Reads the object, so any number of threads may ask at once. Never throws.
+///
+/// @param section  its memory is used again: a section that is filled many times gets none once it has enough
+/// @return         PlaneSection::status; of a plane that is not valid `invalid_argument`
+/// @note  The linear back ends cost O(n), without a copy; the half-edge back end O(s log(n / s) + k), as FIND and WALK of
+///        its cuts.
+Status section(const Cuttable& object, const Plane& plane, PlaneSection& section) noexcept;
 
 /// What became of a mesh.
 struct PrepareResult

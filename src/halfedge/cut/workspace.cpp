@@ -27,8 +27,14 @@ void CutWorkspace::end(Universe& u)
 {
     u.stamp_base += found.crossings.size() + part_finder.stamps_used();
     part_finder.forget_stamps();
+    clear();
+}
+
+void CutWorkspace::clear()
+{
     found.clear();
     section.clear();
+    section_numbers.clear();
     pieces.clear();
     caps.clear();
 }

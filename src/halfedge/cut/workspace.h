@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "halfedge/cut/cap_planner.h"
+#include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/cut/find.h"
 #include "halfedge/cut/find_parts.h"
 #include "halfedge/cut/planned_pieces.h"
@@ -22,6 +23,8 @@ struct CutWorkspace
     Caps caps;
     StitchPlan stitch_plan;
 
+    FaceTable section_numbers;  ///< of sections that change nothing
+
     Finder finder;
     Walker walker;
     PartFinder part_finder;
@@ -34,6 +37,8 @@ struct CutWorkspace
     void begin(Universe& universe);
     /// After it, also if it failed: forgets all of it. What end() has not seen yet belongs to this universe.
     void end(Universe& universe);
+    /// Forgets all results.
+    void clear();
 };
 
 }  // namespace kerf::core::halfedge

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "common/cutting/status.h"
+#include "common/mesh/side.h"
+
+// What a plane meets of an object that it does not cut.
+
+namespace kerf::core {
+
+/// The section of an object: what cut() without CutOptions::split_components would give as section_loops(), bit for bit,
+/// and where its edges come from. It keeps its memory when it is filled again.
+struct PlaneSection
+{
+    /// The triangle that an edge of a section lies in: of two, if the edge is one of the mesh in the plane, the one that a
+    /// cut would keep on the negative side.
+    struct Edge
+    {
+        std::uint32_t source = 0;    ///< IndexedMesh::sources of the triangle; the smaller one of two
+        std::uint32_t material = 0;  ///< index in Cuttable::materials()
+    };
+
+    /// A closed loop of a section, or a chain that ends at the boundary of an open mesh. Edge i leads from point i to the
+    /// next one, and the last edge of a loop to its first point.
+    struct Path
+    {
+        std::size_t first_point = 0, point_count = 0;  ///< in `points`
+        std::size_t first_edge = 0, edge_count = 0;    ///< in `edges`: as many as points; of a chain one less
+        std::uint32_t solid = 0;
+        bool closed = true;
+    };
+
+    Status status = Status::missed;  ///< done, missed or open_section, as of a cut; invalid_argument, out_of_memory
+    Side side_of_object = Side::negative;  ///< of a miss, as of a cut
+    std::vector<glm::vec3> points;         ///< in mesh coordinates, path by path
+    std::vector<Edge> edges;               ///< path by path
+    /// Seen from the plane's positive side an outer loop runs counter-clockwise and a hole clockwise.
+    std::vector<Path> paths;
+    double area = 0.0;                     ///< signed sum of the closed loops' areas, mesh units squared
+    std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
+    std::uint64_t nodes_visited = 0;       ///< tree nodes looked at
+    std::uint64_t triangles_touched = 0;   ///< triangle records read
+
+    std::span<const glm::vec3> points_of(const Path& path) const
+    {
+        return std::span(points).subspan(path.first_point, path.point_count);
+    }
+    std::span<const Edge> edges_of(const Path& path) const
+    {
+        return std::span(edges).subspan(path.first_edge, path.edge_count);
+    }
+
+    /// One without paths, of an object of which nothing is known yet.
+    void clear()
+    {
+        status = Status::missed;
+        side_of_object = Side::negative;
+        points.clear();
+        edges.clear();
+        paths.clear();
+        area = 0.0;
+        crossing_triangles = nodes_visited = triangles_touched = 0;
+    }
+};
+
+}  // namespace kerf::core

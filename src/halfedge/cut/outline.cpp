@@ -1,0 +1,66 @@
+#include "halfedge/cut/outline.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "halfedge/cut/split.h"
+
+namespace kerf::core::halfedge {
+
+namespace {
+
+/// Leaves a workspace empty, also if memory runs out.
+class Emptied
+{
+public:
+    explicit Emptied(CutWorkspace& workspace) : w_(workspace) {}
+    ~Emptied() { w_.clear(); }
+    Emptied(const Emptied&) = delete;
+    Emptied& operator=(const Emptied&) = delete;
+
+private:
+    CutWorkspace& w_;
+};
+
+void copy_paths(const Universe& u, const Found& found, const Section& from, PlaneSection& to)
+{
+    to.points.reserve(from.loop_points.size() + from.loops.size());
+    to.edges.reserve(from.loop_edges.size());
+    to.paths.reserve(from.loops.size());
+    for (const Loop& loop : from.loops) {
+        to.paths.push_back({to.points.size(), loop.count + (loop.closed ? 0 : 1), to.edges.size(), loop.count,
+                            loop.solid, loop.closed});
+        const auto first = from.loop_points.begin() + static_cast<std::ptrdiff_t>(loop.first);
+        to.points.insert(to.points.end(), first, first + static_cast<std::ptrdiff_t>(loop.count));
+        if (!loop.closed) to.points.push_back(loop.end);
+        for (std::size_t i = loop.first; i < loop.first + loop.count; ++i) {
+            const OutlineEdgeId edge = from.loop_edges[i];
+            to.edges.push_back({found.source_of(u, edge), u.group(found.group_of(edge)).material});
+        }
+    }
+}
+
+}  // namespace
+
+void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const Plane& plane, CutWorkspace& w,
+                  PlaneSection& section)
+{
+    const auto misses = [&](Side side) { section.side_of_object = side; };
+    if (const std::optional<Side> side = missed_side(u, shells, plane, section.nodes_visited)) return misses(*side);
+    const Emptied emptied(w);
+    w.finder.run(u, shells, plane, w.section_numbers, w.found);
+    const Coincidences coincidences = split_crossings(u, w.section_numbers, w.found);
+    section.nodes_visited += w.found.nodes_visited;
+    section.triangles_touched = w.found.entries.size() + w.found.triangles_read;
+    // All of a side can vanish: a spike so thin that its cut points are one.
+    for (const Side side : kSides)
+        if (!w.found.keeps_triangles(side)) return misses(opposite(side));
+    w.walker.run_outline(u, plane, coincidences, w.found, w.section);
+    copy_paths(u, w.found, w.section, section);
+    section.area = section_area(plane, w.section);
+    section.crossing_triangles = w.found.crossings.size();
+    const bool closed = std::ranges::all_of(section.paths, &PlaneSection::Path::closed);
+    section.status = closed ? Status::done : Status::open_section;
+}
+
+}  // namespace kerf::core::halfedge

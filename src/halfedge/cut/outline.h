@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "common/cutting/plane_section.h"
+#include "common/mesh/plane.h"
+#include "halfedge/cut/workspace.h"
+#include "halfedge/universe/universe.h"
+
+namespace kerf::core::halfedge {
+
+/// The outline of a section without a cut: FIND, SPLIT and WALK of a cut, with numbers and points of their own, so that
+/// the universe stays as it is. O(s log(n / s) + k). May throw std::bad_alloc.
+///
+/// @param universe   locked for reading
+/// @param workspace  that no cut and no other outline uses meanwhile; empty, and empty again afterwards
+/// @param section    clear
+void find_outline(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane,
+                  CutWorkspace& workspace, PlaneSection& section);
+
+}  // namespace kerf::core::halfedge

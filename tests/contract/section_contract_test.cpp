@@ -1,0 +1,222 @@
+// What section() promises, for every back end: what a cut without pieces of its own says of its section, bit for bit,
+// and the object stays as it is.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "common/cutting/cut.h"
+#include "support/backends.h"
+#include "support/fixtures.h"
+#include "support/referee.h"
+
+namespace kerf::core {
+namespace {
+
+using test::NamedMesh;
+using test::NamedPlane;
+
+/// Closed and open shapes.
+std::vector<NamedMesh> all_shapes()
+{
+    std::vector<NamedMesh> all = test::closed_shapes();
+    all.insert(all.end(), test::open_shapes().begin(), test::open_shapes().end());
+    return all;
+}
+
+/// The loops in the form in which a cut gives them.
+std::vector<SectionLoop> loops_of(const PlaneSection& section)
+{
+    std::vector<SectionLoop> loops;
+    for (const PlaneSection::Path& path : section.paths) {
+        const auto points = section.points_of(path);
+        loops.push_back({{points.begin(), points.end()}, path.closed});
+    }
+    return loops;
+}
+
+void expect_equal_loops(std::span<const SectionLoop> loops, std::span<const SectionLoop> of_cut)
+{
+    ASSERT_EQ(loops.size(), of_cut.size());
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        EXPECT_EQ(loops[i].closed, of_cut[i].closed);
+        EXPECT_EQ(loops[i].points, of_cut[i].points);
+    }
+}
+
+/// All of a section as numbers: equal ones are equal bit for bit.
+std::vector<double> bytes_of(const PlaneSection& section)
+{
+    std::vector<double> all{double(section.status), double(section.side_of_object), section.area};
+    for (const glm::vec3& p : section.points) all.insert(all.end(), {p.x, p.y, p.z});
+    for (const PlaneSection::Edge& e : section.edges) all.insert(all.end(), {double(e.source), double(e.material)});
+    for (const PlaneSection::Path& p : section.paths)
+        all.insert(all.end(), {double(p.first_point), double(p.first_edge), double(p.solid), double(p.closed)});
+    return all;
+}
+
+/// A section, and that it is the one of a cut of a copy.
+PlaneSection expect_section_of_cut(const Cuttable& object, const Plane& plane)
+{
+    PlaneSection found;
+    const Status status = section(object, plane, found);
+    EXPECT_EQ(status, found.status);
+    const CutResult result = cut(object.clone(), plane);
+    EXPECT_EQ(name_of(status), name_of(result.status));
+    EXPECT_EQ(found.area, result.section_area);
+    if (result.status == Status::missed) {
+        EXPECT_EQ(found.side_of_object, result.side_of_object);
+        EXPECT_TRUE(found.paths.empty() && found.points.empty() && found.edges.empty());
+        return found;
+    }
+    EXPECT_EQ(found.crossing_triangles, result.statistics.crossing_triangles);
+    if (!result.positive.empty()) expect_equal_loops(loops_of(found), result.positive.front()->section_loops());
+    return found;
+}
+
+class SectionContract : public testing::TestWithParam<test::NamedBackend>
+{
+protected:
+    std::unique_ptr<Cuttable> prepare(const IndexedMesh& mesh) const { return back_end_->prepare(mesh).object; }
+
+    std::unique_ptr<Backend> back_end_ = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(All, SectionContract, testing::ValuesIn(test::backends()),
+                         [](const auto& back_end) { return back_end.param.name; });
+
+TEST_P(SectionContract, LoopsAreThoseOfACutForEveryShapeAndPlane)
+{
+    for (const NamedMesh& shape : all_shapes()) {
+        const auto object = prepare(shape.mesh);
+        for (const NamedPlane& plane : test::planes_for(shape.mesh, 5, 31)) {
+            SCOPED_TRACE(shape.name + ", plane " + plane.name);
+            expect_section_of_cut(*object, plane.plane);
+        }
+    }
+}
+
+TEST_P(SectionContract, LoopsOfPiecesAreThoseOfACut)
+{
+    for (const NamedMesh& shape : all_shapes()) {
+        const auto whole = prepare(shape.mesh);
+        const Plane first = test::planes_for(shape.mesh, 1, 32).front().plane;
+        const CutResult result = cut(whole->clone(), first);
+        for (const auto* side : {&result.positive, &result.negative})
+            for (const auto& piece : *side)
+                for (const NamedPlane& plane : test::planes_for(piece->to_indexed_mesh(), 2, 33)) {
+                    SCOPED_TRACE(shape.name + ", plane " + plane.name);
+                    expect_section_of_cut(*piece, plane.plane);
+                }
+    }
+}
+
+TEST_P(SectionContract, TouchesNoMoreThanACut)
+{
+    for (const NamedMesh& shape : test::closed_shapes()) {
+        const auto object = prepare(shape.mesh);
+        for (const NamedPlane& plane : test::planes_for(shape.mesh, 2, 34)) {
+            SCOPED_TRACE(shape.name + ", plane " + plane.name);
+            PlaneSection found;
+            if (section(*object, plane.plane, found) == Status::missed) continue;
+            const CutStatistics of_cut = cut(object->clone(), plane.plane).statistics;
+            EXPECT_LE(found.triangles_touched, of_cut.triangles_touched);
+            EXPECT_LE(found.nodes_visited, of_cut.nodes_visited);
+        }
+    }
+}
+
+TEST_P(SectionContract, ObjectStaysAsItIs)
+{
+    for (const NamedMesh& shape : all_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const auto object = prepare(shape.mesh), untouched = prepare(shape.mesh);
+        PlaneSection found;
+        for (const NamedPlane& plane : test::planes_for(shape.mesh, 3, 35)) section(*object, plane.plane, found);
+        EXPECT_EQ(referee::bytes_of(object->to_indexed_mesh()), referee::bytes_of(untouched->to_indexed_mesh()));
+        const Plane plane = test::planes_for(shape.mesh, 1, 36).front().plane;
+        const CutResult a = cut(object->clone(), plane), b = cut(untouched->clone(), plane);
+        ASSERT_EQ(a.positive.size(), b.positive.size());
+        for (std::size_t i = 0; i < a.positive.size(); ++i)
+            EXPECT_EQ(referee::bytes_of(a.positive[i]->to_indexed_mesh()),
+                      referee::bytes_of(b.positive[i]->to_indexed_mesh()));
+    }
+}
+
+TEST_P(SectionContract, AnswersDoNotDependOnWhatWasAskedBefore)
+{
+    PlaneSection used;
+    for (const NamedMesh& shape : all_shapes()) {
+        const auto object = prepare(shape.mesh);
+        for (const NamedPlane& plane : test::planes_for(shape.mesh, 2, 37)) {
+            SCOPED_TRACE(shape.name + ", plane " + plane.name);
+            PlaneSection fresh;
+            section(*object, plane.plane, used);
+            section(*object, plane.plane, fresh);
+            EXPECT_EQ(bytes_of(used), bytes_of(fresh));
+        }
+    }
+}
+
+TEST_P(SectionContract, FlippedPlaneRunsTheSameLoopsTheOtherWay)
+{
+    for (const NamedMesh& shape : test::closed_shapes()) {
+        const auto object = prepare(shape.mesh);
+        for (const NamedPlane& plane : test::planes_for(shape.mesh, 2, 38)) {
+            // Faces in the plane are kept where the surface outside of it goes on, which a flip changes.
+            if (plane.name.find("face") != std::string::npos) continue;
+            SCOPED_TRACE(shape.name + ", plane " + plane.name);
+            PlaneSection there, back;
+            section(*object, plane.plane, there);
+            section(*object, Plane{-plane.plane.normal, -plane.plane.offset}, back);
+            EXPECT_EQ(there.crossing_triangles, back.crossing_triangles);
+            if (there.status == back.status) {
+                EXPECT_EQ(there.area, back.area);
+            }
+        }
+    }
+}
+
+TEST_P(SectionContract, RefusesAPlaneThatIsNone)
+{
+    const auto object = prepare(test::closed_shapes().front().mesh);
+    PlaneSection found;
+    EXPECT_EQ(section(*object, Plane{{0, 0, 2}, 0}, found), Status::invalid_argument);
+    EXPECT_TRUE(found.paths.empty());
+}
+
+/// An edge of a section with its ends, as a key.
+using EdgeKey = std::array<double, 8>;
+
+std::map<EdgeKey, int> edges_of(const PlaneSection& section)
+{
+    std::map<EdgeKey, int> edges;
+    for (const PlaneSection::Path& path : section.paths) {
+        const auto points = section.points_of(path);
+        const auto path_edges = section.edges_of(path);
+        for (std::size_t i = 0; i < path_edges.size(); ++i) {
+            const glm::vec3 &a = points[i], &b = points[(i + 1) % points.size()];
+            ++edges[{a.x, a.y, a.z, b.x, b.y, b.z, double(path_edges[i].source), double(path_edges[i].material)}];
+        }
+    }
+    return edges;
+}
+
+TEST_P(SectionContract, EdgesAreThoseOfAllBackEnds)
+{
+    const auto reference = test::backends().front().make();
+    for (const NamedMesh& shape : all_shapes()) {
+        const auto object = prepare(shape.mesh), other = reference->prepare(shape.mesh).object;
+        for (const NamedPlane& plane : test::planes_for(shape.mesh, 4, 39)) {
+            SCOPED_TRACE(shape.name + ", plane " + plane.name);
+            PlaneSection found, of_other;
+            EXPECT_EQ(name_of(section(*object, plane.plane, found)), name_of(section(*other, plane.plane, of_other)));
+            EXPECT_EQ(edges_of(found), edges_of(of_other));
+            EXPECT_EQ(found.area, of_other.area);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kerf::core
