@@ -69,6 +69,10 @@ public:
     std::uint32_t add_material(const core::Material& material) override { return honest_->add_material(material); }
 
 private:
+    void find_section(const core::Plane& plane, core::PlaneSection& section) const override
+    {
+        core::section(*honest_, plane, section);
+    }
     core::CutResult cut_by(const core::Plane& plane, const core::CutOptions& options) override
     {
         core::CutResult result = core::cut(std::move(honest_), plane, options);
