@@ -99,7 +99,7 @@ struct CutResult;
 ///
 /// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(),
 /// but for those that were detached or compacted since. All others are strangers. To *read* an object is to call a
-/// const member, or to hand it to one (the `other` of shares_buffers_with()); to *change* it is cut(), compact(),
+/// const member or section(), or to hand it to one (the `other` of shares_buffers_with()); to *change* it is cut(), compact(),
 /// detach(), mark_uploaded() or its end. While one thread is at an object, another thread may do this to the same
 /// object, a relative or a stranger:
 ///
@@ -230,7 +230,7 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
 /// The section of an object that stays as it is: the loops and chains, the area and the status of cut(), with the same
 /// bytes. Reads the object, so any number of threads may ask at once. Never throws.
 ///
-/// @param section  its memory is used again: a section that is filled many times gets none once it has enough
+/// @param section  its memory is used again
 /// @return         PlaneSection::status; of a plane that is not valid `invalid_argument`
 /// @note  The linear back ends cost O(n), without a copy; the half-edge back end O(s log(n / s) + k), as FIND and WALK of
 ///        its cuts.

@@ -46,14 +46,6 @@ class FaceTable
 public:
     FaceTable() { clear(); }
 
-    /// Room for so many faces, touched.
-    void reserve(std::size_t count)
-    {
-        std::size_t size = entries_.size();
-        while (size < 2 * count) size *= 2;
-        if (size > entries_.size()) grow_to(size);
-    }
-
     /// Forgets all. O(entries of the largest section so far).
     void clear()
     {
