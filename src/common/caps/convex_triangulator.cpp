@@ -30,12 +30,13 @@ public:
         cap.clear();
         ring_.resize(outline.points.size());
         for (Index i = 0; i < ring_.size(); ++i) ring_[i] = i;
-        halve_loop(outline.positions, ring_, cap.triangles);
+        halver_.halve(outline.positions, ring_, cap.triangles);
         return true;
     }
 
 private:
     std::vector<Index> ring_;
+    LoopHalver halver_;
 };
 
 }  // namespace

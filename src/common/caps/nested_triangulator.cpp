@@ -29,7 +29,7 @@ public:
         const std::uint64_t most = limit_.looks + limit_.looks_for_each_point * outline.points.size();
         std::uint64_t looks_left = most;
         const bool closed =
-            bridge_holes(outline, rings_, looks_left) && is_worth_it() && clip_rings(outline, cap, looks_left);
+            bridger_.build(outline, rings_, looks_left) && is_worth_it() && clip_rings(outline, cap, looks_left);
         cap.steps += most - looks_left;
         return closed;
     }
@@ -47,7 +47,7 @@ private:
             fill_in(outline, rings_.starts[ring], rings_.starts[ring + 1]);
             if (!clipper_.clip_with_patience(cap, looks_left)) return false;
         }
-        join_bridges(outline, rings_, cap);
+        bridger_.join_triangles(outline, rings_, cap);
         cap.shared_points = rings_.shared;
         return true;
     }
@@ -64,6 +64,7 @@ private:
     }
 
     const Limit& limit_;
+    HoleBridger bridger_;
     Rings rings_;
     EarClipper clipper_;
 };

@@ -14,7 +14,7 @@ public:
         cap.clear();
         for (std::size_t loop = 0; loop + 1 < outline.loop_starts.size(); ++loop) {
             reduce(outline, outline.loop_starts[loop], outline.loop_starts[loop + 1], cap);
-            if (ring_.size() >= 3) halve_loop(outline.positions, ring_, cap.triangles);
+            if (ring_.size() >= 3) halver_.halve(outline.positions, ring_, cap.triangles);
         }
         return true;
     }
@@ -59,6 +59,7 @@ private:
     }
 
     std::vector<Index> ring_;
+    LoopHalver halver_;
 };
 
 }  // namespace
