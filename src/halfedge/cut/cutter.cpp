@@ -24,7 +24,8 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     cap_uv_scale_ = options.cap_uv_scale;
     for (const ShellRoot& shell : shells_) result.statistics.triangles += u_.tree.nodes[shell.root].count;
 
-    if (const std::optional<Side> side = missed_side(u_, shells_, plane, result.statistics.nodes_visited)) {
+    if (const std::optional<Side> side =
+            missed_side(u_, shells_, plane, w_.waiting_nodes, result.statistics.nodes_visited)) {
         done(Phase::find, result);
         return misses(*side, result);
     }
@@ -38,7 +39,7 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     // All of a side can vanish: a spike so thin that its cut points are one.
     for (const Side side : kSides)
         if (!w_.found.keeps_triangles(side)) return misses(opposite(side), result);
-    w_.walker.run(u_, plane, coincidences, w_.found, w_.section);
+    w_.walker.run(u_, plane, coincidences, w_.outline_linker, w_.found, w_.section);
     done(Phase::walk, result);
 
     find_pieces(options, result);
@@ -83,7 +84,7 @@ void Cutter::find_pieces(const CutOptions& options, CutResult& result)
     make_first_targets(w_.found, w_.pieces);
     if (options.split_components) {
         w_.part_finder.separate(u_, w_.section, w_.found, w_.pieces);
-        plan_pieces(u_, plane_, w_.found, w_.section, w_.pieces);
+        plan_pieces(u_, plane_, w_.found, w_.outline_linker, w_.section, w_.pieces);
     } else {
         plan_sides(w_.found, w_.section, w_.pieces);
     }

@@ -307,11 +307,11 @@ template void Finder::run(const Universe&, const std::vector<ShellRoot>&, const 
 template void Finder::run(const Universe&, const std::vector<ShellRoot>&, const Plane&, FaceTable&, Found&);
 
 std::optional<Side> missed_side(const Universe& u, const std::vector<ShellRoot>& shells, const Plane& plane,
-                                std::uint64_t& nodes_visited)
+                                std::vector<NodeId>& waiting, std::uint64_t& nodes_visited)
 {
     const auto reaches = [&](int sign) {
         return std::ranges::any_of(shells, [&](const ShellRoot& shell) {
-            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, nodes_visited);
+            return reaches_beyond(u.tree, u.geometry(), shell.root, plane, u.noise, sign, waiting, nodes_visited);
         });
     };
     if (!reaches(1)) return Side::negative;

@@ -177,8 +177,9 @@ struct FindLists
 
 /// Where an object lies that a plane misses: all of it on one side, or within plane_noise of it on the other. Nothing: the
 /// plane may cut it. O(log n) nodes for ordinary shapes, which are added to `nodes_visited`.
+/// `waiting` is for nodes that wait meanwhile.
 std::optional<Side> missed_side(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane,
-                                std::uint64_t& nodes_visited);
+                                std::vector<NodeId>& waiting, std::uint64_t& nodes_visited);
 
 /// FIND: which shells and subtrees lie wholly on one side, and which triangles cross the plane. O(s log(n / s)) nodes
 /// for s leaves whose box meets the plane.

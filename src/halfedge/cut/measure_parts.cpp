@@ -169,6 +169,7 @@ template <class HasSeveral>
 void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_several) const
 {
     const int sign = side_ == Side::positive ? 1 : -1;
+    std::vector<NodeId> waiting;
     const auto is_beyond = [&](double distance) { return sign * distance > u_.noise; };
     for (const CutShell& shell : found_.shells) {
         if (!has_several(shell.solid)) continue;
@@ -177,8 +178,8 @@ void PartsOfSide::mark_far_parts(std::vector<bool>& is_far, HasSeveral has_sever
             if (op.kind == TreeOp::Kind::whole) {
                 const Index part = of_target(op.target());
                 if (part != kNone && !is_far[part])
-                    is_far[part] =
-                        reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign, found_.nodes_visited);
+                    is_far[part] = reaches_beyond(u_.tree, u_.geometry(), op.node, plane_, u_.noise, sign, waiting,
+                                                  found_.nodes_visited);
             }
             if (op.kind != TreeOp::Kind::leaf) continue;
             const Node& node = u_.tree.nodes[op.node];

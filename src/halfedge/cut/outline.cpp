@@ -46,7 +46,8 @@ void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const
                   PlaneSection& section)
 {
     const auto misses = [&](Side side) { section.side_of_object = side; };
-    if (const std::optional<Side> side = missed_side(u, shells, plane, section.nodes_visited)) return misses(*side);
+    if (const std::optional<Side> side = missed_side(u, shells, plane, w.waiting_nodes, section.nodes_visited))
+        return misses(*side);
     const Emptied emptied(w);
     w.finder.run(u, shells, plane, w.section_numbers, w.found);
     const Coincidences coincidences = split_crossings(u, w.section_numbers, w.found);
@@ -55,7 +56,7 @@ void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const
     // All of a side can vanish: a spike so thin that its cut points are one.
     for (const Side side : kSides)
         if (!w.found.keeps_triangles(side)) return misses(opposite(side));
-    w.walker.run_outline(u, plane, coincidences, w.found, w.section);
+    w.walker.run_outline(u, plane, coincidences, w.outline_linker, w.found, w.section);
     copy_paths(u, w.found, w.section, section);
     section.area = section_area(plane, w.section);
     section.crossing_triangles = w.found.crossings.size();

@@ -33,7 +33,7 @@ PiecesOutline outline_of(const Universe& u, const Found& found, const Section& s
     };
     if (section.is_irregular()) {
         outline.points = section.outline_points;
-        outline.edges = outline_edges(u, found, section);
+        list_outline_edges(u, found, section, outline.edges);
         for (std::size_t i = 0; i < section.outline.size(); ++i) bound(outline.edges[i], section.outline[i].id);
         return outline;
     }
@@ -55,7 +55,7 @@ PiecesOutline outline_of(const Universe& u, const Found& found, const Section& s
 }
 
 /// Whether all that is cut is one shell that falls into one part a side, and nothing else is there: most cuts of a game.
-/// Then the pieces divide an irregular outline no further than link_outline() has done by solid, unless edges at a
+/// Then the pieces divide an irregular outline no further than OutlineLinker::link() has done by solid, unless edges at a
 /// boundary bound nothing.
 bool is_one_part_a_side(const Universe& universe, const Found& found, const Section& section, const Pieces& pieces)
 {
@@ -122,7 +122,8 @@ void plan_sides(const Found& found, const Section& section, Pieces& pieces)
     }
 }
 
-void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Section& section, Pieces& pieces)
+void plan_pieces(const Universe& universe, const Plane& plane, Found& found, OutlineLinker& linker, Section& section,
+                 Pieces& pieces)
 {
     if (is_one_part_a_side(universe, found, section, pieces)) return make_one_piece_a_side(found, pieces);
     BySide<PartsOfSide> sides{PartsOfSide(universe, plane, Side::negative, found, pieces),
@@ -143,7 +144,7 @@ void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Sec
                                               const AddCrossing& add) { parts.count_crossings(rays, is_wanted, add); }};
     const BySide<std::vector<std::uint32_t>> piece = group_pieces(plane, input, outline.points, outline.edges);
     for (const Side side : kSides) sides[side].make_piece_shells(piece[side], pieces);
-    if (section.is_irregular()) relink_outline(universe, plane, found, pieces, section);
+    if (section.is_irregular()) linker.relink(universe, plane, found, pieces, section);
 }
 
 void plan_cap_sets(const Found& found, const Pieces& pieces, Section& section)

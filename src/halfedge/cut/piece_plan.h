@@ -6,6 +6,8 @@
 
 namespace kerf::core::halfedge {
 
+class OutlineLinker;
+
 /// Makes the first targets: one for each side of each shell that is cut.
 void make_first_targets(const Found& found, Pieces& pieces);
 
@@ -14,7 +16,8 @@ void plan_sides(const Found& found, const Section& section, Pieces& pieces);
 
 /// One fragment for each connected piece, as core::group_pieces() decides; targets must have been separated. An
 /// irregular outline is linked once more, so each loop lies between two piece shells.
-void plan_pieces(const Universe& universe, const Plane& plane, Found& found, Section& section, Pieces& pieces);
+void plan_pieces(const Universe& universe, const Plane& plane, Found& found, OutlineLinker& linker, Section& section,
+                 Pieces& pieces);
 
 /// Puts loops that lie between the same two piece shells into one set; each set can then be closed by itself.
 void plan_cap_sets(const Found& found, const Pieces& pieces, Section& section);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "halfedge/cut/cap_planner.h"
 #include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/cut/find.h"
 #include "halfedge/cut/find_parts.h"
+#include "halfedge/cut/irregular/irregular.h"
 #include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/rebuild.h"
 #include "halfedge/cut/section.h"
@@ -25,8 +27,10 @@ struct CutWorkspace
 
     FaceTable section_numbers;  ///< of sections that change nothing
 
+    std::vector<NodeId> waiting_nodes;  ///< while it is looked whether the plane misses
     Finder finder;
     Walker walker;
+    OutlineLinker outline_linker;
     PartFinder part_finder;
     CapPlanner cap_planner;
     Rebuilder rebuilder;

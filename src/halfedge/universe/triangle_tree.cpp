@@ -275,18 +275,17 @@ void TriangleTree::append_runs(NodeId root, std::vector<Run>& runs) const
 }
 
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, NodeId root, const Plane& plane,
-                    double limit, int sign, std::uint64_t& visited)
+                    double limit, int sign, std::vector<NodeId>& waiting, std::uint64_t& visited)
 {
     const auto reach = [&](NodeId n) {
         const auto [lo, hi] = plane.distance_range(tree.nodes[n].box);
         return sign > 0 ? std::array{lo, hi} : std::array{-hi, -lo};
     };
-    std::vector<NodeId> stack;
-    stack.reserve(kUsualDepth);
-    stack.push_back(root);
-    while (!stack.empty()) {
-        const NodeId n = stack.back();
-        stack.pop_back();
+    waiting.clear();
+    waiting.push_back(root);
+    while (!waiting.empty()) {
+        const NodeId n = waiting.back();
+        waiting.pop_back();
         ++visited;
         const auto [near, far] = reach(n);
         if (!(far > limit)) continue;
@@ -299,8 +298,8 @@ bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, Node
             continue;
         }
         const bool left_first = reach(node.left)[1] > reach(node.right)[1];
-        stack.push_back(left_first ? node.right : node.left);
-        stack.push_back(left_first ? node.left : node.right);
+        waiting.push_back(left_first ? node.right : node.left);
+        waiting.push_back(left_first ? node.left : node.right);
     }
     return false;
 }

@@ -147,7 +147,8 @@ struct TriangleTree
 
 /// True if some vertex under `root` has a signed distance > `limit` (sign = +1) or < -limit (sign = -1). O(log n) on
 /// ordinary shapes: the side that reaches farther is searched first. Adds the nodes that it looks at to `visited`.
+/// `waiting` is for nodes that wait meanwhile.
 bool reaches_beyond(const TriangleTree& tree, const TreeGeometry& geometry, NodeId root, const Plane& plane,
-                    double limit, int sign, std::uint64_t& visited);
+                    double limit, int sign, std::vector<NodeId>& waiting, std::uint64_t& visited);
 
 }  // namespace kerf::core::halfedge

@@ -1,21 +1,33 @@
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "common/geometry/disjoint_sets.h"
+#include "common/geometry/pair_table.h"
 #include "halfedge/cut/section.h"
 
 namespace kerf::core::halfedge {
 
-/// Classes of coinciding points: union-find over cut points and, as they turn up, points of the half-edge mesh.
+/// Classes of coinciding points: union-find over cut points and, as they turn up, points of the half-edge mesh. Keeps its
+/// memory.
 class CoincidingPoints
 {
 public:
-    /// What split_triangle() found to coincide is one class.
+    CoincidingPoints() = default;
     CoincidingPoints(const Universe& universe, const Found& found, const Section& section)
-        : u_(universe), position_(section.cut_points), classes_(static_cast<Index>(position_.size()))
     {
+        begin(universe, found, section);
+    }
+
+    /// Begins anew: what split_triangle() found to coincide is one class. The universe lives as long as it is asked.
+    void begin(const Universe& universe, const Found& found, const Section& section)
+    {
+        u_ = &universe;
+        position_ = section.cut_points;
+        classes_.clear();
+        for (std::size_t i = 0; i < position_.size(); ++i) classes_.add();
+        // Room for all points of crossing triangles and edges in the plane: a table that grows takes memory.
+        of_point_.reset(2 * (found.crossings.size() + found.in_plane.size()));
         for (const Crossing& c : found.crossings) {
             if (c.n_cut_point().is_valid()) classes_.unite(c.n_cut_point().number(), of_code(c, c.split.next_code));
             if (c.p_cut_point().is_valid()) classes_.unite(c.p_cut_point().number(), of_code(c, c.split.previous_code));
@@ -24,12 +36,13 @@ public:
 
     Index of_point(PointId point)
     {
-        const auto [entry, is_new] = of_point_.try_emplace(point, classes_.size());
-        if (is_new) {
-            classes_.add();
-            position_.push_back(u_.mesh.position(point));
+        const auto number = static_cast<Index>(point.idx());
+        Index& element = of_point_(number, number);
+        if (element == kNone) {
+            element = classes_.add();
+            position_.push_back(u_->mesh.position(point));
         }
-        return entry->second;
+        return element;
     }
 
     /// The element at a corner of a crossing triangle.
@@ -46,10 +59,10 @@ public:
     const glm::vec3& position(Index i) const { return position_[i]; }
 
 private:
-    const Universe& u_;
+    const Universe* u_ = nullptr;
     std::vector<glm::vec3> position_;
-    DisjointSets classes_;
-    std::unordered_map<PointId, Index> of_point_;
+    DisjointSets classes_{0};
+    PairTable of_point_;  ///< by a point twice
 };
 
 }  // namespace kerf::core::halfedge

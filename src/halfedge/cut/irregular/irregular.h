@@ -1,27 +1,53 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "common/caps/outline_loops.h"
+#include "halfedge/cut/irregular/coinciding_points.h"
 #include "halfedge/cut/planned_pieces.h"
 #include "halfedge/cut/section.h"
 #include "halfedge/cut/stitch_plan.h"
 
 // What only irregular sections need: those in which cut points coincide with vertices or with each other, edges lie in
-// the plane, or outline edges cancel. The only header of this folder that other folders include; the steps call these
-// functions in the order in which they stand here.
+// the plane, or outline edges cancel. The only header of this folder that the steps include; they call these functions
+// in the order in which they stand here.
 
 namespace kerf::core::halfedge {
 
 // ----- WALK -----
 
-/// Links the outline if cut points coincide with vertices or with each other, or if edges lie in the plane. The points
-/// of the outline are classes of cut points and vertices that split_triangle() found to coincide, transitively. Outline
-/// edges whose ends are one point are dropped, and those that run back and forth between two points cancel.
-/// divide_outline() divides the rest into simple loops and chains, by solid. Fills `outline`, `outline_points`,
-/// `cancelled` and the loops. Expected O(k), and O(j log j) for the j outline edges at points where several meet.
-void link_outline(const Universe& universe, const Plane& plane, const Found& found, Section& section);
+/// Links irregular outlines. Keeps its memory.
+class OutlineLinker
+{
+public:
+    /// Links the outline if cut points coincide with vertices or with each other, or if edges lie in the plane. The
+    /// points of the outline are classes of cut points and vertices that split_triangle() found to coincide,
+    /// transitively. Outline edges whose ends are one point are dropped, and those that run back and forth between two
+    /// points cancel. An OutlineDivider divides the rest into simple loops and chains, by solid. Fills `outline`,
+    /// `outline_points`, `cancelled` and the loops. Expected O(k), and O(j log j) for the j outline edges at points
+    /// where several meet.
+    void link(const Universe& universe, const Plane& plane, const Found& found, Section& section);
+
+    /// Divides the outline that link() found once more: only outline edges between the same two piece shells follow one
+    /// another.
+    void relink(const Universe& universe, const Plane& plane, const Found& found, const Pieces& pieces,
+                Section& section);
+
+private:
+    void collect_edges(const Universe& universe, const Found& found, Section& section);
+    void cancel_edges(const Universe& universe, const Found& found, Section& section);
+    void divide(const Universe& universe, const Plane& plane, const Found& found, Section& section);
+
+    CoincidingPoints classes_;
+    std::vector<Index> members_;       ///< of each class
+    std::vector<OutlineEdge> edges_;   ///< as common code takes them
+    std::vector<std::uint64_t> tags_;  ///< of each outline edge
+    std::vector<std::uint8_t> is_gone_;
+    OppositeEdges opposite_;
+    OutlineDivider divider_;
+};
 
 // ----- pieces -----
 
@@ -35,13 +61,10 @@ std::vector<std::array<TargetId, 2>> targets_that_share_edges(const Universe& un
 /// sub-triangle at its outline edge.
 void find_edges_that_bound_nothing(const Universe& universe, const Section& section, Found& found);
 
-/// The outline edges of an irregular outline as common code takes them, but for the parts that they bound. O(k).
-std::vector<OutlineEdge> outline_edges(const Universe& universe, const Found& found, const Section& section);
-
-/// Divides the outline that link_outline() found once more: only outline edges between the same two piece shells follow
-/// one another.
-void relink_outline(const Universe& universe, const Plane& plane, const Found& found, const Pieces& pieces,
-                    Section& section);
+/// Fills `edges` with the outline edges of an irregular outline as common code takes them, but for the parts that they
+/// bound. O(k).
+void list_outline_edges(const Universe& universe, const Found& found, const Section& section,
+                        std::vector<OutlineEdge>& edges);
 
 // ----- STITCH -----
 
