@@ -2,83 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
+#include "common/caps/loop_containment.h"
 #include "common/caps/section_area.h"
 #include "common/geometry/containment.h"
-#include "common/geometry/line_hits.h"
 
 namespace kerf::core {
 
 namespace {
 
-/// Calls visit(p, q) for each edge of a loop.
-template <class Visit>
-void for_each_edge(const FlatLoop& loop, Visit&& visit)
+std::vector<PlanarLoop> outlines_of(std::span<const FlatLoop> loops)
 {
-    for (std::size_t i = 0; i < loop.points.size(); ++i)
-        visit(loop.points[i], loop.points[i + 1 < loop.points.size() ? i + 1 : 0]);
-}
-
-/// Finds the middle of the longest stretch of inside of the loop at height v. False if there is none.
-bool middle_at(const FlatLoop& loop, float v, glm::vec3& middle)
-{
-    std::vector<LineHit> hits;
-    for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
-        if ((p.v <= v) == (q.v <= v)) return;
-        const double t = (double(v) - double(p.v)) / (double(q.v) - double(p.v));
-        hits.push_back({double(p.u) + t * (double(q.u) - double(p.u)), p.v <= v ? 1 : -1});
-    });
-    const std::optional<double> u = middle_of_longest_inside(hits);
-    if (u) middle = {static_cast<float>(*u), v, 0.0f};
-    return u.has_value();
-}
-
-/// Adds three interior points of a loop, each at a height where no point of the loop is near: loops may touch one
-/// another in points and edges, but hardly there.
-void add_samples(const FlatLoop& loop, std::uint32_t candidate, std::vector<WindingSample>& samples)
-{
-    constexpr std::size_t kSamples = 3;  // odd, so that they always have a majority
-    std::vector<float> heights;
-    heights.reserve(loop.points.size());
-    for (const PlanarPoint& p : loop.points) heights.push_back(p.v);
-    std::sort(heights.begin(), heights.end());
-    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-
-    const std::size_t gaps = heights.size() - 1;
-    for (std::size_t third = 0; third < kSamples; ++third) {
-        // The widest gap in each third of the heights.
-        const std::size_t begin = gaps * third / kSamples, end = std::max(begin + 1, gaps * (third + 1) / kSamples);
-        double widest = 0.0;
-        float height = heights[begin];
-        for (std::size_t i = begin; i < std::min(end, gaps); ++i) {
-            const double gap = double(heights[i + 1]) - double(heights[i]);
-            if (gap <= widest) continue;
-            widest = gap;
-            height = static_cast<float>(double(heights[i]) + gap / 2);
-        }
-        glm::vec3 middle{loop.points.front().u, loop.points.front().v, 0.0f};
-        middle_at(loop, height, middle);
-        samples.push_back({middle, candidate});
-    }
-}
-
-/// Decides which holes (`candidates`) lie in an outer loop.
-void decide(std::span<const FlatLoop> loops, std::uint32_t outer, std::span<const std::uint32_t> candidates,
-            std::span<std::uint8_t> lies_in)
-{
-    std::vector<WindingSample> samples;
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) add_samples(loops[candidates[i]], i, samples);
-    WindingNumbers windings(samples);
-    for_each_edge(loops[outer], [&](const PlanarPoint& p, const PlanarPoint& q) {
-        Box reach;
-        reach.add(glm::vec3(p.u, p.v, 0.0f));
-        reach.add(glm::vec3(q.u, q.v, 0.0f));
-        reach.lo.x = -std::numeric_limits<float>::infinity();
-        windings.add(reach, [&](const glm::vec3& s) { return edge_crossing({s.x, s.y}, p, q); });
-    });
-    windings.vote(lies_in);
+    std::vector<PlanarLoop> outlines;
+    outlines.reserve(loops.size());
+    for (const FlatLoop& loop : loops) outlines.emplace_back(loop.points);
+    return outlines;
 }
 
 }  // namespace
@@ -101,7 +39,7 @@ FlatLoop flatten(const SectionOutline& outline, std::span<const std::uint32_t> p
     // About a corner of its box, so that a loop far from the origin loses no digits.
     const glm::dvec3 origin(flat.box.lo), size = glm::dvec3(flat.box.hi) - origin;
     OrderlessSum area2(4.0 * (size.x * size.x + size.y * size.y));
-    for_each_edge(flat, [&](const PlanarPoint& p, const PlanarPoint& q) {
+    for_each_edge(PlanarLoop(flat.points), [&](const PlanarPoint& p, const PlanarPoint& q) {
         area2.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
                   (double(p.v) - origin.y) * (double(q.u) - origin.x));
     });
@@ -115,8 +53,11 @@ void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
     items.reserve(loops.size());
     for (const FlatLoop& loop : loops)
         items.push_back({loop.box, std::abs(loop.area2), loop.area2 > 0.0, loop.area2 < 0.0});
+    const std::vector<PlanarLoop> outlines = outlines_of(loops);
+    LoopContainment containment;
+    containment.begin(outlines);
     const std::vector<std::uint32_t> container = smallest_containers(
-        items, [&](auto outer, auto candidates, auto lies_in) { decide(loops, outer, candidates, lies_in); });
+        items, [&](auto outer, auto candidates, auto lies_in) { containment.decide(outer, candidates, lies_in); });
 
     std::vector<std::uint32_t> holes, outer_loops;
     for (std::uint32_t i = 0; i < loops.size(); ++i) {
@@ -144,7 +85,7 @@ void join_holes(std::span<const FlatLoop> loops, DisjointSets& pieces)
                 if (container[*i] != *outer && encloses(items[*outer].box, items[*i].box)) candidates.push_back(*i);
             if (candidates.empty()) continue;
             lies_in.assign(candidates.size(), 0);
-            decide(loops, *outer, candidates, lies_in);
+            containment.decide(*outer, candidates, lies_in);
             for (std::size_t i = 0; i < candidates.size(); ++i)
                 if (lies_in[i] != 0) pieces.unite(loops[candidates[i]].part, loops[*outer].part);
         }

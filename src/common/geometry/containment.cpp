@@ -5,71 +5,70 @@
 
 namespace kerf::core {
 
-namespace {
-
-std::vector<glm::vec3> positions_of(std::span<const WindingSample> samples)
+std::span<const std::uint32_t> SmallestContainers::find(std::span<const ContainableShape> items,
+                                                        const DecideContainment& decide)
 {
-    std::vector<glm::vec3> positions;
-    positions.reserve(samples.size());
-    for (const WindingSample& sample : samples) positions.push_back(sample.position);
-    return positions;
-}
+    container_.assign(items.size(), kNoContainer);
+    if (items.size() < 2) return container_;
 
-}  // namespace
-
-std::vector<std::uint32_t> smallest_containers(std::span<const ContainableShape> items, const DecideContainment& decide)
-{
-    std::vector<std::uint32_t> container(items.size(), kNoContainer);
-    if (items.size() < 2) return container;
-
-    std::vector<std::uint32_t> by_size(items.size()), rank(items.size());
-    std::iota(by_size.begin(), by_size.end(), 0u);
+    by_size_.resize(items.size());
+    rank_.resize(items.size());
+    std::iota(by_size_.begin(), by_size_.end(), 0u);
     // Of two coincident items, the one that cannot contain anything lies in the other, whichever comes first: back ends
     // may order items at one place differently.
-    std::sort(by_size.begin(), by_size.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
         if (items[a].size != items[b].size) return items[a].size < items[b].size;
         return items[a].can_contain != items[b].can_contain ? items[b].can_contain : a > b;
     });
-    for (std::uint32_t i = 0; i < by_size.size(); ++i) rank[by_size[i]] = i;
+    for (std::uint32_t i = 0; i < by_size_.size(); ++i) rank_[by_size_[i]] = i;
 
     // An item whose box lies in another box has its lower corner there.
-    std::vector<glm::vec3> corners;
-    corners.reserve(items.size());
-    for (const ContainableShape& item : items) corners.push_back(item.box.lo);
-    PointTree waiting(corners);
+    corners_.clear();
+    for (const ContainableShape& item : items) corners_.push_back(item.box.lo);
+    waiting_.build(corners_);
     for (std::uint32_t i = 0; i < items.size(); ++i)
-        if (!items[i].can_lie_in || items[i].box.empty()) waiting.remove(i);
+        if (!items[i].can_lie_in || items[i].box.empty()) waiting_.remove(i);
 
-    std::vector<std::uint32_t> candidates;
-    std::vector<std::uint8_t> lies_in;
-    for (const std::uint32_t outer : by_size) {
+    for (const std::uint32_t outer : by_size_) {
         if (!items[outer].can_contain) continue;
-        candidates.clear();
-        waiting.for_each_in(items[outer].box, [&](std::uint32_t inner) {
-            if (rank[inner] < rank[outer] && encloses(items[outer].box, items[inner].box)) candidates.push_back(inner);
+        candidates_.clear();
+        waiting_.for_each_in(items[outer].box, [&](std::uint32_t inner) {
+            if (rank_[inner] < rank_[outer] && encloses(items[outer].box, items[inner].box))
+                candidates_.push_back(inner);
         });
-        if (candidates.empty()) continue;
-        lies_in.assign(candidates.size(), 0);
-        decide(outer, candidates, lies_in);
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            if (!lies_in[i]) continue;
-            container[candidates[i]] = outer;
-            waiting.remove(candidates[i]);
+        if (candidates_.empty()) continue;
+        lies_in_.assign(candidates_.size(), 0);
+        decide(outer, candidates_, lies_in_);
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+            if (!lies_in_[i]) continue;
+            container_[candidates_[i]] = outer;
+            waiting_.remove(candidates_[i]);
         }
     }
-    return container;
+    return container_;
 }
 
-WindingNumbers::WindingNumbers(std::span<const WindingSample> samples)
-    : samples_(samples), positions_(positions_of(samples)), tree_(positions_), windings_(samples.size(), 0)
+std::vector<std::uint32_t> smallest_containers(std::span<const ContainableShape> items, const DecideContainment& decide)
 {
+    SmallestContainers search;
+    const std::span<const std::uint32_t> found = search.find(items, decide);
+    return {found.begin(), found.end()};
 }
 
-void WindingNumbers::vote(std::span<std::uint8_t> lies_in) const
+void WindingNumbers::begin(std::span<const WindingSample> samples)
 {
-    std::vector<int> balance(lies_in.size(), 0);
-    for (std::size_t i = 0; i < samples_.size(); ++i) balance[samples_[i].candidate] += windings_[i] != 0 ? 1 : -1;
-    for (std::size_t i = 0; i < lies_in.size(); ++i) lies_in[i] = balance[i] > 0;
+    samples_ = samples;
+    positions_.clear();
+    for (const WindingSample& sample : samples) positions_.push_back(sample.position);
+    tree_.build(positions_);
+    windings_.assign(samples.size(), 0);
+}
+
+void WindingNumbers::vote(std::span<std::uint8_t> lies_in)
+{
+    balance_.assign(lies_in.size(), 0);
+    for (std::size_t i = 0; i < samples_.size(); ++i) balance_[samples_[i].candidate] += windings_[i] != 0 ? 1 : -1;
+    for (std::size_t i = 0; i < lies_in.size(); ++i) lies_in[i] = balance_[i] > 0;
 }
 
 }  // namespace kerf::core

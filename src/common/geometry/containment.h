@@ -36,10 +36,24 @@ struct ContainableShape
 using DecideContainment = std::function<void(std::uint32_t container, std::span<const std::uint32_t> candidates,
                                              std::span<std::uint8_t> lies_in)>;
 
-/// For each item the smallest one that contains it, or kNoContainer. Containers are tried from small to large, on the
-/// items in their box that have found none yet; of items of equal size, those with larger numbers may lie in the
-/// others. O(n log n), and one decision for each pair of a box and an item in it that is tried: O(n) pairs if nested
-/// boxes belong to nested items.
+/// Finds for each of some shapes the smallest one that contains it. Keeps its memory.
+class SmallestContainers
+{
+public:
+    /// For each item its container, or kNoContainer; valid until the next call. Containers are tried from small to
+    /// large, on the items in their box that have found none yet; of items of equal size, those with larger numbers may
+    /// lie in the others. O(n log n), and one decision for each pair of a box and an item in it that is tried: O(n)
+    /// pairs if nested boxes belong to nested items.
+    std::span<const std::uint32_t> find(std::span<const ContainableShape> items, const DecideContainment& decide);
+
+private:
+    std::vector<std::uint32_t> container_, by_size_, rank_, candidates_;
+    std::vector<std::uint8_t> lies_in_;
+    std::vector<glm::vec3> corners_;
+    PointTree waiting_;
+};
+
+/// The same, once.
 std::vector<std::uint32_t> smallest_containers(std::span<const ContainableShape> items,
                                                const DecideContainment& decide);
 
@@ -54,7 +68,11 @@ struct WindingSample
 class WindingNumbers
 {
 public:
-    explicit WindingNumbers(std::span<const WindingSample> samples);
+    WindingNumbers() = default;
+    explicit WindingNumbers(std::span<const WindingSample> samples) { begin(samples); }
+
+    /// Begins anew, with samples that live until the vote. Keeps its memory.
+    void begin(std::span<const WindingSample> samples);
 
     /// Adds term(position) to each sample in `reach`, outside of which the term must be 0.
     template <class Term>
@@ -64,13 +82,13 @@ public:
     }
 
     /// Sets lies_in for the candidates most of whose samples have a winding number other than 0.
-    void vote(std::span<std::uint8_t> lies_in) const;
+    void vote(std::span<std::uint8_t> lies_in);
 
 private:
     std::span<const WindingSample> samples_;
     std::vector<glm::vec3> positions_;
     PointTree tree_;
-    std::vector<int> windings_;
+    std::vector<int> windings_, balance_;
 };
 
 }  // namespace kerf::core

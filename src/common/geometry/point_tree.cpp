@@ -7,9 +7,12 @@
 
 namespace kerf::core {
 
-PointTree::PointTree(std::span<const glm::vec3> points)
-    : points_(points), order_(points.size()), leaf_of_(points.size())
+void PointTree::build(std::span<const glm::vec3> points)
 {
+    points_ = points;
+    order_.resize(points.size());
+    leaf_of_.resize(points.size());
+    nodes_.clear();
     if (points.empty()) return;
     std::iota(order_.begin(), order_.end(), 0u);
     nodes_.reserve(points.size() / 2 + 1);

@@ -14,7 +14,11 @@ namespace kerf::core {
 class PointTree
 {
 public:
-    explicit PointTree(std::span<const glm::vec3> points);
+    PointTree() = default;
+    explicit PointTree(std::span<const glm::vec3> points) { build(points); }
+
+    /// Begins anew, over points that live as long as the tree is searched. Keeps its memory.
+    void build(std::span<const glm::vec3> points);
 
     /// Calls visit(index) for each remaining point in `box`, borders included.
     template <class Visit>
