@@ -33,6 +33,11 @@ struct PlaneSection
         std::size_t first_edge = 0, edge_count = 0;    ///< in `edges`: as many as points; of a chain one less
         std::uint32_t solid = 0;
         bool closed = true;
+        /// Once they were asked for (sections/section_measures.h):
+        /// @{
+        double area = 0.0;    ///< of a loop, negative of a hole; mesh units squared
+        double length = 0.0;  ///< mesh units
+        /// @}
     };
 
     Status status = Status::missed;  ///< done, missed or open_section, as of a cut; invalid_argument, out_of_memory

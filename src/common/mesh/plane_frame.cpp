@@ -1,6 +1,9 @@
 #include "common/mesh/plane_frame.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
+
+#include "common/mesh/tolerances.h"
 
 namespace kerf::core {
 
@@ -15,6 +18,17 @@ PlaneFrame PlaneFrame::of(const glm::dvec3& normal, double uv_scale)
         axis = {0, 1, 0};
     const glm::dvec3 u = glm::normalize(glm::cross(axis, normal));
     return {u, glm::cross(normal, u), uv_scale};
+}
+
+PlaneFrame PlaneFrame::upright(const glm::dvec3& normal, const glm::dvec3& up)
+{
+    // Scaled first, so that no square leaves the range of double.
+    const glm::dvec3 size = glm::abs(up);
+    const glm::dvec3 direction = up / std::max({size.x, size.y, size.z});
+    const glm::dvec3 u = glm::cross(direction, normal);
+    const double length = glm::length(u);
+    if (!(length > kNoDirection)) return of(normal);
+    return {u / length, glm::cross(normal, u / length), 1.0};
 }
 
 }  // namespace kerf::core

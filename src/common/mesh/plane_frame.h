@@ -18,6 +18,10 @@ struct PlaneFrame
 
     static PlaneFrame of(const glm::dvec3& normal, double uv_scale = 1.0);
 
+    /// The frame in which `up` points upwards: v is the part of it that lies in the plane. If it has none, but for what
+    /// rounding leaves, the frame is that of the normal alone.
+    static PlaneFrame upright(const glm::dvec3& normal, const glm::dvec3& up);
+
     /// The planar uv of a cap's vertex: its coordinates along both vectors, times `uv_scale`. In a box of the largest
     /// floats a coordinate along a diagonal can exceed the largest float; it then becomes the largest.
     glm::vec2 uv(const glm::vec3& p) const

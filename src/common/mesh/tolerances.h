@@ -34,6 +34,10 @@ inline constexpr double kLargestHole = 0.1;
 /// Degrees: if normals are computed, edges whose triangles turn by more stay sharp.
 inline constexpr double kCreaseAngle = 40.0;
 
+/// Sine of an angle: of a direction that is no farther from a plane's normal, nothing is left in the plane but rounding
+/// of doubles.
+inline constexpr double kNoDirection = 1e-12;
+
 /// Share of the section's area by which caps may exceed it: the cost of rounding cut points to float. A unit in the
 /// last place along the outline is allowed as well: caps_exceed_section(). A warning only.
 inline constexpr double kCapAgreement = 1e-6;

@@ -1,0 +1,79 @@
+#include "common/sections/loop_nesting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/caps/section_area.h"
+#include "common/geometry/dominant_axis.h"
+
+namespace kerf::core {
+
+namespace {
+
+Box box_of(PlanarLoop loop)
+{
+    Box box;
+    for (const PlanarPoint& p : loop) box.add(glm::vec3(p.u, p.v, 0.0f));
+    return box;
+}
+
+/// Area of a loop as it is projected: the same bits wherever the loop begins, so that loops that coincide are equal.
+double projected_area(PlanarLoop loop, const Box& box)
+{
+    const glm::dvec3 origin(box.lo), size = glm::dvec3(box.hi) - origin;
+    OrderlessSum twice(4.0 * (size.x * size.x + size.y * size.y));
+    for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
+        twice.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
+                  (double(p.v) - origin.y) * (double(q.u) - origin.x));
+    });
+    return std::abs(0.5 * twice.value());
+}
+
+}  // namespace
+
+std::span<const std::uint32_t> LoopNesting::find(const Plane& plane, const PlaneSection& section)
+{
+    parents_.assign(section.paths.size(), kNoContainer);
+    loops_.clear();
+    // Of shapes of one size those that come later may lie in the others.
+    collect(section, true);
+    collect(section, false);
+    if (loops_.size() < 2) return parents_;
+
+    flatten(plane, section);
+    containment_.begin(outlines_);
+    // One pointer, so that the function needs no memory of its own.
+    const std::span<const std::uint32_t> containers = search_.find(
+        shapes_, [this](std::uint32_t outer, std::span<const std::uint32_t> candidates,
+                        std::span<std::uint8_t> lies_in) { containment_.decide(outer, candidates, lies_in); });
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+        if (containers[i] != kNoContainer) parents_[loops_[i]] = loops_[containers[i]];
+    return parents_;
+}
+
+/// Collects the loops that are holes, or those that are not.
+void LoopNesting::collect(const PlaneSection& section, bool holes)
+{
+    for (std::uint32_t i = 0; i < section.paths.size(); ++i) {
+        const PlaneSection::Path& path = section.paths[i];
+        if (path.closed && (path.area < 0.0) == holes) loops_.push_back(i);
+    }
+}
+
+void LoopNesting::flatten(const Plane& plane, const PlaneSection& section)
+{
+    const int axis = dominant_axis(plane.normal), u = (axis + 1) % 3, v = (axis + 2) % 3;
+    points_.clear();
+    for (const glm::vec3& p : section.points) points_.push_back({p[u], p[v]});
+    outlines_.clear();
+    shapes_.clear();
+    for (const std::uint32_t loop : loops_) {
+        const PlaneSection::Path& path = section.paths[loop];
+        const PlanarLoop outline = std::span(points_).subspan(path.first_point, path.point_count);
+        const Box box = box_of(outline);
+        outlines_.push_back(outline);
+        shapes_.push_back({box, projected_area(outline, box), true, true});
+    }
+}
+
+}  // namespace kerf::core
