@@ -11,6 +11,7 @@
 #include <kerf/mesh.h>
 #include <kerf/object.h>
 #include <kerf/plane.h>
+#include <kerf/section.h>
 #include <kerf/statistics.h>
 #include <kerf/status.h>
 #include <kerf/version.h>

@@ -37,6 +37,17 @@ struct Vec2f
     friend bool operator==(const Vec2f&, const Vec2f&) = default;
 };
 
+/// A place in the drawing of a plane, in double precision.
+struct Vec2d
+{
+    /// A coordinate.
+    /// @{
+    double x = 0.0, y = 0.0;
+    /// @}
+
+    friend bool operator==(const Vec2d&, const Vec2d&) = default;
+};
+
 /// A position, or a direction, in single precision: as meshes hold them.
 struct Vec3f
 {

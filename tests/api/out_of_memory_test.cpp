@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "api/objects.h"
@@ -170,6 +171,64 @@ TEST_P(ObjectOutOfMemory, WhatOnlyReadsSaysSo)
         },
         check);
     fail_each([&] { return cut_copy(whole, Plane::y(0.1).value()).status; }, check);
+    SectionOptions filled;
+    filled.fill = true;
+    fail_each(
+        [&] {
+            const Section found = section(whole, Plane::y(0.1).value(), filled);
+            EXPECT_EQ(found.path_count() == 0, !ok(found.status));
+            EXPECT_EQ(*found.reason() == '\0', ok(found.status));
+            return found.status;
+        },
+        check);
+}
+
+TEST_P(ObjectOutOfMemory, ASectionThatWasRefusedIsFilledByTheNextCall)
+{
+    const Object whole = object();
+    SectionOptions filled;
+    filled.fill = true;
+    const double area = section(whole, Plane::y(0.1).value(), filled).area;
+    Section again = section(whole, Plane::x(0.3).value(), filled);
+    fail_each([&] {
+        again = {};
+        return section(whole, Plane::y(0.1).value(), again, filled);
+    });
+    EXPECT_TRUE(ok(section(whole, Plane::y(0.1).value(), again, filled)));
+    EXPECT_EQ(again.area, area);
+}
+
+TEST_P(ObjectOutOfMemory, ASectionThatIsFilledAgainTakesNoMemory)
+{
+    if (GetParam() != "halfedge") GTEST_SKIP() << "a linear section looks at all triangles, and takes memory for it";
+    // Nested loops, triangles that close them, planes through vertices and edges: whatever it held once, it can hold
+    // again. (Triangles of sections that touch or cross themselves take memory each time.)
+    for (const char* name : {"menger_sponge", "nested_spheres", "torus", "l_step", "two_legs", "bowl", "asteroid"}) {
+        SCOPED_TRACE(name);
+        const Object whole = test::object_of(test::shape(name, 3000), GetParam());
+        const Box box = whole.bounds();
+        std::vector<std::pair<Plane, bool>> planes;  // and whether no edge lies in it
+        for (const double share : {0.5, 0.33333, 0.21, 0.77}) {
+            const Point through(box.lo.x + share * (box.hi.x - box.lo.x), box.lo.y + share * (box.hi.y - box.lo.y),
+                                box.lo.z + share * (box.hi.z - box.lo.z));
+            for (const Normal& normal : {Normal(1, 0, 0), Normal(0, 1, 0), Normal(0, 0, 1), Normal(1, 2, 3)})
+                planes.emplace_back(*Plane::at(through, normal), normal.z == 3.0);
+        }
+        SectionOptions options;
+        for (const bool fill : {false, true}) {
+            if (fill && std::string_view(name) == "menger_sponge") continue;  // its sections touch themselves
+            options.fill = fill;
+            Section found;
+            const auto find_all = [&] {
+                for (const auto& [plane, is_askew] : planes)
+                    if (is_askew || !fill) static_cast<void>(section(whole, plane, found, options));
+            };
+            find_all();
+            const std::uint64_t before = test::allocations();
+            find_all();
+            EXPECT_EQ(test::allocations(), before) << (fill ? "with triangles" : "without triangles");
+        }
+    }
 }
 
 /// Calls `change` for a fresh object and each allocation that may fail: the object that is left must be what it was, if

@@ -49,6 +49,12 @@ const std::vector<Read>& reads()
         [](const Object& object) { return double(bounded_hull(object)->points().size()); },
         [](const Object& object) { return double(bounded_hull(object)->indices().size()); },
         [](const Object& object) { return double(full_hull(object)->points().size()); },
+        [](const Object& object) {
+            SectionOptions options;
+            options.fill = true;
+            const Section found = section(object, Plane::z(0.01).value(), options);
+            return found.area + double(found.path_count()) + double(found.triangles().size());
+        },
         [](const Object& object) { return cut_copy(object, Plane::z(0.01).value()).section_area; },
     };
     return all;

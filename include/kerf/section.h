@@ -1,0 +1,135 @@
+#pragma once
+
+#include <kerf/cut.h>
+#include <kerf/object.h>
+
+#include <optional>
+
+namespace kerf {
+
+/// @addtogroup sections
+/// What a plane meets of an object that stays as it is.
+/// @{
+
+/// Options of section().
+struct SectionOptions
+{
+    bool nesting = true;  ///< find for each loop the one that it lies in; `fill` finds them in any case
+    bool fill = false;    ///< the triangles that close the section: what the cap of a cut would be
+    CapQuality fill_quality = CapQuality::fast;  ///< of those triangles
+    /// The direction in space that points upwards in the section's frame, as far as it lies in the plane; of any length
+    /// but 0. If it is not set, z points upwards, and y in planes that are nearly level (their normal is within 26
+    /// degrees of z).
+    std::optional<Vec3d> up;
+};
+
+/// Where an edge of a section comes from: of two triangles, if it is an edge of the mesh in the plane, from the one that
+/// a cut would keep on the negative side.
+struct SectionEdge
+{
+    std::uint32_t source = kNone;  ///< the input triangle that it lies in (MeshArrays::sources); kNone in a cap
+    std::uint32_t material = 0;    ///< its number in Object::material()
+};
+
+/// A closed loop of a section, or a chain that ends at holes of the mesh. Edge i leads from point i to the next one, and
+/// the last edge of a loop to its first point. Seen from the plane's positive side an outer loop runs counter-clockwise,
+/// and a hole clockwise.
+struct SectionPath
+{
+    std::span<const Vec3f> points;       ///< in mesh coordinates; of a chain one more than edges
+    std::span<const SectionEdge> edges;  ///< in the order of the points
+    double area = 0.0;                   ///< enclosed, in the mesh's unit, squared; negative of a hole, 0 of a chain
+    double length = 0.0;                 ///< in the mesh's unit
+    /// Number of the smallest loop around it, or kNone: a hole lies in an outer loop, and what stands in the hole lies
+    /// in the hole. None of chains, and without SectionOptions::nesting.
+    std::uint32_t parent = kNone;
+    std::uint32_t solid = 0;  ///< number of the solid that it bounds: paths of one solid have the same
+    bool is_closed = true;    ///< false of a chain
+};
+
+/// Coordinates in a plane: two axes of length 1, and a right angle between them. Seen from the plane's positive side x
+/// points to the right if y points upwards.
+struct KERF_API SectionFrame
+{
+    Vec3d origin;  ///< the place of the plane that is nearest to the origin of space
+    Vec3d x;       ///< direction of the first axis
+    Vec3d y;       ///< direction of the second axis
+
+    /// The place in the plane that is nearest to a point, in the mesh's unit.
+    Vec2d to_plane(Vec3d point) const noexcept;
+    /// Where a place of the plane lies in space.
+    Vec3d to_space(Vec2d place) const noexcept;
+};
+
+/// What a plane meets of an object. To use one again saves its memory. One thread at a time.
+///
+///     kerf::Section section;
+///     for (const kerf::Plane& plane : planes)
+///         if (ok(kerf::section(object, plane, section))) draw(section);
+struct [[nodiscard]] KERF_API Section
+{
+    Status status = Status::missed;        ///< section() lists them
+    Side side_of_object = Side::negative;  ///< of a miss: the side that the object lies on
+    double area = 0.0;                     ///< enclosed by all loops, holes taken away; in the mesh's unit, squared
+    double length = 0.0;                   ///< of all loops and chains, in the mesh's unit
+    /// Centre of the enclosed area; of the outline, if nothing is enclosed. The origin of a section without points.
+    Vec3d centroid;
+    Box bounds;          ///< around all paths; empty of a section without points
+    SectionFrame frame;  ///< coordinates in the plane
+    /// A warning: the triangles overlap, because the section crosses itself or winds backwards.
+    bool fill_exceeds_section = false;
+
+    /// Why there is none, in one sentence; "" if there is one, or the plane missed. Never null; valid for ever.
+    const char* reason() const noexcept;
+
+    std::size_t path_count() const noexcept;  ///< loops and chains
+    /// An empty one if there is none of that number. Its points and edges live until the section is filled again or
+    /// ends.
+    SectionPath path(std::size_t i) const noexcept;
+
+    /// All points, path by path. With SectionOptions::fill those follow where loops cross one another. Valid as those of
+    /// a path.
+    std::span<const Vec3f> points() const noexcept;
+    /// With SectionOptions::fill: three numbers of points() for each triangle, counter-clockwise seen from the positive
+    /// side. Valid as those of a path.
+    std::span<const std::uint32_t> triangles() const noexcept;
+
+    /// What it has cost: crossing triangles, loops, chains, and what was looked at.
+    const CutStatistics& statistics() const noexcept;
+
+    /// One without paths; what is moved from is such a one.
+    /// @{
+    Section() noexcept;
+    Section(Section&& other) noexcept;
+    Section& operator=(Section&& other) noexcept;
+    /// @}
+    ~Section();
+
+    /// @cond For the library itself.
+    struct Data;
+    /// @endcond
+
+private:
+    friend struct SectionMaker;
+    Data* data_ = nullptr;
+    const char* refusal_ = "";  ///< what reason() says of an invalid argument
+};
+
+/// What a plane, in the object's own coordinates, meets of it. The object does not change, so that any number of threads
+/// may ask at once. The loops and chains are those that a cut would have, bit for bit, and those of all back ends have
+/// the same edges.
+///
+/// Half-edge back end: O(s log n + k) for a section of k triangles in s leaves of the tree, without caps and nesting;
+/// linear: O(n). Nested loops, and triangles that close them, cost O(k log k) more.
+/// Status: `done`; `open_section` if the mesh has holes there; `missed` where a cut would miss; `invalid_argument` (an
+/// empty object, a direction `up` without a length, a quality of caps that this program does not have);
+/// `out_of_memory`. All but the first two have no paths.
+KERF_API Section section(const Object& object, const Plane& plane, const SectionOptions& options = {}) noexcept;
+
+/// The same, into a section that was used before: it keeps its memory.
+KERF_API Status section(const Object& object, const Plane& plane, Section& section,
+                        const SectionOptions& options = {}) noexcept;
+
+/// @}
+
+}  // namespace kerf

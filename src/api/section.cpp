@@ -1,0 +1,238 @@
+#include <kerf/section.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "api/convert.h"
+#include "api/no_memory.h"
+#include "common/cutting/back_end_helpers.h"
+#include "common/mesh/plane_frame.h"
+#include "common/mesh/plane_noise.h"
+#include "common/sections/loop_nesting.h"
+#include "common/sections/section_fill.h"
+#include "common/sections/section_measures.h"
+
+namespace kerf {
+
+static_assert(sizeof(SectionEdge) == sizeof(core::PlaneSection::Edge) &&
+              alignof(SectionEdge) == alignof(core::PlaneSection::Edge));
+
+/// What a Section hides.
+struct Section::Data
+{
+    core::PlaneSection found;
+    core::LoopNesting nesting;
+    std::span<const std::uint32_t> parents;  ///< of each path; none if they were not asked for
+    core::SectionFill fill;
+    CutStatistics statistics;
+};
+
+namespace {
+
+/// Cosine of the angle between a plane's normal and z: of planes that are more level than this y points upwards.
+constexpr double kNearlyLevel = 0.9;
+
+/// What is wrong with the arguments, or null.
+const char* fault_of(const Object& object, const SectionOptions& options)
+{
+    if (object.is_empty()) return "the object is empty: it was cut, or moved from";
+    if (options.up) {
+        const auto& [x, y, z] = *options.up;
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (x == 0.0 && y == 0.0 && z == 0.0))
+            return "the direction that points upwards must be finite and longer than 0";
+    }
+    if (options.fill && !has_cap_quality(options.fill_quality))
+        return "this program has no Delaunay triangulation: link Kerf's component caps_cgal, or ask for fast triangles";
+    return nullptr;
+}
+
+SectionFrame frame_of(const core::Plane& plane, const std::optional<Vec3d>& up)
+{
+    const bool is_level = std::abs(plane.normal.z) > kNearlyLevel;
+    const core::PlaneFrame frame =
+        core::PlaneFrame::upright(plane.normal, up ? to_core(*up) : glm::dvec3(0.0, is_level, !is_level));
+    return {to_public(plane.normal * plane.offset), to_public(frame.u), to_public(frame.v)};
+}
+
+CutStatistics statistics_of(const Object& object, const core::PlaneSection& found)
+{
+    CutStatistics statistics;
+    statistics.triangles = object.triangle_count();
+    statistics.crossing_triangles = found.crossing_triangles;
+    statistics.nodes_visited = found.nodes_visited;
+    statistics.triangles_touched = found.triangles_touched;
+    for (const core::PlaneSection::Path& path : found.paths)
+        ++(path.closed ? statistics.section_loops : statistics.open_chains);
+    return statistics;
+}
+
+}  // namespace
+
+struct SectionMaker
+{
+    /// Leaves no paths, and says why.
+    static Status refuse(Section& section, Status status, const char* refusal)
+    {
+        clear(section);
+        section.refusal_ = refusal;
+        return section.status = status;
+    }
+
+    static void clear(Section& section)
+    {
+        Section empty;
+        std::swap(empty.data_, section.data_);
+        section = std::move(empty);
+        if (section.data_ == nullptr) return;
+        section.data_->found.clear();
+        section.data_->parents = {};
+        section.data_->fill.clear();
+        section.data_->statistics = {};
+    }
+
+    /// May throw std::bad_alloc.
+    static Status fill(const Object& object, const core::Plane& plane, const SectionOptions& options, Section& section)
+    {
+        if (section.data_ == nullptr) section.data_ = new Section::Data;
+        Section::Data& data = *section.data_;
+        core::PlaneSection& found = data.found;
+        section.status = to_public(core::section(*object.inside(), plane, found));
+        section.side_of_object = to_public(found.side_of_object);
+        section.frame = frame_of(plane, options.up);
+        data.statistics = statistics_of(object, found);
+        if (!ok(section.status)) return section.status;
+
+        section.area = found.area;
+        const core::SectionMeasures measures = core::measure_section(plane, found);
+        section.length = measures.length;
+        section.centroid = to_public(measures.centroid);
+        section.bounds = to_public(measures.box);
+        if (options.nesting || options.fill) data.parents = data.nesting.find(plane, found);
+        if (options.fill) close(object, plane, options, section);
+        return section.status;
+    }
+
+private:
+    static void close(const Object& object, const core::Plane& plane, const SectionOptions& options, Section& section)
+    {
+        Section::Data& data = *section.data_;
+        const bool delaunay = options.fill_quality == CapQuality::delaunay;
+        data.fill.close(plane, delaunay ? core::CapQuality::delaunay : core::CapQuality::fast, data.parents,
+                        data.found);
+        const double noise = core::plane_noise(object.inside()->bounds().largest_coordinate());
+        section.fill_exceeds_section =
+            data.fill.excess() > 0.0 &&
+            core::caps_exceed_section(data.fill.excess(), section.area, section.length, core::rounding_unit(noise));
+    }
+};
+
+Status section(const Object& object, const Plane& plane, Section& section, const SectionOptions& options) noexcept
+{
+    if (const char* fault = fault_of(object, options))
+        return SectionMaker::refuse(section, Status::invalid_argument, fault);
+    SectionMaker::clear(section);
+    const Status status =
+        answer_or(Status::out_of_memory, [&] { return SectionMaker::fill(object, to_core(plane), options, section); });
+    if (status == Status::out_of_memory) return SectionMaker::refuse(section, status, "");
+    return status;
+}
+
+Section section(const Object& object, const Plane& plane, const SectionOptions& options) noexcept
+{
+    Section result;
+    static_cast<void>(section(object, plane, result, options));
+    return result;
+}
+
+Vec2d SectionFrame::to_plane(Vec3d point) const noexcept
+{
+    return {x.x * point.x + x.y * point.y + x.z * point.z, y.x * point.x + y.y * point.y + y.z * point.z};
+}
+
+Vec3d SectionFrame::to_space(Vec2d place) const noexcept
+{
+    return {origin.x + place.x * x.x + place.y * y.x, origin.y + place.x * x.y + place.y * y.y,
+            origin.z + place.x * x.z + place.y * y.z};
+}
+
+Section::Section() noexcept = default;
+
+Section::Section(Section&& other) noexcept
+{
+    *this = std::move(other);
+}
+
+Section& Section::operator=(Section&& other) noexcept
+{
+    if (this == &other) return *this;
+    status = std::exchange(other.status, Status::missed);
+    side_of_object = std::exchange(other.side_of_object, Side::negative);
+    area = std::exchange(other.area, 0.0);
+    length = std::exchange(other.length, 0.0);
+    centroid = std::exchange(other.centroid, {});
+    bounds = std::exchange(other.bounds, {});
+    frame = std::exchange(other.frame, {});
+    fill_exceeds_section = std::exchange(other.fill_exceeds_section, false);
+    delete std::exchange(data_, std::exchange(other.data_, nullptr));
+    refusal_ = std::exchange(other.refusal_, "");
+    return *this;
+}
+
+Section::~Section()
+{
+    delete data_;
+}
+
+const char* Section::reason() const noexcept
+{
+    switch (status) {
+        case Status::invalid_argument:
+            return refusal_;
+        case Status::out_of_memory:
+            return "there is not enough memory for the section; free some";
+        default:
+            return "";
+    }
+}
+
+std::size_t Section::path_count() const noexcept
+{
+    return data_ == nullptr ? 0 : data_->found.paths.size();
+}
+
+SectionPath Section::path(std::size_t i) const noexcept
+{
+    if (i >= path_count()) return {};
+    const core::PlaneSection& found = data_->found;
+    const core::PlaneSection::Path& from = found.paths[i];
+    SectionPath path;
+    path.points = points().subspan(from.first_point, from.point_count);
+    path.edges = {reinterpret_cast<const SectionEdge*>(found.edges.data()) + from.first_edge, from.edge_count};
+    path.area = from.area;
+    path.length = from.length;
+    path.parent = data_->parents.empty() ? kNone : data_->parents[i];
+    path.solid = from.solid;
+    path.is_closed = from.closed;
+    return path;
+}
+
+std::span<const Vec3f> Section::points() const noexcept
+{
+    if (data_ == nullptr) return {};
+    return {reinterpret_cast<const Vec3f*>(data_->found.points.data()), data_->found.points.size()};
+}
+
+std::span<const std::uint32_t> Section::triangles() const noexcept
+{
+    return data_ == nullptr ? std::span<const std::uint32_t>() : data_->fill.corners();
+}
+
+const CutStatistics& Section::statistics() const noexcept
+{
+    static const CutStatistics none;
+    return data_ == nullptr ? none : data_->statistics;
+}
+
+}  // namespace kerf
