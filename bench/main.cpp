@@ -15,6 +15,7 @@ void register_chain_benchmarks();
 void register_long_benchmarks();
 void register_hard_benchmarks();
 void register_real_benchmarks();
+void register_section_benchmarks();
 #ifdef KERF_HAS_VIEWER
 void register_sim_benchmarks();
 #endif
@@ -36,6 +37,7 @@ int main(int argc, char** argv)
         kerf::bench::register_long_benchmarks();
         kerf::bench::register_hard_benchmarks();
         kerf::bench::register_real_benchmarks();
+        kerf::bench::register_section_benchmarks();
 #ifdef KERF_HAS_VIEWER
         kerf::bench::register_sim_benchmarks();
 #endif
