@@ -40,7 +40,7 @@ struct SmallerVolume
 constexpr std::uint32_t kManyCuts = 200;
 
 /// A chain of cuts is looked at after so many.
-constexpr std::array kMarks{1, 3, 10, 30, 100, 300, 1000};
+constexpr std::array kMarks{1, 3, 10, 20, 30, 40, 60, 100, 300, 1000};
 
 void long_chain(benchmark::State& state, const TimedBackEnd& back_end, std::uint64_t size, bool compacts)
 {

@@ -10,6 +10,7 @@
 namespace kerf::bench {
 void register_model_benchmarks();
 void register_arrays_benchmarks();
+void register_automatic_benchmarks();
 void register_scale_benchmarks();
 void register_chain_benchmarks();
 void register_long_benchmarks();
@@ -32,6 +33,7 @@ int main(int argc, char** argv)
     try {
         kerf::bench::register_model_benchmarks();
         kerf::bench::register_arrays_benchmarks();
+        kerf::bench::register_automatic_benchmarks();
         kerf::bench::register_scale_benchmarks();
         kerf::bench::register_chain_benchmarks();
         kerf::bench::register_long_benchmarks();

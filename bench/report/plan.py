@@ -85,6 +85,10 @@ def growth_seconds(size: int, with_quadratic: bool) -> float:
     return 26.0 if size == 30_000 and with_quadratic else 3.5 + size / 45_000
 
 
+def sizes_up_to(extent: Extent) -> list[str]:
+    return [str(size) for size in SIZES if size <= extent.most_triangles]
+
+
 def real_meshes(extent: Extent) -> list[str]:
     """Those that the benchmark may have: some are read from a folder that is not part of the project."""
     large = ["brain"] if extent.most_triangles >= 1_000_000 else []
@@ -94,6 +98,8 @@ def real_meshes(extent: Extent) -> list[str]:
 def bench_stages(extent: Extent) -> list[Stage]:
     stages = [bench_stage("cuts", "^Cut/", extent, 0.01, 7),
               bench_stage("proxies", "^Proxy/", extent, 0.01, 6),
+              bench_stage("prepare-choice", f"^Automatic/(model/|asteroid/({'|'.join(sizes_up_to(extent))})/)", extent,
+                          0.01, 6),
               bench_stage("prepare-models", "^Prepare/.*/[a-z]+/manual_time$", extent, 0.01, 2),
               bench_stage("real", f"^(Real|RealChain)/{among(REAL_BACKENDS)}{among(real_meshes(extent))}", extent, 0.05, 15),
               bench_stage("model-chains", f"^ModelChain/{among(REAL_BACKENDS)}", extent, 0.01, 3)]

@@ -5,7 +5,7 @@ import unittest
 from report_cases import some_measurements
 from report.chapters.prepare import chain_turn, turn_text
 from report.chapters.section import Facts
-from report.tables.prepare_tables import chain_balance_table, prepare_table, signed_milliseconds
+from report.tables.prepare_tables import chain_balance_table, choice_table, prepare_table, signed_milliseconds
 
 
 class Preparing(unittest.TestCase):
@@ -41,6 +41,16 @@ class Preparing(unittest.TestCase):
                                                                     value in counters.items()}
         row, = chain_balance_table(found).rows
         self.assertEqual((row["balance_ms"], row["cutting_balance_ms"]), (10.0, -40.0))
+
+    def test_a_choice_is_judged_for_each_number_of_cuts(self):
+        found = self.measured()
+        for name, triangles, ratios in (("asteroid/1000", 1_012, (1.0, 1.25)), ("model/cube", 12, (1.5, 1.0))):
+            counters = {"triangles": triangles, "to_better_1": ratios[0], "to_better_20": ratios[1],
+                        "worst_to_better": max(ratios)}
+            found.bench[f"Automatic/{name}"] = {key: (value,) * 3 for key, value in counters.items()}
+        cube, asteroid = choice_table(found).rows
+        self.assertEqual((cube["mesh"], cube["cuts_1"], cube["cuts_20"], cube["worst"]), ("cube", 1.5, 1.0, 1.5))
+        self.assertEqual((asteroid["mesh"], asteroid["triangles"], asteroid["worst"]), ("asteroid", 1_012, 1.25))
 
     def test_a_balance_has_a_sign(self):
         self.assertEqual([signed_milliseconds(ms)[0] for ms in (2.5, -2.5, 0.0)], ["+", "−", "0"])

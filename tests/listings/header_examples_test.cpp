@@ -157,6 +157,17 @@ TEST(HeaderExamples, AHullIsABody)
 }
 #endif
 
+TEST(HeaderExamples, ASectionIsUsedForOnePlaneAfterTheOther)
+{
+    const kerf::Object object = *prepare(*make_shape("asteroid", 1000));
+    const std::vector<kerf::Plane> planes{*Plane::z(-0.2), *Plane::z(0.0), *Plane::z(9.0)};
+    std::vector<double> areas;
+    const auto draw = [&](const kerf::Section& found) { areas.push_back(found.area); };
+#include "examples/kerf_section_1.inc"
+    ASSERT_EQ(areas.size(), 2u) << "the last plane misses";
+    EXPECT_NE(areas[0], areas[1]);
+}
+
 TEST(HeaderExamples, AShapeIsMade)
 {
     std::string complaint;

@@ -3,7 +3,7 @@
 from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
 from report.tables.numbers import count_short, digits, rounded, timed
-from report.tables.prepare_tables import chain_balance_table, prepare_table
+from report.tables.prepare_tables import chain_balance_table, choice_table, prepare_table
 from report.tables.table import Table
 
 
@@ -33,6 +33,15 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     if balance.rows:
         parts.append(ShownTable(balance, "One object cut to pieces, whole chain and cut() alone, ms for all cuts so "
                                 "far. A balance above zero: preparing is paid back.", folded=True))
+    choice = choice_table(found)
+    if choice.rows:
+        worst = max(choice.rows, key=lambda row: row["worst"])
+        parts.append("**The choice.** `prepare()` chooses a back end by the number of cuts that the program announces. "
+                     f"With everything that a game needs, preparing among it, the choice costs at most "
+                     f"{facts.say('choice, worst', worst['worst'], digits(2))} times what the better one costs "
+                     f"({worst['mesh']}, {facts.say('choice, worst size', worst['triangles'], count_short)} triangles).")
+        parts.append(ShownTable(choice, "The back end that is chosen, against the better of both: the time of so many "
+                                "cuts of copies, preparing among it.", folded=True))
     return [Section("prepare", "Preparing, and the memory it takes", parts)]
 
 

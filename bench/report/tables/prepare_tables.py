@@ -66,5 +66,20 @@ def chain_balance_table(found: Measurements) -> Table:
     return table
 
 
+def choice_table(found: Measurements) -> Table:
+    """How much longer a number of cuts takes with the back end that is chosen for it than with the better one."""
+    judged = {name.removeprefix("Automatic/"): c for name, c in found.bench.items() if name.startswith("Automatic/")}
+    numbers = sorted({int(key.removeprefix("to_better_")) for c in judged.values() for key in c
+                      if key.startswith("to_better_")})
+    columns = [Column(f"cuts_{number}", f"{number} cuts" if number > 1 else "1 cut", digits(2)) for number in numbers]
+    table = Table("automatic_choice", [Column("mesh", "mesh"), Column("triangles", "triangles", count)] + columns +
+                  [Column("worst", "worst", digits(2))])
+    for name, c in sorted(judged.items(), key=lambda row: row[1]["triangles"][0]):
+        row: dict[str, Value] = {"mesh": name.split("/")[-1] if name.startswith("model/") else name.split("/")[0],
+                                 "triangles": c["triangles"][0], "worst": c["worst_to_better"][0]}
+        table.rows.append(row | {f"cuts_{number}": c[f"to_better_{number}"][0] for number in numbers})
+    return table
+
+
 def signed_milliseconds(value: float) -> str:
     return f"{'+' if value > 0 else '−' if value < 0 else ''}{timed(abs(value))}"
