@@ -62,7 +62,7 @@ set(KERF_COMPONENTS "")
 kerf_component(linear BASE ROOMS
   kerf_core_support kerf_core_mesh kerf_core_geometry kerf_core_repair kerf_core_caps kerf_core_section_closer
   kerf_core_cutting kerf_core_sections kerf_core_linear kerf_core_back_ends kerf_api)
-kerf_component(io ROOMS kerf_core_files kerf_core_io kerf_io)
+kerf_component(io ROOMS kerf_core_files kerf_core_io kerf_core_drawings kerf_io)
 kerf_component(shapes ROOMS kerf_core_shapes kerf_shapes)
 if(TARGET kerf::core::halfedge)
   kerf_component(halfedge ROOMS

@@ -134,6 +134,8 @@ public:
     /// Writes a mesh as write_mesh() does, under a temporary name beside its place. Refuses to replace an input, and to
     /// write two files to one place. Status as write_mesh().
     Outcome add(const char* path, const Mesh& mesh) noexcept;
+    /// The same of bytes as they are: a drawing (kerf/drawing.h), or a list of what belongs to the meshes.
+    Outcome add(const char* path, std::span<const std::byte> bytes) noexcept;
     /// Files that must not be replaced, besides those before: for a set of what was read from several files. Refused,
     /// with the set unchanged, if a file that was added would replace one of them. Status: `unusable_file`,
     /// `out_of_memory`.

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file
-/// All of the library that needs no component but the cut itself. Files are in kerf/io.h, stand-ins for physics in
+/// All of the library that needs no component but the cut itself. Files are in kerf/io.h, drawings of sections in
+/// kerf/drawing.h, stand-ins for physics in
 /// kerf/proxy.h, generated meshes in kerf/shapes.h.
 
 #include <kerf/back_ends.h>

@@ -51,9 +51,11 @@ struct SectionPath
 /// points to the right if y points upwards.
 struct KERF_API SectionFrame
 {
-    Vec3d origin;  ///< the place of the plane that is nearest to the origin of space
-    Vec3d x;       ///< direction of the first axis
-    Vec3d y;       ///< direction of the second axis
+    Vec3d origin;         ///< the place of the plane that is nearest to the origin of space
+    Vec3d x;              ///< direction of the first axis
+    Vec3d y;              ///< direction of the second axis
+    Vec3d normal;         ///< of the plane
+    double height = 0.0;  ///< signed distance of the plane from the origin of space, along the normal
 
     /// The place in the plane that is nearest to a point, in the mesh's unit.
     Vec2d to_plane(Vec3d point) const noexcept;
@@ -129,6 +131,66 @@ KERF_API Section section(const Object& object, const Plane& plane, const Section
 /// The same, into a section that was used before: it keeps its memory.
 KERF_API Status section(const Object& object, const Plane& plane, Section& section,
                         const SectionOptions& options = {}) noexcept;
+
+/// Options of sections().
+struct StackOptions
+{
+    SectionOptions section;  ///< of each
+    /// Threads that may work at them, the caller's among them; 0: as many as the processor has. The sections are the
+    /// same, whatever the number. If no thread is to be had, the caller's does it alone.
+    std::uint32_t threads = 1;
+    /// Called now and then from the thread that asks, with the share that is done: 0 first, 1 last. Returns false to
+    /// stop; sections() then says `cancelled`. Must not throw: that ends the program. May be null.
+    bool (*progress)(void* user, double share) = nullptr;
+    void* user = nullptr;  ///< for `progress`
+};
+
+/// The sections of an object by parallel planes. To use one again saves its memory. One thread at a time.
+///
+///     const double heights[] = {0.1, 0.2, 0.3};
+///     const kerf::SectionStack stack = kerf::sections(object, kerf::Normal(0, 0, 1), heights);
+///     for (const kerf::Section& section : stack.all()) std::printf("%g\n", section.area);
+class [[nodiscard]] KERF_API SectionStack
+{
+public:
+    Status status() const noexcept { return status_; }  ///< sections() lists them
+    /// Why there are none, in one sentence; "" if there are. Never null; valid for ever.
+    const char* reason() const noexcept;
+    /// In the order of the heights that were asked for; each has a status of its own. Valid until the stack is filled
+    /// again or ends.
+    std::span<const Section> all() const noexcept;
+
+    /// One without sections; what is moved from is such a one.
+    /// @{
+    SectionStack() noexcept;
+    SectionStack(SectionStack&& other) noexcept;
+    SectionStack& operator=(SectionStack&& other) noexcept;
+    /// @}
+    ~SectionStack();
+
+    /// @cond For the library itself.
+    struct Data;
+    /// @endcond
+
+private:
+    friend struct StackMaker;
+    Data* data_ = nullptr;
+    Status status_ = Status::done;
+    const char* refusal_ = "";  ///< what reason() says of an invalid argument
+};
+
+/// What parallel planes meet of an object: those across `normal` at some heights, which are signed distances from the
+/// origin along the normal, in the mesh's unit and any order. Each section is what section() gives. A section at which
+/// the plane misses has the status `missed`.
+///
+/// Costs as much as section() for each, on each thread. Status: `done`; `invalid_argument` (as section(), a normal
+/// without a direction, a height that is not finite); `cancelled`; `out_of_memory`. All but the first have no sections.
+KERF_API SectionStack sections(const Object& object, Normal normal, std::span<const double> heights,
+                               const StackOptions& options = {}) noexcept;
+
+/// The same, into a stack that was used before: it keeps its memory.
+KERF_API Status sections(const Object& object, Normal normal, std::span<const double> heights, SectionStack& stack,
+                         const StackOptions& options = {}) noexcept;
 
 /// @}
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "api/file_answers.h"
 #include "api/mesh_data.h"
 #include "api/no_memory.h"
 #include "common/files/unfinished_files.h"
@@ -18,26 +19,7 @@ namespace io = core::io;
 
 namespace {
 
-constexpr const char* kNoMemory = "there is not enough memory for the file; divide it or free some";
 constexpr const char* kEmpty = "the mesh is empty: there is nothing to write";
-
-/// Where the library's own code throws FileError, too.
-template <class Answer, class Call>
-Answer answer_of_file(Call&& call) noexcept
-{
-    try {
-        return call();
-    } catch (const io::NoMemoryForFile& error) {
-        return {Status::out_of_memory, Sentence(error.what())};
-    } catch (const io::FileError& error) {
-        return {Status::unusable_file, Sentence(error.what())};
-    } catch (const std::bad_alloc&) {
-    } catch (const std::length_error&) {
-    } catch (const std::filesystem::filesystem_error& error) {
-        return {Status::unusable_file, Sentence(error.what())};
-    }
-    return {Status::out_of_memory, Sentence(kNoMemory)};
-}
 
 }  // namespace
 
@@ -157,11 +139,6 @@ void remove_unfinished_files_on_signals() noexcept
     io::remove_unfinished_files_on_signals();
 }
 
-struct FileBytes::Data
-{
-    std::string text;
-};
-
 FileBytes::FileBytes(FileBytes&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
 
 FileBytes& FileBytes::operator=(FileBytes&& other) noexcept
@@ -253,9 +230,19 @@ Outcome MeshFileSet::add(const char* path, const Mesh& mesh) noexcept
 {
     if (path == nullptr || *path == '\0') return {Status::invalid_argument, Sentence("there is no name of a file")};
     if (mesh.is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
-    if (is_unprotected_) return {Status::out_of_memory, Sentence(kNoMemory)};
+    if (is_unprotected_) return {Status::out_of_memory, Sentence(kNoMemoryForFile)};
     return answer_of_file<Outcome>([&] {
         Data::files_of(data_).add(path, mesh.data()->mesh());
+        return Outcome();
+    });
+}
+
+Outcome MeshFileSet::add(const char* path, std::span<const std::byte> bytes) noexcept
+{
+    if (path == nullptr || *path == '\0') return {Status::invalid_argument, Sentence("there is no name of a file")};
+    if (is_unprotected_) return {Status::out_of_memory, Sentence(kNoMemoryForFile)};
+    return answer_of_file<Outcome>([&] {
+        Data::files_of(data_).add(path, text_of(bytes));
         return Outcome();
     });
 }

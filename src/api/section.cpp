@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <utility>
 
-#include "api/convert.h"
 #include "api/no_memory.h"
+#include "api/section_maker.h"
 #include "common/cutting/back_end_helpers.h"
 #include "common/mesh/plane_frame.h"
 #include "common/mesh/plane_noise.h"
-#include "common/sections/loop_nesting.h"
-#include "common/sections/section_fill.h"
 #include "common/sections/section_measures.h"
 
 namespace kerf {
@@ -19,41 +16,18 @@ namespace kerf {
 static_assert(sizeof(SectionEdge) == sizeof(core::PlaneSection::Edge) &&
               alignof(SectionEdge) == alignof(core::PlaneSection::Edge));
 
-/// What a Section hides.
-struct Section::Data
-{
-    core::PlaneSection found;
-    core::LoopNesting nesting;
-    std::span<const std::uint32_t> parents;  ///< of each path; none if they were not asked for
-    core::SectionFill fill;
-    CutStatistics statistics;
-};
-
 namespace {
 
 /// Cosine of the angle between a plane's normal and z: of planes that are more level than this y points upwards.
 constexpr double kNearlyLevel = 0.9;
-
-/// What is wrong with the arguments, or null.
-const char* fault_of(const Object& object, const SectionOptions& options)
-{
-    if (object.is_empty()) return "the object is empty: it was cut, or moved from";
-    if (options.up) {
-        const auto& [x, y, z] = *options.up;
-        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (x == 0.0 && y == 0.0 && z == 0.0))
-            return "the direction that points upwards must be finite and longer than 0";
-    }
-    if (options.fill && !has_cap_quality(options.fill_quality))
-        return "this program has no Delaunay triangulation: link Kerf's component caps_cgal, or ask for fast triangles";
-    return nullptr;
-}
 
 SectionFrame frame_of(const core::Plane& plane, const std::optional<Vec3d>& up)
 {
     const bool is_level = std::abs(plane.normal.z) > kNearlyLevel;
     const core::PlaneFrame frame =
         core::PlaneFrame::upright(plane.normal, up ? to_core(*up) : glm::dvec3(0.0, is_level, !is_level));
-    return {to_public(plane.normal * plane.offset), to_public(frame.u), to_public(frame.v)};
+    return {to_public(plane.normal * plane.offset), to_public(frame.u), to_public(frame.v), to_public(plane.normal),
+            plane.offset};
 }
 
 CutStatistics statistics_of(const Object& object, const core::PlaneSection& found)
@@ -70,73 +44,95 @@ CutStatistics statistics_of(const Object& object, const core::PlaneSection& foun
 
 }  // namespace
 
-struct SectionMaker
+const char* SectionMaker::fault_of(const Object& object, const SectionOptions& options)
 {
-    /// Leaves no paths, and says why.
-    static Status refuse(Section& section, Status status, const char* refusal)
-    {
-        clear(section);
-        section.refusal_ = refusal;
-        return section.status = status;
+    if (object.is_empty()) return "the object is empty: it was cut, or moved from";
+    if (options.up) {
+        const auto& [x, y, z] = *options.up;
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || (x == 0.0 && y == 0.0 && z == 0.0))
+            return "the direction that points upwards must be finite and longer than 0";
     }
+    if (options.fill && !has_cap_quality(options.fill_quality))
+        return "this program has no Delaunay triangulation: link Kerf's component caps_cgal, or ask for fast triangles";
+    return nullptr;
+}
 
-    static void clear(Section& section)
-    {
-        Section empty;
-        std::swap(empty.data_, section.data_);
-        section = std::move(empty);
-        if (section.data_ == nullptr) return;
-        section.data_->found.clear();
-        section.data_->parents = {};
-        section.data_->fill.clear();
-        section.data_->statistics = {};
+Status SectionMaker::refuse(Section& section, Status status, const char* refusal)
+{
+    clear(section);
+    section.refusal_ = refusal;
+    return section.status = status;
+}
+
+Status SectionMaker::fill(const Object& object, const core::Plane& plane, const SectionOptions& options,
+                          SectionScratch* scratch, Section& section) noexcept
+{
+    clear(section);
+    const Status status =
+        answer_or(Status::out_of_memory, [&] { return fill_clear(object, plane, options, scratch, section); });
+    return status == Status::out_of_memory ? refuse(section, status, "") : status;
+}
+
+void SectionMaker::clear(Section& section)
+{
+    Section::Data* const data = std::exchange(section.data_, nullptr);
+    section = Section();
+    section.data_ = data;
+    if (data == nullptr) return;
+    data->found.clear();
+    data->parents.clear();
+    data->corners.clear();
+    data->statistics = {};
+}
+
+/// May throw std::bad_alloc.
+Status SectionMaker::fill_clear(const Object& object, const core::Plane& plane, const SectionOptions& options,
+                                SectionScratch* scratch, Section& section)
+{
+    if (section.data_ == nullptr) section.data_ = new Section::Data;
+    Section::Data& data = *section.data_;
+    core::PlaneSection& found = data.found;
+    section.status = to_public(core::section(*object.inside(), plane, found));
+    section.side_of_object = to_public(found.side_of_object);
+    section.frame = frame_of(plane, options.up);
+    data.statistics = statistics_of(object, found);
+    if (!ok(section.status)) return section.status;
+
+    section.area = found.area;
+    const core::SectionMeasures measures = core::measure_section(plane, found);
+    section.length = measures.length;
+    section.centroid = to_public(measures.centroid);
+    section.bounds = to_public(measures.box);
+    if (!options.nesting && !options.fill) return section.status;
+
+    if (scratch == nullptr) {
+        if (data.scratch == nullptr) data.scratch = std::make_unique<SectionScratch>();
+        scratch = data.scratch.get();
     }
+    const std::span<const std::uint32_t> parents = scratch->nesting.find(plane, found);
+    data.parents.assign(parents.begin(), parents.end());
+    if (options.fill) close(object, plane, options, *scratch, section);
+    return section.status;
+}
 
-    /// May throw std::bad_alloc.
-    static Status fill(const Object& object, const core::Plane& plane, const SectionOptions& options, Section& section)
-    {
-        if (section.data_ == nullptr) section.data_ = new Section::Data;
-        Section::Data& data = *section.data_;
-        core::PlaneSection& found = data.found;
-        section.status = to_public(core::section(*object.inside(), plane, found));
-        section.side_of_object = to_public(found.side_of_object);
-        section.frame = frame_of(plane, options.up);
-        data.statistics = statistics_of(object, found);
-        if (!ok(section.status)) return section.status;
-
-        section.area = found.area;
-        const core::SectionMeasures measures = core::measure_section(plane, found);
-        section.length = measures.length;
-        section.centroid = to_public(measures.centroid);
-        section.bounds = to_public(measures.box);
-        if (options.nesting || options.fill) data.parents = data.nesting.find(plane, found);
-        if (options.fill) close(object, plane, options, section);
-        return section.status;
-    }
-
-private:
-    static void close(const Object& object, const core::Plane& plane, const SectionOptions& options, Section& section)
-    {
-        Section::Data& data = *section.data_;
-        const bool delaunay = options.fill_quality == CapQuality::delaunay;
-        data.fill.close(plane, delaunay ? core::CapQuality::delaunay : core::CapQuality::fast, data.parents,
-                        data.found);
-        const double noise = core::plane_noise(object.inside()->bounds().largest_coordinate());
-        section.fill_exceeds_section =
-            data.fill.excess() > 0.0 &&
-            core::caps_exceed_section(data.fill.excess(), section.area, section.length, core::rounding_unit(noise));
-    }
-};
+void SectionMaker::close(const Object& object, const core::Plane& plane, const SectionOptions& options,
+                         SectionScratch& scratch, Section& section)
+{
+    Section::Data& data = *section.data_;
+    const bool delaunay = options.fill_quality == CapQuality::delaunay;
+    scratch.fill.close(plane, delaunay ? core::CapQuality::delaunay : core::CapQuality::fast, data.parents, data.found,
+                       data.corners);
+    const double noise = core::plane_noise(object.inside()->bounds().largest_coordinate());
+    section.fill_exceeds_section =
+        scratch.fill.excess() > 0.0 &&
+        core::caps_exceed_section(scratch.fill.excess(), section.area, section.length, core::rounding_unit(noise));
+}
 
 Status section(const Object& object, const Plane& plane, Section& section, const SectionOptions& options) noexcept
 {
-    if (const char* fault = fault_of(object, options))
+    if (const char* fault = SectionMaker::fault_of(object, options))
         return SectionMaker::refuse(section, Status::invalid_argument, fault);
-    SectionMaker::clear(section);
-    const Status status =
-        answer_or(Status::out_of_memory, [&] { return SectionMaker::fill(object, to_core(plane), options, section); });
-    if (status == Status::out_of_memory) return SectionMaker::refuse(section, status, "");
-    return status;
+    return SectionMaker::fill(object, to_core(plane), options, nullptr, section);
 }
 
 Section section(const Object& object, const Plane& plane, const SectionOptions& options) noexcept
@@ -226,7 +222,7 @@ std::span<const Vec3f> Section::points() const noexcept
 
 std::span<const std::uint32_t> Section::triangles() const noexcept
 {
-    return data_ == nullptr ? std::span<const std::uint32_t>() : data_->fill.corners();
+    return data_ == nullptr ? std::span<const std::uint32_t>() : data_->corners;
 }
 
 const CutStatistics& Section::statistics() const noexcept

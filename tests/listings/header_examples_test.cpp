@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <kerf/drawing.h>
 #include <kerf/io.h>
 #include <kerf/kerf.h>
 #include <kerf/proxy.h>
@@ -69,6 +70,15 @@ TEST(HeaderExamples, AViewIsUploadedAndDrawn)
     EXPECT_EQ(drawn, 3 * object.triangle_count());
     frame();
     EXPECT_EQ(uploaded, view.vertices.size() + view.indices.size()) << "nothing is new in the second frame";
+}
+
+TEST(HeaderExamples, ASectionIsDrawn)
+{
+    const kerf::Object object = *prepare(*make_shape("asteroid", 1000));
+    const kerf::Plane plane = *Plane::z(0.0);
+#include "examples/kerf_drawing_1.inc"
+    ASSERT_TRUE(svg) << svg.reason();
+    EXPECT_GT(svg->bytes().size(), 100u);
 }
 
 TEST(HeaderExamples, AFileIsReadAndWhatWasWrongIsPrinted)
@@ -166,6 +176,15 @@ TEST(HeaderExamples, ASectionIsUsedForOnePlaneAfterTheOther)
 #include "examples/kerf_section_1.inc"
     ASSERT_EQ(areas.size(), 2u) << "the last plane misses";
     EXPECT_NE(areas[0], areas[1]);
+}
+
+TEST(HeaderExamples, AStackOfSectionsIsListed)
+{
+    const kerf::Object object = *prepare(*make_shape("asteroid", 1000));
+    testing::internal::CaptureStdout();
+#include "examples/kerf_section_2.inc"
+    const std::string areas = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(std::count(areas.begin(), areas.end(), '\n'), 3);
 }
 
 TEST(HeaderExamples, AShapeIsMade)

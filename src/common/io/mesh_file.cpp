@@ -202,6 +202,22 @@ void MeshFileSet::add(const fs::path& path, const IndexedMesh& mesh)
     }
 }
 
+void MeshFileSet::add(const fs::path& path, std::string_view bytes)
+{
+    const std::size_t before = impl_->files.size();
+    try {
+        OutputFile& file = impl_->open(path);
+        file.write(bytes);
+        file.finish();
+    } catch (const std::bad_alloc&) {
+        impl_->keep(before);
+        fail_without_memory(path, "write it; free some");
+    } catch (...) {
+        impl_->keep(before);
+        throw;
+    }
+}
+
 void MeshFileSet::protect(const std::vector<fs::path>& inputs)
 {
     for (const OutputFile& file : impl_->files) refuse_to_replace(file.path(), inputs);

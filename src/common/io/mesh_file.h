@@ -92,6 +92,9 @@ public:
     /// write two files to one place.
     /// @throws FileError
     void add(const std::filesystem::path& path, const IndexedMesh& mesh);
+    /// The same of bytes as they are.
+    /// @throws FileError
+    void add(const std::filesystem::path& path, std::string_view bytes);
 
     /// More files that must not be replaced, with all of the set unchanged if a file of it would.
     /// @throws FileError

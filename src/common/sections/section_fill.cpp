@@ -19,19 +19,19 @@ std::uint32_t outer_loop(const PlaneSection& section, std::span<const std::uint3
 }  // namespace
 
 void SectionFill::close(const Plane& plane, CapQuality quality, std::span<const std::uint32_t> parents,
-                        PlaneSection& section)
+                        PlaneSection& section, std::vector<std::uint32_t>& corners)
 {
     loops_.clear();
     caps_.clear();
-    corners_.clear();
     for (std::uint32_t i = 0; i < section.paths.size(); ++i) {
         const PlaneSection::Path& path = section.paths[i];
         if (path.closed) loops_.push_back({path.first_point, path.point_count, outer_loop(section, parents, i)});
     }
     closer_.close(plane, loops_, quality, section.points, caps_);
-    corners_.reserve(3 * caps_.triangles.size());
+    corners.clear();
+    corners.reserve(3 * caps_.triangles.size());
     for (const CapTriangle& triangle : caps_.triangles)
-        corners_.insert(corners_.end(), triangle.corner.begin(), triangle.corner.end());
+        corners.insert(corners.end(), triangle.corner.begin(), triangle.corner.end());
 }
 
 }  // namespace kerf::core

@@ -15,15 +15,12 @@ class SectionFill
 {
 public:
     /// Closes the loops of a measured section: an outer loop together with the holes in it. `parents` are those of its
-    /// paths (LoopNesting). Appends to PlaneSection::points where loops cross one another. O(k) for convex loops,
-    /// otherwise O(k log k). May throw std::bad_alloc.
-    void close(const Plane& plane, CapQuality quality, std::span<const std::uint32_t> parents, PlaneSection& section);
+    /// paths (LoopNesting). Appends to PlaneSection::points where loops cross one another. `corners` gets three numbers
+    /// of points for each triangle, counter-clockwise seen from the positive side. O(k) for convex loops, otherwise
+    /// O(k log k). May throw std::bad_alloc.
+    void close(const Plane& plane, CapQuality quality, std::span<const std::uint32_t> parents, PlaneSection& section,
+               std::vector<std::uint32_t>& corners);
 
-    void clear() { corners_.clear(); }
-
-    /// Of the last section, three numbers of its points for each triangle, counter-clockwise seen from the positive
-    /// side. Valid until the next call.
-    std::span<const std::uint32_t> corners() const { return corners_; }
     /// By how much the triangles exceed the section's area: see SectionCloser::excess().
     double excess() const { return closer_.excess(); }
 
@@ -31,7 +28,6 @@ private:
     std::vector<CapLoop> loops_;
     SectionCaps caps_;
     SectionCloser closer_;
-    std::vector<std::uint32_t> corners_;
 };
 
 }  // namespace kerf::core
