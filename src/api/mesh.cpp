@@ -155,7 +155,7 @@ Result<Mesh> Mesh::make(const MeshInput& input, MeshReport* report) noexcept
     try {
         if (const std::string fault = fault_of(input); !fault.empty())
             return {Status::invalid_mesh, Sentence(fault.c_str())};
-        core::Repaired repaired = core::repair(soup_of(input));
+        core::Repaired repaired = core::repair(soup_of(input), report != nullptr ? core::FactsWanted::all : core::FactsWanted::none);
         if (report != nullptr) *report = report_of(repaired.facts, repaired.repairs);
         if (!repaired.error.empty()) return {Status::invalid_mesh, Sentence(repaired.error.c_str())};
         return Mesh(new Data(std::move(repaired.mesh)));
@@ -179,7 +179,7 @@ core::Proof joined_anew(const core::IndexedMesh& mesh)
                                        static_cast<std::uint32_t>(soup.materials.size()));
         soup.materials.push_back(mesh.materials[group.material]);
     }
-    core::Repaired repaired = core::repair(std::move(soup));
+    core::Repaired repaired = core::repair(std::move(soup), core::FactsWanted::none);
     if (!repaired.error.empty()) return {{}, std::move(repaired.error)};
     core::IndexedMesh joined = *std::move(repaired.mesh);
     joined.materials = mesh.materials;

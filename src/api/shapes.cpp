@@ -38,7 +38,7 @@ Result<Mesh> make_shape(const char* name, std::uint64_t triangles, const ShapeOp
             soup->triangle_materials.clear();
         }
         if (!goes_on(kShaping)) return cancelled_shape();
-        core::Repaired repaired = core::repair(*std::move(soup));
+        core::Repaired repaired = core::repair(*std::move(soup), core::FactsWanted::none);
         if (!repaired.error.empty()) return {Status::invalid_mesh, Sentence(repaired.error.c_str())};
         Mesh mesh(std::make_unique<Mesh::Data>(std::move(repaired.mesh)).release());
         if (!goes_on(1.0)) return cancelled_shape();

@@ -23,6 +23,14 @@ inline std::uint32_t previous_halfedge(std::uint32_t h)
     return h % 3 == 0 ? h + 2 : h - 1;
 }
 
+/// The point where a half-edge starts. Triangles lie in memory corner by corner: half-edge h starts at the h-th corner of
+/// all, without a division by three.
+inline std::uint32_t start_of(std::span<const Triangle> corners, std::uint32_t h)
+{
+    static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+    return reinterpret_cast<const std::uint32_t*>(corners.data())[h];
+}
+
 /// The half-edges of some triangles, sorted so that those of one undirected edge follow one another: edges by smaller
 /// point, then larger point, half-edges by number. Built by counting, without hashing: half-edges go into one bucket
 /// for each smaller point, buckets are sorted. O(n) for bounded valence, O(n log n) otherwise.

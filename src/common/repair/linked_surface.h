@@ -25,7 +25,7 @@ struct LinkedSurface
     std::uint64_t nonmanifold_edges = 0;   ///< more than two triangles met there
     std::uint64_t unorientable_edges = 0;  ///< cut open because no orientation satisfies both sides
 
-    std::uint32_t start(std::uint32_t h) const { return corners[h / 3][h % 3]; }
+    std::uint32_t start(std::uint32_t h) const { return start_of(corners, h); }
     std::uint32_t end(std::uint32_t h) const { return start(next_halfedge(h)); }
 
     /// Whether two half-edges belong to triangles with the same points in the same orientation.

@@ -86,7 +86,7 @@ MeshFacts count_triangles(std::size_t vertex_count, std::uint32_t point_count, c
 void count_edges(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
                  const HalfedgesByEdge& edges)
 {
-    const auto start = [&](std::uint32_t h) { return corners[h / 3][h % 3]; };
+    const auto start = [&](std::uint32_t h) { return start_of(corners, h); };
     BoundaryLoops loops(point_count);
     edges.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         const std::uint32_t h = edge[0].halfedge;

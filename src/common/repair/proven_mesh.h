@@ -12,6 +12,7 @@
 namespace kerf::core {
 
 struct Repaired;
+enum class FactsWanted : std::uint8_t;
 struct Proof;
 struct TriangleSoup;
 
@@ -84,7 +85,7 @@ public:
     }
 
 private:
-    friend Repaired repair(TriangleSoup soup);
+    friend Repaired repair(TriangleSoup soup, FactsWanted facts_wanted);
     friend Proof prove(IndexedMesh mesh);
     ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency, double shortest_edge)
         : mesh_(std::move(mesh)),

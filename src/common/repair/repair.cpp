@@ -73,13 +73,14 @@ void count_faults(Repairs& repairs, const Faults& faults)
     }
 }
 
-/// Links triangles. Counts the edges of the soup on the way, unless its duplicate triangles have been looked at
-/// already.
-LinkedSurface link_and_count(Buffer<Triangle> corners, std::span<const glm::vec3> positions,
+/// Links triangles. Counts the edges of the soup on the way, if they are wanted and its duplicate triangles have not
+/// been looked at already.
+LinkedSurface link_and_count(Buffer<Triangle> corners, std::span<const glm::vec3> positions, FactsWanted facts_wanted,
                              std::vector<NonmanifoldEdge>& resolved, MeshFacts& facts)
 {
     const auto point_count = static_cast<std::uint32_t>(positions.size());
     const HalfedgesByEdge edges(point_count, corners);
+    if (facts_wanted == FactsWanted::none) return link_surface(std::move(corners), edges, positions, resolved);
     if (facts.duplicate_triangles == 0) {
         count_edges(facts, point_count, corners, edges);
         if (!is_linked_plainly(facts)) count_components(facts, point_count, corners, edges);
@@ -171,7 +172,7 @@ std::string Repairs::describe() const
     return text;
 }
 
-Repaired repair(TriangleSoup soup)
+Repaired repair(TriangleSoup soup, FactsWanted facts_wanted)
 {
     Repaired result;
     result.error = find_error(soup);
@@ -184,7 +185,8 @@ Repaired repair(TriangleSoup soup)
     const Faults faults = find_faults(weld.point_count, corners);
     count_faults(repairs, faults);
     MeshFacts facts = count_triangles(soup.vertices.size(), weld.point_count, faults);
-    if (faults.repeats > 0) count_connectivity(facts, weld.point_count, corners, faults);
+    const bool has_facts = facts_wanted == FactsWanted::all;
+    if (has_facts && faults.repeats > 0) count_connectivity(facts, weld.point_count, corners, faults);
     KeptTriangles kept = keep(std::move(corners), faults);
     if (kept.corners.empty()) {
         result.error =
@@ -196,7 +198,7 @@ Repaired repair(TriangleSoup soup)
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) positions[weld.points[v]] = soup.vertices[v].position;
 
     std::vector<NonmanifoldEdge> resolved;
-    LinkedSurface surface = link_and_count(std::move(kept.corners), positions, resolved, facts);
+    LinkedSurface surface = link_and_count(std::move(kept.corners), positions, facts_wanted, resolved, facts);
     repairs.nonmanifold_edges = surface.nonmanifold_edges;
     repairs.unorientable_edges = surface.unorientable_edges;
     for (std::size_t t = 0; !kept.turned_over.empty() && t < surface.flipped.size(); ++t)
@@ -207,12 +209,14 @@ Repaired repair(TriangleSoup soup)
                                                               HalfedgesByEdge(weld.point_count, surface.corners));
 
     Shells shells = find_shells(surface, fans, positions);
-    if (is_linked_plainly(facts)) {
-        facts.shells = shells.shells.size();
-        facts.nonmanifold_points = repairs.nonmanifold_points;
+    if (has_facts) {
+        if (is_linked_plainly(facts)) {
+            facts.shells = shells.shells.size();
+            facts.nonmanifold_points = repairs.nonmanifold_points;
+        }
+        measure_geometry(facts, soup.vertices, soup.triangles);
+        result.facts = facts;
     }
-    measure_geometry(facts, soup.vertices, soup.triangles);
-    result.facts = facts;
 
     const Solids solids = find_solids(surface, shells, positions);
     turn_over_shells(surface, fans, shells, solids);
@@ -233,8 +237,9 @@ Repaired repair(TriangleSoup soup)
     const Buffer<std::uint32_t> first_equal =
         first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
     build_vertices({soup, first_equal, kept.from, surface, fans, positions}, order, mesh);
-    const double shortest =
-        order.size() == soup.triangles.size() ? facts.shortest_edge : shortest_edge(mesh.vertices, mesh.triangles);
+    const double shortest = has_facts && order.size() == soup.triangles.size()
+                                ? facts.shortest_edge
+                                : shortest_edge(mesh.vertices, mesh.triangles);
     result.mesh = ProvenMesh(std::move(mesh),
                              adjacency_in_order(std::move(surface.opposite), std::move(shells.shell), order), shortest);
     return result;

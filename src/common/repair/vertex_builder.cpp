@@ -17,10 +17,13 @@ class PairNumbering
 public:
     explicit PairNumbering(std::size_t first_count) : entry_(first_count, Entry{kNone, kNone}) {}
 
+    /// Without a branch on whether the pair is new, which can't be predicted: every sixth is.
     std::uint32_t number(std::uint32_t first, std::uint32_t second)
     {
         Entry& entry = entry_[first];
-        if (entry.index == kNone) entry = {second, count_++};
+        const bool is_new = entry.index == kNone;
+        entry = is_new ? Entry{second, count_} : entry;
+        count_ += is_new ? 1 : 0;
         if (entry.second == second) return entry.index;
         std::uint32_t& index = others_(first, second);
         if (index == kNone) index = count_++;
@@ -51,6 +54,7 @@ public:
         else
             smooth_ = smooth_normals(in_.surface, in_.positions, in_.soup.crease_degrees);
         number_vertices(order);
+        make_vertices();
         fill_streams();
     }
 
@@ -86,37 +90,60 @@ private:
             turned_[v] = glm::dot(sums[v], glm::dvec3(in_.soup.vertices[v].normal)) < 0.0;
     }
 
+    bool is_turned(std::uint32_t corner, std::uint32_t v) const
+    {
+        return !turned_.empty() && in_.surface.flipped[corner / 3] != 0 && turned_[v] != 0;
+    }
+
+    /// Numbers the vertices in the order in which triangles use them. A vertex is a fan, or a smooth sector of it, with the
+    /// attributes of a soup vertex.
     void number_vertices(std::span<const std::uint32_t> order)
     {
         const bool given = in_.soup.has_normals;
         mesh_.triangles.resize(order.size());
-        mesh_.vertices.reserve(in_.positions.size() + in_.positions.size() / 8);
-        mesh_.points.reserve(mesh_.vertices.capacity());
-        origin_.reserve(mesh_.vertices.capacity());
-        Buffer<std::uint32_t> point_of_fan(in_.fans.count, kNone);
-        // A vertex is a fan, or a smooth sector of it, with the attributes of a soup vertex.
+        first_corner_.resize(3 * order.size() + 1);
         PairNumbering numbering(given ? in_.soup.vertices.size() : smooth_.normals.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i)
+        for (std::uint32_t i = 0; i < order.size(); ++i) {
+            const std::uint32_t t = order[i];
+            const bool flipped = in_.surface.flipped[t] != 0;
+            const Triangle& from = in_.soup.triangles[in_.soup_triangles[t]];
             for (std::uint32_t c = 0; c < 3; ++c) {
-                const std::uint32_t corner = 3 * order[i] + c, v = soup_vertex(corner), fan = in_.fans.fan[corner];
-                const bool turned = !turned_.empty() && in_.surface.flipped[order[i]] && turned_[v];
-                const std::uint32_t index = given ? numbering.number(v, turned ? kNone - 1 - fan : fan)
-                                                  : numbering.number(smooth_.sector[corner], v);
-                mesh_.triangles[i][c] = index;
-                if (index < mesh_.vertices.size()) continue;
-
-                Vertex vertex = in_.soup.vertices[v];
-                vertex.position = in_.positions[in_.surface.start(corner)];
-                if (!given)
-                    vertex.normal = smooth_.normals[smooth_.sector[corner]];
-                else if (turned)
-                    vertex.normal = -vertex.normal;
-                mesh_.vertices.push_back(vertex);
-                origin_.push_back(v);
-                std::uint32_t& point = point_of_fan[fan];
-                if (point == kNone) point = mesh_.point_count++;
-                mesh_.points.push_back(point);
+                const std::uint32_t corner = 3 * t + c, v = in_.first_equal[from[flipped ? (3 - c) % 3 : c]];
+                first_corner_[numbering.count()] = corner;  // of the next vertex, if this is a new one
+                if (given) {
+                    const std::uint32_t fan = in_.fans.fan[corner];
+                    const bool turned = flipped && is_turned(corner, v);
+                    mesh_.triangles[i][c] = numbering.number(v, turned ? kNone - 1 - fan : fan);
+                } else {
+                    mesh_.triangles[i][c] = numbering.number(smooth_.sector[corner], v);
+                }
             }
+        }
+        first_corner_.resize(numbering.count());
+    }
+
+    void make_vertices()
+    {
+        const std::size_t count = first_corner_.size();
+        mesh_.vertices.resize(count);
+        mesh_.points.resize(count);
+        origin_.resize(count);
+        Buffer<std::uint32_t> point_of_fan(in_.fans.count, kNone);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t corner = first_corner_[i], v = soup_vertex(corner);
+            // In its place: a copy that is changed piece by piece is read again before its pieces are written.
+            Vertex& vertex = mesh_.vertices[i];
+            vertex = in_.soup.vertices[v];
+            vertex.position = in_.positions[in_.surface.start(corner)];
+            if (!in_.soup.has_normals)
+                vertex.normal = smooth_.normals[smooth_.sector[corner]];
+            else if (is_turned(corner, v))
+                vertex.normal = -vertex.normal;
+            origin_[i] = v;
+            std::uint32_t& point = point_of_fan[in_.fans.fan[corner]];
+            if (point == kNone) point = mesh_.point_count++;
+            mesh_.points[i] = point;
+        }
     }
 
     void fill_streams()
@@ -135,8 +162,9 @@ private:
     const VertexSources& in_;
     IndexedMesh& mesh_;
     SmoothNormals smooth_;
-    Buffer<std::uint8_t> turned_;   ///< for each soup vertex; empty if nothing was turned over
-    Buffer<std::uint32_t> origin_;  ///< for each new vertex the soup vertex
+    Buffer<std::uint8_t> turned_;         ///< for each soup vertex; empty if nothing was turned over
+    Buffer<std::uint32_t> first_corner_;  ///< for each new vertex, of the surface
+    Buffer<std::uint32_t> origin_;        ///< for each new vertex the soup vertex
 };
 
 }  // namespace

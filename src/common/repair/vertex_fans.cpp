@@ -204,7 +204,7 @@ std::uint64_t count_nonmanifold_points(std::uint32_t point_count, std::span<cons
 {
     // Corner i of triangle t is number 3t + i, like the half-edge that starts there.
     DisjointSets fans(static_cast<std::uint32_t>(corners.size() * 3));
-    const auto point_at = [&](std::uint32_t corner) { return corners[corner / 3][corner % 3]; };
+    const auto point_at = [&](std::uint32_t corner) { return start_of(corners, corner); };
     edges.for_each([&](std::span<const HalfedgesByEdge::Entry> edge) {
         const std::uint32_t first = edge[0].halfedge;
         for (const HalfedgesByEdge::Entry& entry : edge.subspan(1)) {
