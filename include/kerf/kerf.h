@@ -7,6 +7,7 @@
 
 #include <kerf/back_ends.h>
 #include <kerf/cut.h>
+#include <kerf/dice.h>
 #include <kerf/draw.h>
 #include <kerf/mass.h>
 #include <kerf/mesh.h>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/convert.h"
+#include "api/cut_helpers.h"
 #include "api/pieces.h"
 
 namespace kerf {
@@ -76,20 +77,6 @@ CutStatistics statistics_of(const core::CutStatistics& from)
     to.bytes_grown = from.bytes_grown;
     for (std::size_t i = 0; i < kPhaseCount; ++i) to.phase_ms[i] = from.phases.ms[i];
     return to;
-}
-
-void add(CutStatistics& sum, const CutStatistics& more)
-{
-    sum.crossing_triangles += more.crossing_triangles;
-    sum.crossing_surface += more.crossing_surface;
-    sum.section_loops += more.section_loops;
-    sum.open_chains += more.open_chains;
-    sum.nodes_visited += more.nodes_visited;
-    sum.triangles_touched += more.triangles_touched;
-    sum.cap_steps += more.cap_steps;
-    sum.bytes_to_upload += more.bytes_to_upload;
-    sum.bytes_grown += more.bytes_grown;
-    for (std::size_t i = 0; i < kPhaseCount; ++i) sum.phase_ms[i] += more.phase_ms[i];
 }
 
 /// Cuts by a blade without width. The object comes back in the result if it was not cut.
@@ -169,8 +156,23 @@ Cut cut_with_gap(Object&& object, const Plane& plane, const CutOptions& options)
     return result;
 }
 
-/// What is wrong with the arguments, or null.
-const char* fault_of(const Object& object, const CutOptions& options)
+}  // namespace
+
+void add(CutStatistics& sum, const CutStatistics& more)
+{
+    sum.crossing_triangles += more.crossing_triangles;
+    sum.crossing_surface += more.crossing_surface;
+    sum.section_loops += more.section_loops;
+    sum.open_chains += more.open_chains;
+    sum.nodes_visited += more.nodes_visited;
+    sum.triangles_touched += more.triangles_touched;
+    sum.cap_steps += more.cap_steps;
+    sum.bytes_to_upload += more.bytes_to_upload;
+    sum.bytes_grown += more.bytes_grown;
+    for (std::size_t i = 0; i < kPhaseCount; ++i) sum.phase_ms[i] += more.phase_ms[i];
+}
+
+const char* fault_of_cut(const Object& object, const CutOptions& options)
 {
     if (object.is_empty()) return "the object is empty: it was cut, or moved from";
     if (!std::isfinite(options.gap) || options.gap < 0.0) return "the gap must be a finite width, 0 or more";
@@ -180,8 +182,6 @@ const char* fault_of(const Object& object, const CutOptions& options)
     return nullptr;
 }
 
-}  // namespace
-
 bool has_cap_quality(CapQuality quality) noexcept
 {
     return quality == CapQuality::fast ||
@@ -190,14 +190,14 @@ bool has_cap_quality(CapQuality quality) noexcept
 
 Cut cut(Object&& object, const Plane& plane, const CutOptions& options) noexcept
 {
-    if (const char* fault = fault_of(object, options)) return CutMaker::refused(std::move(object), fault);
+    if (const char* fault = fault_of_cut(object, options)) return CutMaker::refused(std::move(object), fault);
     if (options.gap == 0.0) return cut_once(std::move(object), plane, options);
     return cut_with_gap(std::move(object), plane, options);
 }
 
 Cut cut_copy(const Object& object, const Plane& plane, const CutOptions& options) noexcept
 {
-    if (const char* fault = fault_of(object, options)) return CutMaker::refused({}, fault);
+    if (const char* fault = fault_of_cut(object, options)) return CutMaker::refused({}, fault);
     Result<Object> copy = object.clone();
     if (!copy) {
         Cut result;

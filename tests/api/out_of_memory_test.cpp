@@ -3,6 +3,7 @@
 // next call works as if nothing had happened.
 
 #include <gtest/gtest.h>
+#include <kerf/drawing.h>
 #include <kerf/io.h>
 #include <kerf/kerf.h>
 #include <kerf/proxy.h>
@@ -181,6 +182,35 @@ TEST_P(ObjectOutOfMemory, WhatOnlyReadsSaysSo)
             return found.status;
         },
         check);
+}
+
+TEST_P(ObjectOutOfMemory, StacksAndDiceSaySo)
+{
+    const Object whole = object();
+    const std::string before = bytes_of(whole);
+    const std::vector<double> heights{-0.3, 0.1, 0.4};
+    const auto check = [&](Status) { ASSERT_EQ(bytes_of(whole), before); };
+    fail_each(
+        [&] {
+            const SectionStack stack = sections(whole, Normal(0, 1, 0), heights);
+            EXPECT_EQ(stack.all().empty(), !ok(stack.status()));
+            EXPECT_EQ(*stack.reason() == '\0', ok(stack.status()));
+            return stack.status();
+        },
+        check);
+    fail_each(
+        [&] {
+            Result<Object> copy = whole.clone();
+            if (!copy) return copy.status();
+            const DicePlanes planes[]{{Normal(0, 1, 0), heights}, {Normal(1, 0, 0), heights}};
+            const Dice dice = kerf::dice(*std::move(copy), planes);
+            EXPECT_EQ(dice.count() == 0, !ok(dice.status()));
+            EXPECT_EQ(*dice.reason() == '\0', ok(dice.status()));
+            return dice.status();
+        },
+        check);
+    const Section square = section(whole, Plane::y(0.1).value());
+    fail_each([&] { return said(drawing_bytes({&square, 1}, "svg")); });
 }
 
 TEST_P(ObjectOutOfMemory, ASectionThatWasRefusedIsFilledByTheNextCall)

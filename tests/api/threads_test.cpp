@@ -55,6 +55,14 @@ const std::vector<Read>& reads()
             const Section found = section(object, Plane::z(0.01).value(), options);
             return found.area + double(found.path_count()) + double(found.triangles().size());
         },
+        [](const Object& object) {
+            const std::vector<double> heights{-0.2, -0.1, 0.0, 0.1, 0.2, 0.3};
+            StackOptions options;
+            options.threads = 2;
+            double area = 0.0;
+            for (const Section& found : sections(object, Normal(0, 1, 0), heights, options).all()) area += found.area;
+            return area;
+        },
         [](const Object& object) { return cut_copy(object, Plane::z(0.01).value()).section_area; },
     };
     return all;

@@ -54,6 +54,15 @@ TEST(HeaderExamples, TheOnePieceOfASideIsKept)
     EXPECT_EQ(kept.size(), 1u);
 }
 
+TEST(HeaderExamples, PiecesAreKeptByTheirCells)
+{
+    kerf::Object object = *prepare(*make_shape("asteroid", 1000));
+    std::vector<std::array<std::uint32_t, 2>> cells;
+    const auto keep = [&](kerf::Object&&, std::uint32_t x, std::uint32_t y) { cells.push_back({x, y}); };
+#include "examples/kerf_dice_1.inc"
+    EXPECT_EQ(cells.size(), 9u);
+}
+
 TEST(HeaderExamples, AViewIsUploadedAndDrawn)
 {
     kerf::Object object = *prepare(*make_shape("asteroid", 1000));
