@@ -3,8 +3,6 @@
 
 #include <array>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +14,7 @@
 #include "tools/commands.h"
 #include "tools/flat_mesh.h"
 #include "tools/heights.h"
+#include "tools/input.h"
 #include "tools/mesh_info.h"
 #include "tools/progress_line.h"
 #include "tools/registry.h"
@@ -28,7 +27,7 @@ namespace {
 
 struct SectionCommandOptions
 {
-    std::string file, file_format;
+    InputOptions input;
     glm::dvec3 normal{0, 0, 1};
     std::optional<glm::dvec3> point;
     std::optional<Plane> plane;
@@ -48,18 +47,6 @@ struct SectionCommandOptions
 
 constexpr std::array kUnits{LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre, LengthUnit::inch,
                             LengthUnit::foot};
-
-/// The mesh of a file, or of the standard input.
-LoadedFile load_input(const SectionCommandOptions& options)
-{
-    if (options.file != "-") return load(options.file);
-    const std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-    LoadedFile file;
-    Result<Mesh> mesh = read_mesh(std::as_bytes(std::span(bytes)), options.file_format.c_str(), &file.report);
-    if (!mesh) throw FileError("standard input: " + std::string(mesh.reason()));
-    file.mesh = *std::move(mesh);
-    return file;
-}
 
 /// The least and the largest distance from the origin along a plane's normal that a box has.
 std::array<double, 2> reach_along(const Plane& level, const Box& box)
@@ -99,7 +86,7 @@ Object prepared(Mesh mesh, const SectionCommandOptions& options, std::size_t pla
     prepare_options.cuts_expected = static_cast<std::uint32_t>(std::min<std::size_t>(planes, 1'000'000));
     prepare_options.threads = options.threads;
     Result<Object> object = prepare(std::move(mesh), prepare_options);
-    if (!object) throw std::runtime_error(options.file + ": " + object.reason());
+    if (!object) throw std::runtime_error(options.input.file + ": " + object.reason());
     return *std::move(object);
 }
 
@@ -116,7 +103,7 @@ SectionStack find(const Object& object, const Plane& level, const std::vector<do
         return true;
     };
     SectionStack stack = sections(object, level.normal(), heights, stack_options);
-    if (!ok(stack.status())) throw std::runtime_error(options.file + ": " + stack.reason());
+    if (!ok(stack.status())) throw std::runtime_error(options.input.file + ": " + stack.reason());
     return stack;
 }
 
@@ -169,12 +156,12 @@ std::vector<std::string> write(const SectionCommandOptions& options, const Secti
 
 void run(const SectionCommandOptions& options)
 {
-    LoadedFile loaded = load_input(options);
+    LoadedFile loaded = load_input(options.input);
     const std::optional<Plane> level =
         Plane::at(Point(0, 0, 0), options.plane ? options.plane->normal() : Normal(options.normal));
     const std::vector<double> heights = heights_of(options, *level, loaded.mesh.bounds());
     SectionReport report;
-    report.file = options.file;
+    report.file = options.input.file;
     report.is_stack = options.is_stack();
     report.normal = level->normal();
     report.unit = options.unit;
@@ -199,9 +186,7 @@ void add_section_command(CLI::App& program)
     auto options = std::make_shared<SectionCommandOptions>();
     CLI::App* command =
         program.add_subcommand("section", "Say and draw what planes meet of a mesh, without cutting it");
-    command->add_option("FILE", options->file, "Mesh: obj, ply, stl, off, gltf or glb; - reads the standard input")
-        ->required();
-    CLI::Option* from = command->add_option("--from", options->file_format, "Format of the standard input");
+    add_input_options(*command, options->input);
     CLI::Option* normal = command
                               ->add_option_function<std::string>(
                                   "--normal",
@@ -287,13 +272,11 @@ void add_section_command(CLI::App& program)
         "  kerf section rook.obj --plane y=0.5 --json\n"
         "  kerf section brain.ply --count 100 -o brain.dxf\n"
         "  kerf section part.stl --heights 0:20:0.2 --each -o layers/part.svg");
-    command->callback([options, from, out, json] {
-        if (options->file == "-" && from->empty())
-            throw CLI::ValidationError("--from", "the standard input needs a format, such as --from stl");
+    command->callback([options, json] {
+        check_input(options->input);
         if (options->out == "-" && (options->each || !json->empty()))
             throw CLI::ValidationError("--out", "the standard output takes one drawing, and nothing besides");
         if (!options->backend.empty()) options->backend = full_name(options->backend);
-        static_cast<void>(out);
         run(*options);
     });
 }

@@ -1,0 +1,34 @@
+#include "tools/input.h"
+
+#include <iostream>
+#include <iterator>
+#include <span>
+#include <utility>
+
+namespace kerf::tools {
+
+void add_input_options(CLI::App& command, InputOptions& options)
+{
+    command.add_option("FILE", options.file, "Mesh: obj, ply, stl, off, gltf or glb; - reads the standard input")
+        ->required();
+    command.add_option("--from", options.format, "Format of the standard input");
+}
+
+void check_input(const InputOptions& options)
+{
+    if (options.file == "-" && options.format.empty())
+        throw CLI::ValidationError("--from", "the standard input needs a format, such as --from stl");
+}
+
+LoadedFile load_input(const InputOptions& options)
+{
+    if (options.file != "-") return load(options.file);
+    const std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+    LoadedFile file;
+    Result<Mesh> mesh = read_mesh(std::as_bytes(std::span(bytes)), options.format.c_str(), &file.report);
+    if (!mesh) throw FileError("standard input: " + std::string(mesh.reason()));
+    file.mesh = *std::move(mesh);
+    return file;
+}
+
+}  // namespace kerf::tools
