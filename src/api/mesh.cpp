@@ -155,7 +155,8 @@ Result<Mesh> Mesh::make(const MeshInput& input, MeshReport* report) noexcept
     try {
         if (const std::string fault = fault_of(input); !fault.empty())
             return {Status::invalid_mesh, Sentence(fault.c_str())};
-        core::Repaired repaired = core::repair(soup_of(input), report != nullptr ? core::FactsWanted::all : core::FactsWanted::none);
+        core::Repaired repaired =
+            core::repair(soup_of(input), report != nullptr ? core::FactsWanted::all : core::FactsWanted::none);
         if (report != nullptr) *report = report_of(repaired.facts, repaired.repairs);
         if (!repaired.error.empty()) return {Status::invalid_mesh, Sentence(repaired.error.c_str())};
         return Mesh(new Data(std::move(repaired.mesh)));
