@@ -97,7 +97,7 @@ void judge_choices(benchmark::State& state, const Mesh& mesh, const std::vector<
     state.counters["triangles"] = double(mesh.triangle_count());
 }
 
-void register_one(const std::string& name, auto judge)
+void register_choice(const std::string& name, auto judge)
 {
     benchmark::RegisterBenchmark(("Automatic/" + name).c_str(), judge)
         ->UseManualTime()
@@ -111,12 +111,12 @@ void register_automatic_benchmarks()
 {
     if (!std::ranges::any_of(back_ends(), [](const TimedBackEnd& b) { return b.name == "halfedge"; })) return;
     for (const std::uint64_t size : {1'000ull, 3'000ull, 10'000ull, 30'000ull, 100'000ull, 300'000ull, 1'000'000ull})
-        register_one("asteroid/" + std::to_string(size), [size](benchmark::State& state) {
+        register_choice("asteroid/" + std::to_string(size), [size](benchmark::State& state) {
             const Mesh& mesh = timed_shape("asteroid", size);
             judge_choices(state, mesh, planes_of_shape(mesh));
         });
     for (const Model& model : models())
-        register_one("model/" + model.name,
+        register_choice("model/" + model.name,
                      [&model](benchmark::State& state) { judge_choices(state, model.mesh, planes_of_model(model)); });
 }
 

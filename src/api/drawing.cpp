@@ -19,14 +19,14 @@ std::uint32_t shape_of(const Section& section, std::uint32_t path)
     return loop.area < 0.0 && loop.parent != kNone ? loop.parent : path;
 }
 
-core::DrawnLayer layer_of(const Section& section)
+core::drawings::DrawnLayer layer_of(const Section& section)
 {
-    core::DrawnLayer layer;
+    core::drawings::DrawnLayer layer;
     const SectionFrame& frame = section.frame;
     layer.height = frame.height;
     for (std::uint32_t i = 0; i < section.path_count(); ++i) {
         const SectionPath path = section.path(i);
-        core::DrawnPath& drawn = layer.paths.emplace_back();
+        core::drawings::DrawnPath& drawn = layer.paths.emplace_back();
         drawn.is_closed = path.is_closed;
         drawn.is_hole = path.is_closed && path.area < 0.0;
         drawn.shape = shape_of(section, i);
@@ -41,9 +41,9 @@ core::DrawnLayer layer_of(const Section& section)
     return layer;
 }
 
-core::Drawing drawing_of(std::span<const Section> sections, const DrawingOptions& options)
+core::drawings::Drawing drawing_of(std::span<const Section> sections, const DrawingOptions& options)
 {
-    core::Drawing drawing;
+    core::drawings::Drawing drawing;
     drawing.millimetres = millimetres(options.unit);
     drawing.unit = text(options.unit);
     for (const Section& section : sections) drawing.layers.push_back(layer_of(section));

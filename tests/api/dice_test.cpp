@@ -70,9 +70,9 @@ TEST_P(DiceTest, VolumesSumUpWithAndWithoutAGap)
         const Box box = whole.bounds();
         std::vector<double> heights[3];
         for (int i = 1; i < 4; ++i) {
-            heights[0].push_back(box.lo.x + (box.hi.x - box.lo.x) * i / 4.0 + 0.003);
-            heights[1].push_back(box.lo.y + (box.hi.y - box.lo.y) * i / 4.0 + 0.003);
-            heights[2].push_back(box.lo.z + (box.hi.z - box.lo.z) * i / 4.0 + 0.003);
+            heights[0].push_back(box.lo.x + (box.hi.x - box.lo.x) * float(i) / 4.0f + 0.003f);
+            heights[1].push_back(box.lo.y + (box.hi.y - box.lo.y) * float(i) / 4.0f + 0.003f);
+            heights[2].push_back(box.lo.z + (box.hi.z - box.lo.z) * float(i) / 4.0f + 0.003f);
         }
         const std::vector<DicePlanes> planes{
             {Normal(1, 0, 0), heights[0]}, {Normal(0, 1, 0), heights[1]}, {Normal(0, 0, 1), heights[2]}};

@@ -8,7 +8,7 @@
 
 // Sections as lines: what is common to all formats.
 
-namespace kerf::core {
+namespace kerf::core::drawings {
 
 /// A line of a drawing: a loop or a chain.
 struct DrawnPath
@@ -34,4 +34,4 @@ struct Drawing
     std::string unit = "mm";   ///< what that unit is called
 };
 
-}  // namespace kerf::core
+}  // namespace kerf::core::drawings

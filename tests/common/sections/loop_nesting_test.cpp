@@ -13,7 +13,7 @@
 namespace kerf::core {
 namespace {
 
-const Plane kGround{{0, 0, 1}, 0};
+const Plane kSheet{{0, 0, 1}, 0};
 using Parents = std::vector<std::uint32_t>;
 
 void add_loop(PlaneSection& section, const std::vector<glm::vec3>& points)
@@ -30,7 +30,7 @@ void add_rectangle(PlaneSection& section, float x0, float y0, float x1, float y1
     add_loop(section, corners);
 }
 
-Parents parents_of(PlaneSection& section, const Plane& plane = kGround)
+Parents parents_of(PlaneSection& section, const Plane& plane = kSheet)
 {
     measure_section(plane, section);
     LoopNesting nesting;
