@@ -12,6 +12,7 @@
 #include "common/support/stopwatch.h"
 #include "tools/commands.h"
 #include "tools/fragment_facts.h"
+#include "tools/heights.h"
 #include "tools/mesh_info.h"
 #include "tools/registry.h"
 #include "tools/text.h"
@@ -29,6 +30,7 @@ struct CutCommandOptions
     std::string backend = backend_families().front().name;
     std::string lookup;
     bool no_cap = false;
+    double gap = 0.0;
     CapQuality cap_quality = CapQuality::fast;
     bool components = false;
     std::string prefix;
@@ -123,6 +125,7 @@ CutReport perform(const CutCommandOptions& options)
 
     CutOptions cut_options;
     cut_options.cap = !options.no_cap;
+    cut_options.gap = options.gap;
     cut_options.cap_quality = options.cap_quality;
     cut_options.components = options.components;
     watch.lap();
@@ -295,6 +298,24 @@ void add_cut_command(CLI::App& program)
         ->type_name("AXIS=NUMBER")
         ->excludes(point)
         ->excludes(normal);
+    CLI::Option* plane = command->get_option("--plane");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--through",
+            [options](const std::vector<std::string>& points) {
+                options->plane = parse_plane_through("--through", points);
+            },
+            "A plane through three points instead; they run counter-clockwise if they are seen from its positive side")
+        ->type_name("X,Y,Z X,Y,Z X,Y,Z")
+        ->expected(3)
+        ->excludes(point)
+        ->excludes(normal)
+        ->excludes(plane);
+    command
+        ->add_option_function<std::string>(
+            "--gap", [options](const std::string& text) { options->gap = parse_width("--gap", text); },
+            "Width of the blade, in the mesh's unit: what lies within half of it is taken away")
+        ->type_name("NUMBER");
     CLI::Option* backend = command->add_option("--backend", options->backend, "Which way to cut; see below")
                                ->check(CLI::IsMember(backend_choices()).description(""))
                                ->capture_default_str();
@@ -336,9 +357,10 @@ void add_cut_command(CLI::App& program)
         "\nExamples:\n"
         "  kerf cut rook.obj --normal 0,1,0 --out /tmp/rook\n"
         "  kerf cut rook.obj --plane y=0.5 --out /tmp/rook\n"
+        "  kerf cut rook.obj --through 0,0,0 1,0,0 0,1,1 --gap 0.1 --out /tmp/rook\n"
         "  kerf cut knot.off --point 0.1,0,0 --normal 1,0.5,0 --components --format ply --out knot --json");
     command->callback([options, backend, lookup] {
-        if (!options->normal && !options->plane) throw CLI::RequiredError("--normal or --plane");
+        if (!options->normal && !options->plane) throw CLI::RequiredError("--normal, --plane or --through");
         if (backend->empty() && !lookup->empty()) options->backend = backend_with_lookups();
         try {
             static_cast<void>(full_name(options->backend, options->lookup));

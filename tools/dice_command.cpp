@@ -17,6 +17,7 @@
 #include "tools/dice_planes.h"
 #include "tools/flat_mesh.h"
 #include "tools/fragment_facts.h"
+#include "tools/heights.h"
 #include "tools/input.h"
 #include "tools/mesh_info.h"
 #include "tools/progress_line.h"
@@ -231,8 +232,11 @@ void add_dice_command(CLI::App& program)
     for (CLI::Option* one : {grid, size, planes})
         for (CLI::Option* other : {grid, size, planes})
             if (one != other) one->excludes(other);
-    command->add_option("--gap", options->gap, "Width of the blade: what lies within half of it is taken away")
-        ->check(CLI::NonNegativeNumber.description(""));
+    command
+        ->add_option_function<std::string>(
+            "--gap", [options](const std::string& text) { options->gap = parse_width("--gap", text); },
+            "Width of the blade, in the mesh's unit: what lies within half of it is taken away")
+        ->type_name("NUMBER");
     command->add_flag("--no-cap", options->no_cap, "Leave the sections open");
     command->add_flag("--components", options->components, "Write the connected pieces of each cell one by one");
     command->add_option("--out", options->prefix, "Beginning of the names of the files to write")

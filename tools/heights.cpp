@@ -22,6 +22,13 @@ double parse_height(const std::string& option, const std::string& text)
     return parse_vector(option, text + ",0,0").x;
 }
 
+double parse_width(const std::string& option, const std::string& text)
+{
+    const double width = parse_height(option, text);
+    if (width < 0.0) throw CLI::ValidationError(option, "'" + text + "' is below 0");
+    return width;
+}
+
 std::vector<double> parse_heights(const std::string& option, const std::string& text)
 {
     std::string numbers = text;

@@ -9,6 +9,10 @@ namespace kerf::tools {
 /// @throws CLI::ValidationError
 double parse_height(const std::string& option, const std::string& text);
 
+/// The same of a width: a number that is not below 0.
+/// @throws CLI::ValidationError
+double parse_width(const std::string& option, const std::string& text);
+
 /// "0:1:0.25" as 0, 0.25, 0.5, 0.75, 1: from the first number to the second in steps of the third. The last height is
 /// there if it is missed by rounding alone.
 /// @throws CLI::ValidationError

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -101,6 +102,19 @@ glm::dvec3 parse_vector(const std::string& option, const std::string& text)
 glm::dvec3 parse_point(const std::string& option, const std::string& text)
 {
     return parse_three(option, text, parse_coordinate);
+}
+
+Plane parse_plane_through(const std::string& option, const std::vector<std::string>& points)
+{
+    if (points.size() != 3) throw CLI::ValidationError(option, "it needs three points");
+    std::vector<Vec3d> at;
+    for (const std::string& text : points) {
+        const glm::dvec3 p = parse_point(option, text);
+        at.push_back({p.x, p.y, p.z});
+    }
+    const std::optional<Plane> plane = Plane::through(at[0], at[1], at[2]);
+    if (!plane) throw CLI::ValidationError(option, "the three points lie on one line, or are too far away");
+    return *plane;
 }
 
 Plane parse_axis_plane(const std::string& option, const std::string& text)

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 // How the program writes numbers and reads vectors.
 
@@ -36,6 +37,11 @@ glm::dvec3 parse_vector(const std::string& option, const std::string& text);
 /// vertex.
 /// @throws CLI::ValidationError
 glm::dvec3 parse_point(const std::string& option, const std::string& text);
+
+/// The plane through three points, each "1,-2.5,0", rounded like those of parse_point(); they run counter-clockwise if they
+/// are seen from its positive side.
+/// @throws CLI::ValidationError
+Plane parse_plane_through(const std::string& option, const std::vector<std::string>& points);
 
 /// "x=0.5": the plane through that coordinate, rounded like a point's, across the axis; its normal points along it, or
 /// against it with a minus in front.

@@ -24,6 +24,20 @@ protected:
     }
 };
 
+TEST_F(KerfCut, GoesThroughThreePointsAndTakesAGapAway)
+{
+    make("box", 12);  // of one unit
+    const Json by_points = kerf_json("cut in.ply --through 0.1,0,0 0.1,1,0 0.1,0,1 --out a");
+    const Json by_axis = kerf_json("cut in.ply --plane x=0.1 --out b");
+    for (const char* side : {"positive", "negative"})
+        EXPECT_NEAR(by_points[side]["volume"].get<double>(), by_axis[side]["volume"].get<double>(), 1e-6);
+    const Json with_gap = kerf_json("cut in.ply --plane x=0 --gap 0.2 --out c");
+    for (const char* side : {"positive", "negative"}) EXPECT_NEAR(with_gap[side]["volume"].get<double>(), 0.4, 1e-6);
+    for (const char* use : {"--through 0,0,0 1,0,0", "--through 0,0,0 1,0,0 2,0,0", "--through 0,0,0 1,0,0 0,1,x",
+                            "--through 0,0,0 1,0,0 0,1,0 --plane x=0", "--plane x=0 --gap -1", "--plane x=0 --gap nan"})
+        EXPECT_EQ(kerf("cut in.ply " + std::string(use) + " --out d").status, 2) << use;
+}
+
 TEST_F(KerfCut, WritesBothSidesAndSaysWhatItDid)
 {
     make("asteroid", 2000);

@@ -89,10 +89,11 @@ TEST_F(KerfDice, DividesACellIntoItsComponents)
 TEST_F(KerfDice, SaysWhatIsWrongWithItsUse)
 {
     make("box", 12);
-    for (const char* use : {"dice in.ply --out a", "dice in.ply --grid 2x2 --out a", "dice in.ply --grid 0x1x1 --out a",
-                            "dice in.ply --grid 2x2x2x2 --out a", "dice in.ply --grid 2x2x2 --size 1,1,1 --out a",
-                            "dice in.ply --size 1,1,-1 --out a", "dice in.ply --grid 2x2x2 --gap -1 --out a",
-                            "dice in.ply --grid 2x2x2", "dice - --grid 2x2x2 --out a"})
+    for (const char* use :
+         {"dice in.ply --out a", "dice in.ply --grid 2x2 --out a", "dice in.ply --grid 0x1x1 --out a",
+          "dice in.ply --grid 2x2x2x2 --out a", "dice in.ply --grid 2x2x2 --size 1,1,1 --out a",
+          "dice in.ply --size 1,1,-1 --out a", "dice in.ply --grid 2x2x2 --gap -1 --out a",
+          "dice in.ply --grid 2x2x2 --gap nan --out a", "dice in.ply --grid 2x2x2", "dice - --grid 2x2x2 --out a"})
         EXPECT_EQ(kerf(use).status, 2) << use;
     EXPECT_EQ(kerf("dice in.ply --size 1e-9,1,1 --out a").status, 1);
     EXPECT_EQ(names_in_folder(), std::vector<std::string>{"in.ply"});
