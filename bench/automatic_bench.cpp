@@ -116,8 +116,9 @@ void register_automatic_benchmarks()
             judge_choices(state, mesh, planes_of_shape(mesh));
         });
     for (const Model& model : models())
-        register_choice("model/" + model.name,
-                     [&model](benchmark::State& state) { judge_choices(state, model.mesh, planes_of_model(model)); });
+        register_choice("model/" + model.name, [&model](benchmark::State& state) {
+            judge_choices(state, model.mesh, planes_of_model(model));
+        });
 }
 
 }  // namespace kerf::bench

@@ -92,7 +92,10 @@ Status SectionMaker::fill_clear(const Object& object, const core::Plane& plane, 
     if (section.data_ == nullptr) section.data_ = new Section::Data;
     Section::Data& data = *section.data_;
     core::PlaneSection& found = data.found;
+    // What the back end needs can be as large as the mesh: many sections share it.
+    if (scratch != nullptr) found.scratch = std::move(scratch->of_back_end);
     section.status = to_public(core::section(*object.inside(), plane, found));
+    if (scratch != nullptr) scratch->of_back_end = std::move(found.scratch);
     section.side_of_object = to_public(found.side_of_object);
     section.frame = frame_of(plane, options.up);
     data.statistics = statistics_of(object, found);

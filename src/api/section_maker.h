@@ -17,6 +17,7 @@ struct SectionScratch
 {
     core::LoopNesting nesting;
     core::SectionFill fill;
+    std::unique_ptr<core::PlaneSection::Scratch> of_back_end;
 };
 
 /// What a Section hides.

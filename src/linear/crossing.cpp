@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "common/geometry/pair_table.h"
-
 namespace kerf::core::linear {
 
 namespace {
@@ -46,14 +44,13 @@ void corner_stream(const IndexedMesh& mesh, const VertexStream& stream, const Cr
 
 void split_crossing_triangles(const IndexedMesh& mesh, const Plane& plane, Crossings& crossings)
 {
-    PairTable cut_point_of_edge;  // by the edge's points, so that seam edges have one cut point
-    cut_point_of_edge.reset(crossings.triangles.size() + crossings.triangles.size() / 2);
+    crossings.cut_point_of_edge.reset(crossings.triangles.size() + crossings.triangles.size() / 2);
     crossings.cut_points.clear();
     crossings.cut_points.reserve(crossings.triangles.size() + crossings.triangles.size() / 2);
 
     const auto cut_point = [&](std::uint32_t a, std::uint32_t b) {
         const std::uint32_t p = mesh.points[a], q = mesh.points[b];
-        std::uint32_t& id = cut_point_of_edge(std::min(p, q), std::max(p, q));
+        std::uint32_t& id = crossings.cut_point_of_edge(std::min(p, q), std::max(p, q));
         if (id == kNone) id = crossings.cut_points.add();
         return id;
     };

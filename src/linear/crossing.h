@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/cutting/cut_geometry.h"
+#include "common/geometry/pair_table.h"
 #include "common/mesh/indexed_mesh.h"
 #include "linear/cut_point_classes.h"
 
@@ -24,6 +25,7 @@ struct Crossings
 {
     std::vector<CrossingTriangle> triangles;  ///< in mesh order
     CutPointClasses cut_points;
+    PairTable cut_point_of_edge;  ///< by the edge's points, so that seam edges have one cut point
 
     /// The cut point that stands for corner `code` (kCutNext or kCutPrevious) of a crossing triangle.
     std::uint32_t cut_point(const CrossingTriangle& crossing, std::uint8_t code)

@@ -6,7 +6,7 @@
 namespace kerf::core::linear {
 
 /// The outline of a section without a cut: the steps of the Slicer (slicing_steps.h) that find it, and no copy of what
-/// the plane does not cross. O(n). May throw std::bad_alloc.
+/// the plane does not cross. What it needs it keeps in the section. O(n). May throw std::bad_alloc.
 ///
 /// @param section  clear
 void find_outline(const Fragment& whole, const Plane& plane, PlaneSection& section);

@@ -1,10 +1,8 @@
 #include "linear/section.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "common/caps/section_area.h"
-#include "common/geometry/pair_table.h"
 
 namespace kerf::core::linear {
 
@@ -14,9 +12,11 @@ namespace {
 class PointNumbers
 {
 public:
-    PointNumbers(const IndexedMesh& mesh, Crossings& crossings, Section& section)
-        : mesh_(mesh), crossings_(crossings), section_(section), of_cut_point_(crossings.cut_points.size(), kNone)
+    PointNumbers(const IndexedMesh& mesh, Crossings& crossings, std::vector<std::uint32_t>& of_cut_point,
+                 PairTable& of_existing, Section& section)
+        : mesh_(mesh), crossings_(crossings), of_cut_point_(of_cut_point), of_existing_(of_existing), section_(section)
     {
+        of_cut_point_.assign(crossings.cut_points.size(), kNone);
     }
 
     /// The section point at a corner of a crossing triangle.
@@ -41,9 +41,9 @@ private:
     std::uint32_t of_existing(std::uint32_t point, const glm::vec3& position)
     {
         point = crossings_.cut_points.standing_for(point);
-        const auto [entry, is_new] = of_existing_.try_emplace(point, kNone);
-        if (is_new) entry->second = add({position, point, kNone});
-        return entry->second;
+        std::uint32_t& number = of_existing_(point, point);
+        if (number == kNone) number = add({position, point, kNone});
+        return number;
     }
 
     std::uint32_t add(const SectionPoint& point)
@@ -54,27 +54,9 @@ private:
 
     const IndexedMesh& mesh_;
     Crossings& crossings_;
+    std::vector<std::uint32_t>& of_cut_point_;
+    PairTable& of_existing_;
     Section& section_;
-    std::vector<std::uint32_t> of_cut_point_;
-    std::unordered_map<std::uint32_t, std::uint32_t> of_existing_;
-};
-
-/// Removes pairs of opposite edges, wherever they were found.
-void cancel_opposite_edges(Section& section)
-{
-    for (const auto& pair : opposite_edges(section.points.size(), outline_of(section))) {
-        section.has_cancelled_edges = true;
-        for (const std::uint32_t edge : pair) section.edges[edge].from = kNone;
-    }
-    std::erase_if(section.edges, [](const SectionEdge& edge) { return edge.from == kNone; });
-}
-
-/// An edge in the plane as it runs on the positive side, with what is known of all triangles at it.
-struct SectionEdgeInPlane
-{
-    EdgeInPlane edge;
-    std::uint32_t source;    // the least
-    std::uint32_t material;  // of the one on the negative side with the least source
 };
 
 /// The two vertices of an edge in the plane.
@@ -84,69 +66,18 @@ std::array<std::uint32_t, 2> ends_of(const IndexedMesh& mesh, const EdgeInPlane&
     return {t[edge.corner], t[(edge.corner + 1u) % 3]};
 }
 
-/// The edges in the plane that have a triangle of either side, as they run on the positive side. They are counted,
-/// because pieces of earlier cuts can touch along an edge, so that more than two triangles meet there. Edges that run
-/// forth and back on one side bound nothing there; each of the rest pairs with one reverse on the other side.
-std::vector<SectionEdgeInPlane> section_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
-                                                       std::span<const EdgeInPlane> positive)
-{
-    if (negative.empty() || positive.empty()) return {};
-    struct Row
-    {
-        std::int32_t below = 0, above = 0;       // edges that ascend less those that do not
-        std::uint32_t source = kNoSource;        // the least
-        std::uint32_t source_below = kNoSource;  // the least on the negative side
-        std::uint32_t group_below = kNone;       // and its group
-    };
-    PairTable row_at;  // by the edge's points, the smaller one first
-    row_at.reset(negative.size() + positive.size());
-    std::vector<Row> rows;
-    const auto row_of = [&](const EdgeInPlane& edge, std::int32_t& direction) -> Row& {
-        const auto [a, b] = ends_of(mesh, edge);
-        const std::uint32_t p = mesh.points[a], q = mesh.points[b];
-        direction = p < q ? 1 : -1;
-        std::uint32_t& index = row_at(std::min(p, q), std::max(p, q));
-        if (index == kNone) {
-            index = static_cast<std::uint32_t>(rows.size());
-            rows.emplace_back();
-        }
-        Row& row = rows[index];
-        row.source = std::min(row.source, mesh.sources[edge.triangle]);
-        return row;
-    };
-    std::int32_t direction = 0;
-    for (const EdgeInPlane& edge : negative) {
-        Row& row = row_of(edge, direction);
-        row.below += direction;
-        const std::uint32_t source = mesh.sources[edge.triangle];
-        if (row.group_below != kNone && source >= row.source_below) continue;
-        row.source_below = source;
-        row.group_below = edge.group;
-    }
-    for (const EdgeInPlane& edge : positive) {
-        Row& row = row_of(edge, direction);
-        row.above += direction;
-    }
-    std::vector<SectionEdgeInPlane> result;
-    for (const EdgeInPlane& edge : positive) {
-        Row& row = row_of(edge, direction);
-        if (row.above * direction <= 0 || row.below * direction >= 0) continue;
-        row.above -= direction;
-        row.below += direction;
-        result.push_back({edge, row.source, mesh.groups[row.group_below].material});
-    }
-    return result;
-}
-
 }  // namespace
 
-Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
-                     std::span<const EdgeInPlane> in_plane_of_positive)
+void SectionFinder::find(const IndexedMesh& mesh, Crossings& crossings,
+                         std::span<const EdgeInPlane> in_plane_of_negative,
+                         std::span<const EdgeInPlane> in_plane_of_positive, Section& section)
 {
-    Section section;
+    section.clear();
     section.points.reserve(crossings.cut_points.size());
     section.edges.reserve(crossings.triangles.size());
-    PointNumbers numbers(mesh, crossings, section);
+    // Room for all points that may be there already: a table that grows takes memory.
+    of_existing_.reset(crossings.triangles.size() + in_plane_of_positive.size());
+    PointNumbers numbers(mesh, crossings, of_cut_point_, of_existing_, section);
 
     for (std::uint32_t i = 0; i < crossings.triangles.size(); ++i) {
         const CrossingTriangle& crossing = crossings.triangles[i];
@@ -159,30 +90,108 @@ Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<co
                                  mesh.groups[crossing.group].solid, mesh.sources[crossing.triangle],
                                  mesh.groups[crossing.group].material});
     }
-    for (const auto& [edge, source, material] :
-         section_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive)) {
+    pair_edges_in_plane(mesh, in_plane_of_negative, in_plane_of_positive);
+    for (const auto& [edge, source, material] : in_plane_) {
         const auto [from, to] = ends_of(mesh, edge);
         section.edges.push_back({numbers.of_vertex(from), numbers.of_vertex(to), kNone, edge.triangle, edge.corner,
                                  static_cast<std::uint8_t>((edge.corner + 1u) % 3), mesh.groups[edge.group].solid,
                                  source, material});
     }
     cancel_opposite_edges(section);
+}
+
+/// Finds the edges in the plane that have a triangle of either side, as they run on the positive side. They are counted,
+/// because pieces of earlier cuts can touch along an edge, so that more than two triangles meet there. Edges that run
+/// forth and back on one side bound nothing there; each of the rest pairs with one reverse on the other side.
+void SectionFinder::pair_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
+                                        std::span<const EdgeInPlane> positive)
+{
+    in_plane_.clear();
+    if (negative.empty() || positive.empty()) return;
+    row_at_.reset(negative.size() + positive.size());
+    rows_.clear();
+    std::int32_t direction = 0;
+    for (const EdgeInPlane& edge : negative) {
+        Row& row = row_of(mesh, edge, direction);
+        row.below += direction;
+        const std::uint32_t source = mesh.sources[edge.triangle];
+        if (row.group_below != kNone && source >= row.source_below) continue;
+        row.source_below = source;
+        row.group_below = edge.group;
+    }
+    for (const EdgeInPlane& edge : positive) {
+        Row& row = row_of(mesh, edge, direction);
+        row.above += direction;
+    }
+    for (const EdgeInPlane& edge : positive) {
+        Row& row = row_of(mesh, edge, direction);
+        if (row.above * direction <= 0 || row.below * direction >= 0) continue;
+        row.above -= direction;
+        row.below += direction;
+        in_plane_.push_back({edge, row.source, mesh.groups[row.group_below].material});
+    }
+}
+
+/// `direction` is 1 of an edge that ascends, from the smaller point to the larger one, and otherwise -1.
+SectionFinder::Row& SectionFinder::row_of(const IndexedMesh& mesh, const EdgeInPlane& edge, std::int32_t& direction)
+{
+    const auto [a, b] = ends_of(mesh, edge);
+    const std::uint32_t p = mesh.points[a], q = mesh.points[b];
+    direction = p < q ? 1 : -1;
+    std::uint32_t& index = row_at_(std::min(p, q), std::max(p, q));
+    if (index == kNone) {
+        index = static_cast<std::uint32_t>(rows_.size());
+        rows_.emplace_back();
+    }
+    Row& row = rows_[index];
+    row.source = std::min(row.source, mesh.sources[edge.triangle]);
+    return row;
+}
+
+/// Removes pairs of opposite edges, wherever they were found.
+void SectionFinder::cancel_opposite_edges(Section& section)
+{
+    list_outline(section, outline_);
+    for (const auto& pair : opposite_.find(section.points.size(), outline_)) {
+        section.has_cancelled_edges = true;
+        for (const std::uint32_t edge : pair) section.edges[edge].from = kNone;
+    }
+    std::erase_if(section.edges, [](const SectionEdge& edge) { return edge.from == kNone; });
+}
+
+Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
+                     std::span<const EdgeInPlane> in_plane_of_positive)
+{
+    Section section;
+    SectionFinder().find(mesh, crossings, in_plane_of_negative, in_plane_of_positive, section);
     return section;
+}
+
+void list_outline(const Section& section, std::vector<OutlineEdge>& outline)
+{
+    outline.clear();
+    outline.reserve(section.edges.size());
+    for (const SectionEdge& edge : section.edges) outline.push_back({edge.from, edge.to, {}, edge.source});
 }
 
 std::vector<OutlineEdge> outline_of(const Section& section)
 {
     std::vector<OutlineEdge> outline;
-    outline.reserve(section.edges.size());
-    for (const SectionEdge& edge : section.edges) outline.push_back({edge.from, edge.to, {}, edge.source});
+    list_outline(section, outline);
     return outline;
+}
+
+void list_positions(const Section& section, std::vector<glm::vec3>& positions)
+{
+    positions.clear();
+    positions.reserve(section.points.size());
+    for (const SectionPoint& point : section.points) positions.push_back(point.position);
 }
 
 std::vector<glm::vec3> positions_of(const Section& section)
 {
     std::vector<glm::vec3> positions;
-    positions.reserve(section.points.size());
-    for (const SectionPoint& point : section.points) positions.push_back(point.position);
+    list_positions(section, positions);
     return positions;
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/caps/outline_loops.h"
 #include "common/cutting/cut.h"
+#include "common/geometry/pair_table.h"
 #include "linear/crossing.h"
 
 // The baseline's section: outline edges of its crossing triangles, linked into paths.
@@ -40,6 +41,13 @@ struct Section
     std::vector<SectionPoint> points;
     std::vector<SectionEdge> edges;
     bool has_cancelled_edges = false;  ///< some ran forth and back, and are gone
+
+    void clear()
+    {
+        points.clear();
+        edges.clear();
+        has_cancelled_edges = false;
+    }
 };
 
 /// A polyline of section edges that visits no point twice.
@@ -58,13 +66,58 @@ struct EdgeInPlane
 };
 
 /// The section in the form of the common code, without the parts that it bounds.
+/// @{
 std::vector<OutlineEdge> outline_of(const Section& section);
+void list_outline(const Section& section, std::vector<OutlineEdge>& outline);
+/// @}
 
 /// The positions of the section's points.
+/// @{
 std::vector<glm::vec3> positions_of(const Section& section);
+void list_positions(const Section& section, std::vector<glm::vec3>& positions);
+/// @}
 
-/// Collects the outline from the crossing triangles and from the edges in the plane of both sides. Edges that run forth
-/// and back cancel. O(k) expected.
+/// Collects outlines. Keeps its memory.
+class SectionFinder
+{
+public:
+    /// Fills `section` from the crossing triangles and from the edges in the plane of both sides. Edges that run forth
+    /// and back cancel. O(k) expected. May throw std::bad_alloc.
+    void find(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
+              std::span<const EdgeInPlane> in_plane_of_positive, Section& section);
+
+private:
+    /// An edge in the plane as it runs on the positive side, with what is known of all triangles at it.
+    struct SectionEdgeInPlane
+    {
+        EdgeInPlane edge;
+        std::uint32_t source;    ///< the least
+        std::uint32_t material;  ///< of the one on the negative side with the least source
+    };
+    /// What is known of an edge in the plane.
+    struct Row
+    {
+        std::int32_t below = 0, above = 0;       ///< edges that ascend less those that do not
+        std::uint32_t source = kNoSource;        ///< the least
+        std::uint32_t source_below = kNoSource;  ///< the least on the negative side
+        std::uint32_t group_below = kNone;       ///< and its group
+    };
+
+    void pair_edges_in_plane(const IndexedMesh& mesh, std::span<const EdgeInPlane> negative,
+                             std::span<const EdgeInPlane> positive);
+    Row& row_of(const IndexedMesh& mesh, const EdgeInPlane& edge, std::int32_t& direction);
+    void cancel_opposite_edges(Section& section);
+
+    std::vector<std::uint32_t> of_cut_point_;  ///< the section point at each class of cut points
+    PairTable of_existing_;                    ///< that at points of the mesh, each by its number twice
+    PairTable row_at_;                         ///< by the edge's points, the smaller one first
+    std::vector<Row> rows_;
+    std::vector<SectionEdgeInPlane> in_plane_;
+    std::vector<OutlineEdge> outline_;
+    OppositeEdges opposite_;
+};
+
+/// The same, once.
 Section find_section(const IndexedMesh& mesh, Crossings& crossings, std::span<const EdgeInPlane> in_plane_of_negative,
                      std::span<const EdgeInPlane> in_plane_of_positive);
 

@@ -230,7 +230,6 @@ TEST_P(ObjectOutOfMemory, ASectionThatWasRefusedIsFilledByTheNextCall)
 
 TEST_P(ObjectOutOfMemory, ASectionThatIsFilledAgainTakesNoMemory)
 {
-    if (GetParam() != "halfedge") GTEST_SKIP() << "a linear section looks at all triangles, and takes memory for it";
     // Nested loops, triangles that close them, planes through vertices and edges: whatever it held once, it can hold
     // again. (Triangles of sections that touch or cross themselves take memory each time.)
     for (const char* name : {"menger_sponge", "nested_spheres", "torus", "l_step", "two_legs", "bowl", "asteroid"}) {

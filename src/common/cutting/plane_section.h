@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,18 @@ struct PlaneSection
         /// @}
     };
 
+    /// What a back end needs to find a section, so that the next one takes no memory.
+    class Scratch
+    {
+    public:
+        virtual ~Scratch() = default;
+
+    protected:
+        Scratch() = default;
+        Scratch(const Scratch&) = default;
+        Scratch& operator=(const Scratch&) = default;
+    };
+
     Status status = Status::missed;  ///< done, missed or open_section, as of a cut; invalid_argument, out_of_memory
     Side side_of_object = Side::negative;  ///< of a miss, as of a cut
     std::vector<glm::vec3> points;         ///< in mesh coordinates, path by path
@@ -51,6 +64,8 @@ struct PlaneSection
     std::uint64_t nodes_visited = 0;       ///< tree nodes looked at
     std::uint64_t triangles_touched = 0;   ///< triangle records read
 
+    std::unique_ptr<Scratch> scratch;  ///< of the back end that found the last section, if it keeps any
+
     std::span<const glm::vec3> points_of(const Path& path) const
     {
         return std::span(points).subspan(path.first_point, path.point_count);
@@ -60,7 +75,7 @@ struct PlaneSection
         return std::span(edges).subspan(path.first_edge, path.edge_count);
     }
 
-    /// One without paths, of an object of which nothing is known yet.
+    /// One without paths, of an object of which nothing is known yet. Keeps the scratch.
     void clear()
     {
         status = Status::missed;
