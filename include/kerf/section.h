@@ -158,7 +158,9 @@ public:
     const char* reason() const noexcept;
     /// In the order of the heights that were asked for; each has a status of its own. Valid until the stack is filled
     /// again or ends.
-    std::span<const Section> all() const noexcept;
+    std::span<const Section> all() const& noexcept;
+    /// Not of a stack that nobody keeps: its sections would be gone before they are looked at.
+    std::span<const Section> all() const&& = delete;
 
     /// One without sections; what is moved from is such a one.
     /// @{

@@ -205,7 +205,7 @@ const char* SectionStack::reason() const noexcept
     }
 }
 
-std::span<const Section> SectionStack::all() const noexcept
+std::span<const Section> SectionStack::all() const& noexcept
 {
     if (data_ == nullptr) return {};
     return std::span<const Section>(data_->sections).first(data_->count);

@@ -36,8 +36,16 @@ concept CutsAnObjectThatStays = requires(T& object, const Plane& plane)
     cut(object, plane);
 };
 
+template <class T>
+concept GivesAwayItsSections = requires(T t)
+{
+    static_cast<T&&>(t).all();
+};
+
 TEST(Misuse, WhatDoesNotCompile)
 {
+    static_assert(GivesAwayItsSections<const SectionStack&>);
+    static_assert(!GivesAwayItsSections<SectionStack>, "sections of a stack that is gone at the end of the line");
     static_assert(MakesAPlane<Point, Normal>);
     static_assert(!MakesAPlane<Normal, Point>, "the wrong order");
     static_assert(!MakesAPlane<Vec3d, Vec3d>, "two vectors, of which nobody knows which is which");

@@ -58,9 +58,10 @@ TEST_P(SectionStackTest, HasTheSectionOfEachHeightInTheirOrder)
 
 TEST_P(SectionStackTest, OfNoHeightsHasNone)
 {
-    EXPECT_EQ(sections(object(), Normal(0, 0, 1), {}).status(), Status::done);
-    EXPECT_TRUE(sections(object(), Normal(0, 0, 1), {}).all().empty());
-    EXPECT_TRUE(SectionStack().all().empty());
+    const SectionStack none = sections(object(), Normal(0, 0, 1), {}), fresh;
+    EXPECT_EQ(none.status(), Status::done);
+    EXPECT_TRUE(none.all().empty());
+    EXPECT_TRUE(fresh.all().empty());
 }
 
 TEST_P(SectionStackTest, ThatWasUsedBeforeHoldsNothingOfIt)

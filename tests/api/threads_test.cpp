@@ -60,7 +60,8 @@ const std::vector<Read>& reads()
             StackOptions options;
             options.threads = 2;
             double area = 0.0;
-            for (const Section& found : sections(object, Normal(0, 1, 0), heights, options).all()) area += found.area;
+            const SectionStack stack = sections(object, Normal(0, 1, 0), heights, options);
+            for (const Section& found : stack.all()) area += found.area;
             return area;
         },
         [](const Object& object) { return cut_copy(object, Plane::z(0.01).value()).section_area; },
