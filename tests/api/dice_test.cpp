@@ -195,18 +195,19 @@ TEST_P(DiceTest, SaysHowFarItIsAndStopsIfItIsTold)
 
 TEST_P(DiceTest, WhatMeansNothingLeavesTheObjectAsItWas)
 {
-    Object cube = test::cube(GetParam());
     const std::vector<double> wrong{std::numeric_limits<double>::infinity()}, right{0.0};
-    EXPECT_EQ(kerf::dice(std::move(cube), std::vector<DicePlanes>{{Normal(1, 0, 0), wrong}}).status(),
-              Status::invalid_argument);
-    EXPECT_EQ(kerf::dice(std::move(cube), std::vector<DicePlanes>{{Normal(0, 0, 0), right}}).status(),
-              Status::invalid_argument);
-    DiceOptions options;
-    options.cut.gap = -1.0;
-    Dice dice = kerf::dice(std::move(cube), std::vector<DicePlanes>{{Normal(1, 0, 0), right}}, options);
-    EXPECT_EQ(dice.status(), Status::invalid_argument);
-    EXPECT_STRNE(dice.reason(), "");
-    EXPECT_EQ(cube.triangle_count(), 12u);  // NOLINT(bugprone-use-after-move): that is what is tested
+    DiceOptions negative_gap;
+    negative_gap.cut.gap = -1.0;
+    const auto refuse = [&](const DicePlanes& planes, const DiceOptions& options) {
+        Object cube = test::cube(GetParam());
+        const Dice dice = kerf::dice(std::move(cube), {&planes, 1}, options);
+        EXPECT_EQ(dice.status(), Status::invalid_argument);
+        EXPECT_STRNE(dice.reason(), "");
+        EXPECT_EQ(cube.triangle_count(), 12u);  // NOLINT(bugprone-use-after-move): that is what is tested
+    };
+    refuse({Normal(1, 0, 0), wrong}, {});
+    refuse({Normal(0, 0, 0), right}, {});
+    refuse({Normal(1, 0, 0), right}, negative_gap);
     EXPECT_EQ(kerf::dice(Object(), {}).status(), Status::invalid_argument);
 }
 

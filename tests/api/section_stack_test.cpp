@@ -95,8 +95,9 @@ TEST_P(SectionStackTest, SaysHowFarItIsAndStopsIfItIsTold)
     EXPECT_EQ(told.shares.front(), 0.0);
     EXPECT_EQ(told.shares.back(), 1.0);
     EXPECT_TRUE(std::ranges::is_sorted(told.shares));
-    for (const std::size_t most : {1u, 2u, 5u})
-        for (const std::uint32_t threads : {1u, 2u}) {
+    for (const std::uint32_t threads : {1u, 2u})
+        for (const std::size_t most : {1u, 2u, 5u}) {
+            if (threads > 1 && most > 2) continue;  // the other thread may have done all before it is asked so often
             told = {{}, most};
             options.threads = threads;
             EXPECT_EQ(sections(object(), Normal(0, 0, 1), kHeights, stack, options), Status::cancelled);

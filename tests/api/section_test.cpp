@@ -65,7 +65,7 @@ int winding(std::span<const Vec2d> loop, const Vec2d& o)
 Object open_cube(const std::string& back_end)
 {
     test::Arrays cube = test::cube_arrays();
-    cube.indices.resize(3 * 10);
+    cube.indices.resize(30);
     return test::object_of(test::mesh_of(cube), back_end);
 }
 

@@ -66,6 +66,7 @@ TEST_F(KerfDice, GivesTheSamePiecesWithEveryBackEnd)
     make("torus", 800);
     const Json first = kerf_json("dice in.ply --grid 3x3x3 --out a");
     for (const char* backend : {"halfedge", "linear"}) {
+        if (kerf("cut --help").out.find(backend) == std::string::npos) continue;  // this program was built without it
         const Json other = kerf_json("dice in.ply --grid 3x3x3 --out b --backend " + std::string(backend));
         ASSERT_EQ(other["pieces"].size(), first["pieces"].size());
         for (std::size_t i = 0; i < other["pieces"].size(); ++i) {

@@ -38,8 +38,11 @@ TEST_F(KerfSection, IsThatOfACut)
 {
     make("two_legs", 2000);
     const Json cut = kerf_json("cut in.ply --plane y=0.1 --out half");
-    for (const char* backend : {"", " --backend halfedge", " --backend linear", " --backend baseline"}) {
-        const Json section = kerf_json("section in.ply --plane y=0.1" + std::string(backend));
+    const std::string help = kerf("cut --help").out;
+    for (const std::string backend : {"", "halfedge", "linear", "baseline"}) {
+        if (help.find(backend) == std::string::npos) continue;  // this program was built without it
+        const Json section =
+            kerf_json("section in.ply --plane y=0.1" + (backend.empty() ? backend : " --backend " + backend));
         EXPECT_EQ(section["area"], cut["section_area"]);
         EXPECT_EQ(section["loops"].size(), cut["counts"]["loops"]);
     }
