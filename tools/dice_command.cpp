@@ -1,10 +1,6 @@
 #include <kerf/dice.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <fstream>
-#include <iostream>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/caps/loop_containment.h"
-#include "common/caps/section_area.h"
 #include "common/geometry/containment.h"
 
 namespace kerf::core {
@@ -36,14 +35,7 @@ FlatLoop flatten(const SectionOutline& outline, std::span<const std::uint32_t> p
                 std::min_element(flat.points.begin(), flat.points.end(),
                                  [](auto& p, auto& q) { return p.u != q.u ? p.u < q.u : p.v < q.v; }),
                 flat.points.end());
-    // About a corner of its box, so that a loop far from the origin loses no digits.
-    const glm::dvec3 origin(flat.box.lo), size = glm::dvec3(flat.box.hi) - origin;
-    OrderlessSum area2(4.0 * (size.x * size.x + size.y * size.y));
-    for_each_edge(PlanarLoop(flat.points), [&](const PlanarPoint& p, const PlanarPoint& q) {
-        area2.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
-                  (double(p.v) - origin.y) * (double(q.u) - origin.x));
-    });
-    flat.area2 = area2.value();
+    flat.area2 = twice_area(flat.points, flat.box);
     return flat;
 }
 

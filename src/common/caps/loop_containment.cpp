@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "common/caps/section_area.h"
+
 namespace kerf::core {
 
 namespace {
@@ -11,6 +13,17 @@ namespace {
 constexpr std::uint32_t kNotChosen = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
+
+double twice_area(PlanarLoop loop, const Box& box)
+{
+    const glm::dvec3 origin(box.lo), size = glm::dvec3(box.hi) - origin;
+    OrderlessSum sum(4.0 * (size.x * size.x + size.y * size.y));
+    for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
+        sum.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
+                (double(p.v) - origin.y) * (double(q.u) - origin.x));
+    });
+    return sum.value();
+}
 
 void LoopContainment::begin(std::span<const PlanarLoop> loops)
 {

@@ -21,6 +21,10 @@ void for_each_edge(PlanarLoop loop, Visit&& visit)
     for (std::size_t i = 0; i < loop.size(); ++i) visit(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]);
 }
 
+/// Twice the signed area of a loop with this box: the same bits wherever the loop begins. About a corner of the box, so that
+/// a loop far from the origin loses no digits.
+double twice_area(PlanarLoop loop, const Box& box);
+
 /// Whether loops of one section, all projected alike, lie in one another: a loop does if at least two of three sample
 /// points of its inside do. They lie where no point of the loop is near, because loops may touch one another in points
 /// and edges. Keeps its memory.

@@ -45,7 +45,7 @@ struct Repaired
     std::string error;  ///< one sentence: no triangle, an index out of range, a coordinate that is not finite, ...
 };
 
-/// Whether repair() says what the soup was like. To measure it takes an eighth of the time.
+/// Whether repair() says what the soup was like. To measure it takes a sixth of the time.
 enum class FactsWanted : std::uint8_t
 {
     all,

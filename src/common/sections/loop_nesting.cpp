@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/caps/section_area.h"
 #include "common/geometry/dominant_axis.h"
 
 namespace kerf::core {
@@ -15,18 +14,6 @@ Box box_of(PlanarLoop loop)
     Box box;
     for (const PlanarPoint& p : loop) box.add(glm::vec3(p.u, p.v, 0.0f));
     return box;
-}
-
-/// Area of a loop as it is projected: the same bits wherever the loop begins, so that loops that coincide are equal.
-double projected_area(PlanarLoop loop, const Box& box)
-{
-    const glm::dvec3 origin(box.lo), size = glm::dvec3(box.hi) - origin;
-    OrderlessSum twice(4.0 * (size.x * size.x + size.y * size.y));
-    for_each_edge(loop, [&](const PlanarPoint& p, const PlanarPoint& q) {
-        twice.add((double(p.u) - origin.x) * (double(q.v) - origin.y) -
-                  (double(p.v) - origin.y) * (double(q.u) - origin.x));
-    });
-    return std::abs(0.5 * twice.value());
 }
 
 }  // namespace
@@ -72,7 +59,7 @@ void LoopNesting::flatten(const Plane& plane, const PlaneSection& section)
         const PlanarLoop outline = std::span(points_).subspan(path.first_point, path.point_count);
         const Box box = box_of(outline);
         outlines_.push_back(outline);
-        shapes_.push_back({box, projected_area(outline, box), true, true});
+        shapes_.push_back({box, std::abs(twice_area(outline, box)), true, true});
     }
 }
 
