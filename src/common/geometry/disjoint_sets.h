@@ -34,12 +34,14 @@ public:
         return i;
     }
 
-    void unite(std::uint32_t a, std::uint32_t b)
+    void unite(std::uint32_t a, std::uint32_t b) { unite_representatives(find(a), find(b)); }
+
+    /// The same for two sets whose representatives are known. Returns the representative of both.
+    std::uint32_t unite_representatives(std::uint32_t a, std::uint32_t b)
     {
-        a = find(a);
-        b = find(b);
         if (a > b) std::swap(a, b);
         parent_[b] = a;
+        return a;
     }
 
 private:

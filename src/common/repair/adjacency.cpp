@@ -39,8 +39,15 @@ Index label_shells(std::span<const Index> opposite, Buffer<Index>& shell)
     // from neighbour to neighbour does not.
     const auto n = static_cast<Index>(opposite.size() / 3);
     DisjointSets sets(n);
-    for (Index h = 0; h < 3 * n; ++h)
-        if (opposite[h] < h) sets.unite(h / 3, opposite[h] / 3);
+    for (Index t = 0; t < n; ++t) {
+        Index first = t;  // of the shell that the triangle joins
+        for (Index corner = 0; corner < 3; ++corner) {
+            const Index across = opposite[3 * t + corner];
+            if (across >= 3 * t) continue;
+            const Index other = sets.find(across / 3);
+            if (other != first) first = sets.unite_representatives(first, other);
+        }
+    }
     shell.resize(n);
     Index count = 0;
     for (Index t = 0; t < n; ++t) {
