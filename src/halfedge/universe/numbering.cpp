@@ -33,7 +33,7 @@ Buffer<T> filled(std::size_t size, T value)
 Numbering::Numbering(const ProvenMesh& proven, std::size_t boundary)
     : mesh_(proven),
       opposite_(proven.adjacency().opposite),
-      number_of_triangle_(filled(mesh_.triangles.size(), kNone)),
+      known_(filled(opposite_.size(), HalfedgeId())),
       number_of_vertex_(filled(mesh_.vertices.size(), kNone)),
       number_of_point_(filled(mesh_.point_count, kNone)),
       old_vertex_(room_for<Index>(mesh_.vertices.size())),
@@ -62,9 +62,8 @@ NumberedChunk Numbering::next()
         Triangle& slot = (*slots_)[SlotId(i)];
         for (std::size_t c = 0; c < 3; ++c) {
             slot[c] = vertex(t[c]);
-            halfedges_[i][c] = halfedge(opposite_[std::size_t{3} * old_triangle + c]);
+            halfedges_[i][c] = halfedge(3 * old_triangle + Index(c));
         }
-        number_of_triangle_[old_triangle] = i;
     }
     counts_.triangles += chunk.count;
     chunk.vertices = counts_.vertices;
@@ -75,7 +74,7 @@ void Numbering::prefetch_triangle(Index old_triangle) const
 {
     __builtin_prefetch(&mesh_.triangles[old_triangle]);
     __builtin_prefetch(&opposite_[std::size_t{3} * old_triangle]);
-    __builtin_prefetch(&number_of_triangle_[old_triangle]);
+    __builtin_prefetch(&known_[std::size_t{3} * old_triangle]);
 }
 
 void Numbering::prefetch_neighbours(Index old_triangle) const
@@ -83,7 +82,7 @@ void Numbering::prefetch_neighbours(Index old_triangle) const
     for (std::size_t c = 0; c < 3; ++c) {
         __builtin_prefetch(&number_of_vertex_[mesh_.triangles[old_triangle][c]]);
         const Index across = opposite_[std::size_t{3} * old_triangle + c];
-        if (across != kNone) __builtin_prefetch(&number_of_triangle_[across / 3]);
+        if (across != kNone) __builtin_prefetch(&known_[across], 1);
     }
 }
 
@@ -99,21 +98,22 @@ Index Numbering::vertex(Index old_vertex)
     return number;
 }
 
-HalfedgeId Numbering::halfedge(Index opposite_corner)
+HalfedgeId Numbering::halfedge(Index corner)
 {
     const HalfedgeId fresh = first_halfedge(EdgeId(static_cast<int>(counts_.edges)));
-    if (opposite_corner == kNone) {
+    const Index across = opposite_[corner];
+    if (across == kNone) {
         ++counts_.edges;
         at_boundary_.push_back(fresh);
         return fresh;
     }
-    // Half of the edges are met for the first time here: a branch on it could not be foretold. The first triangle's
-    // half-edges are there to be read in any case.
-    const Index neighbour = number_of_triangle_[opposite_corner / 3];
-    const bool is_first = neighbour == kNone;
-    const HalfedgeId other = halfedges_[is_first ? 0 : neighbour][opposite_corner % 3];
+    // Half of the edges are met for the first time here: a branch on it could not be foretold. What is known is written
+    // again, which changes nothing.
+    const HalfedgeId known = known_[corner];
+    const bool is_first = !known.is_valid();
     counts_.edges += is_first ? 1 : 0;
-    return is_first ? fresh : opposite(other);
+    known_[is_first ? across : corner] = is_first ? opposite(fresh) : known;
+    return is_first ? fresh : known;
 }
 
 }  // namespace kerf::core::halfedge

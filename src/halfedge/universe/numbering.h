@@ -25,8 +25,8 @@ struct NumberedChunk
 };
 
 /// Numbers a mesh's triangles, one after another in their new order: vertices and points in the order of their first
-/// use, edges in that of their first half-edge. A triangle finds its neighbours' half-edges in a table, so connectivity
-/// needs no search.
+/// use, edges in that of their first half-edge. A triangle tells its neighbours what half-edges they have in common, so
+/// connectivity needs no search.
 class Numbering
 {
 public:
@@ -53,14 +53,16 @@ private:
     void prefetch_triangle(Index old_triangle) const;
     void prefetch_neighbours(Index old_triangle) const;
     Index vertex(Index old_vertex);
-    HalfedgeId halfedge(Index opposite_corner);
+    HalfedgeId halfedge(Index corner);
 
     const IndexedMesh& mesh_;
     std::span<const Index> opposite_;
     std::span<const Index> order_;
     AppendBuffer<Triangle, SlotId>* slots_ = nullptr;
+    /// By half-edge of the mesh: its own number, once the triangle across has its numbers. Told by that triangle, so that
+    /// each reads what lies together, and only writing goes all over the mesh. Invalid until then.
+    Buffer<HalfedgeId> known_;
     // kNone: without a number yet.
-    Buffer<Index> number_of_triangle_;             ///< by old triangle
     Buffer<Index> number_of_vertex_;               ///< by old vertex
     Buffer<Index> number_of_point_;                ///< by old point
     Buffer<Index> old_vertex_, point_;             ///< by new vertex
