@@ -135,7 +135,11 @@ Proof prove(IndexedMesh mesh)
     proof.error = neighbourhood.find_fault();
     if (!proof.error.empty()) return proof;
     const double shortest = shortest_edge(mesh.vertices, mesh.triangles);
-    proof.mesh = ProvenMesh(std::move(mesh), neighbourhood.take_adjacency(), shortest);
+    const Box bounds = mesh.bounds();
+    Adjacency adjacency = neighbourhood.take_adjacency();
+    const bool is_closed =
+        std::find(adjacency.opposite.begin(), adjacency.opposite.end(), kNone) == adjacency.opposite.end();
+    proof.mesh = ProvenMesh(std::move(mesh), std::move(adjacency), bounds, shortest, is_closed);
     return proof;
 }
 

@@ -87,13 +87,12 @@ public:
 private:
     friend Repaired repair(TriangleSoup soup, FactsWanted facts_wanted);
     friend Proof prove(IndexedMesh mesh);
-    ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency, double shortest_edge)
+    ProvenMesh(IndexedMesh&& mesh, Adjacency&& adjacency, const Box& bounds, double shortest_edge, bool is_closed)
         : mesh_(std::move(mesh)),
           adjacency_(std::move(adjacency)),
-          bounds_(mesh_.bounds()),
+          bounds_(bounds),
           shortest_edge_(shortest_edge),
-          is_closed_(std::find(adjacency_.opposite.begin(), adjacency_.opposite.end(), kNone) ==
-                     adjacency_.opposite.end())
+          is_closed_(is_closed)
     {
     }
 

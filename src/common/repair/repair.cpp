@@ -133,6 +133,10 @@ Buffer<std::uint32_t> make_groups(IndexedMesh& mesh, std::size_t triangle_count,
     std::iota(order.begin(), order.end(), 0u);
     counting_sort(order, solid_count, solid_of);
     counting_sort(order, mesh.materials.size(), material_of);
+    if (solid_count == 1 && mesh.materials.size() == 1) {
+        mesh.groups.push_back({0, static_cast<std::uint32_t>(triangle_count), 0, 0, TriangleKind::surface});
+        return order;
+    }
     for (std::uint32_t i = 0; i < triangle_count; ++i) {
         const std::uint32_t material = material_of(order[i]), solid = solid_of(order[i]);
         if (mesh.groups.empty() || mesh.groups.back().material != material || mesh.groups.back().solid != solid)
@@ -237,11 +241,10 @@ Repaired repair(TriangleSoup soup, FactsWanted facts_wanted)
     const Buffer<std::uint32_t> first_equal =
         first_equal_vertices(weld, soup.vertices, soup.streams, !soup.has_normals);
     build_vertices({soup, first_equal, kept.from, surface, fans, positions}, order, mesh);
-    const double shortest = has_facts && order.size() == soup.triangles.size()
-                                ? facts.shortest_edge
-                                : shortest_edge(mesh.vertices, mesh.triangles);
-    result.mesh = ProvenMesh(std::move(mesh),
-                             adjacency_in_order(std::move(surface.opposite), std::move(shells.shell), order), shortest);
+    const Box bounds = shells.box();
+    result.mesh =
+        ProvenMesh(std::move(mesh), adjacency_in_order(std::move(surface.opposite), std::move(shells.shell), order),
+                   bounds, shells.shortest_edge, shells.closed());
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include "common/repair/shells.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "common/mesh/index.h"
@@ -14,11 +16,6 @@ Shells label(const LinkedSurface& surface)
 {
     Shells result;
     result.shells.resize(label_shells(surface.opposite, result.shell));
-    for (std::uint32_t t = 0; t < result.shell.size(); ++t) {
-        ConnectedShell& shell = result.shells[result.shell[t]];
-        ++shell.triangle_count;
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) shell.closed = shell.closed && surface.opposite[h] != kNone;
-    }
     return result;
 }
 
@@ -75,7 +72,7 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const VertexFans&
         ConnectedShell& shell = shells.shells[s];
         for (const std::uint32_t h : loop) {
             const glm::dvec3 a = positions[surface.start(h)], b = positions[surface.end(h)];
-            shell.volume6 += volume6(shell.box.centre(), b, a, centre);
+            shell.volume6 += volume6(shell.apex, b, a, centre);
             hole_area[s] += area(a, b, centre);
         }
     }
@@ -88,28 +85,38 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const VertexFans&
 Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::span<const glm::vec3> positions)
 {
     Shells result = label(surface);
+    double shortest = std::numeric_limits<double>::infinity();
+    const auto has_neighbours = [&](std::size_t t) {
+        const std::uint32_t* const across = &surface.opposite[3 * t];
+        return (across[0] != kNone) & (across[1] != kNone) & (across[2] != kNone);
+    };
+    // One pass, because fetching the corners costs more than all that is done with them.
     for_each_run(result, [&](ConnectedShell& shell, std::size_t first, std::size_t last) {
-        // One for each corner, so that the next triangle need not wait for three additions one after the other.
-        Box a, b, c;
+        if (shell.box.empty()) shell.apex = positions[surface.corners[first][0]];
+        const glm::dvec3 apex = shell.apex;
+        Box a, b, c;  // one for each corner, so that the next triangle need not wait for three additions
+        double sum = 0.0;
+        bool closed = true;
         for (std::size_t t = first; t < last; ++t) {
-            a.add(positions[surface.corners[t][0]]);
-            b.add(positions[surface.corners[t][1]]);
-            c.add(positions[surface.corners[t][2]]);
+            closed &= has_neighbours(t);
+            const glm::vec3 &i = positions[surface.corners[t][0]], &j = positions[surface.corners[t][1]],
+                            &k = positions[surface.corners[t][2]];
+            a.add(i);
+            b.add(j);
+            c.add(k);
+            const glm::dvec3 p(i), q(j), r(k);
+            sum += volume6(apex, p, q, r);
+            // A shorter edge is rare: a branch that is predicted costs less than a minimum that waits for the one before.
+            for (const glm::dvec3& edge : {q - p, r - q, p - r})
+                if (const double square = glm::dot(edge, edge); square < shortest && square > 0.0) shortest = square;
         }
         for (const Box& box : {a, b, c}) shell.box.add(box);
-    });
-    bool all_closed = true;
-    for_each_run(result, [&](ConnectedShell& shell, std::size_t first, std::size_t last) {
-        const glm::dvec3 centre = shell.box.centre();
-        double sum = 0.0;
-        for (std::size_t t = first; t < last; ++t) {
-            const auto& [a, b, c] = surface.corners[t];
-            sum += volume6(centre, positions[a], positions[b], positions[c]);
-        }
         shell.volume6 += sum;
-        all_closed = all_closed && shell.closed;
+        shell.closed = shell.closed && closed;
+        shell.triangle_count += static_cast<std::uint32_t>(last - first);
     });
-    if (!all_closed) close_holes(result, surface, fans, positions);
+    result.shortest_edge = std::sqrt(shortest);
+    if (!result.closed()) close_holes(result, surface, fans, positions);
     return result;
 }
 

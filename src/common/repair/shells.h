@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct ConnectedShell
     bool closed = true;    ///< no boundary
     double volume6 = 0.0;  ///< 6 times the signed volume; of an open shell: see kLargestHole
     std::uint32_t triangle_count = 0;
+    glm::vec3 apex{0.0f};  ///< one of its corners: the apex of the tetrahedra that add up to the volume
 };
 
 /// The shells of a surface, in the order of their first triangles.
@@ -25,6 +28,19 @@ struct Shells
 {
     Buffer<std::uint32_t> shell;  ///< for each triangle
     std::vector<ConnectedShell> shells;
+    double shortest_edge =
+        std::numeric_limits<double>::infinity();  ///< of all, in mesh units, except those of length 0
+
+    bool closed() const
+    {
+        return std::all_of(shells.begin(), shells.end(), [](const ConnectedShell& one) { return one.closed; });
+    }
+    Box box() const
+    {
+        Box box;
+        for (const ConnectedShell& one : shells) box.add(one.box);
+        return box;
+    }
 };
 
 /// A closed shell has an inside, and so has an open one whose holes are small (kLargestHole). Shells without an inside
