@@ -131,7 +131,7 @@ FoundParts find_parts(SideBuilder& builder, Crossings& crossings, const Section&
         for (std::size_t i = 0; i < 3; ++i) corners[t][i] = mesh.points[mesh.triangles[t][i]];
 
     // All triangles at an edge are connected. If more run one way than the other, the edge bounds the side.
-    const HalfedgesByEdge runs(mesh.point_count, corners);
+    HalfedgesByEdge runs(mesh.point_count, corners);
     DisjointSets joined(triangle_count);
     PairTable triangle_at;  // by the points of edges, the smaller one first
     triangle_at.reset(section.edges.size());

@@ -2,33 +2,6 @@
 
 namespace kerf::core {
 
-namespace {
-
-/// Most buckets hold half a dozen half-edges: insertion beats std::sort there. Hubs of fans get std::sort.
-constexpr std::size_t kInsertionSortLimit = 24;
-
-bool before(const HalfedgesByEdge::Entry& a, const HalfedgesByEdge::Entry& b)
-{
-    return a.larger_point != b.larger_point ? a.larger_point < b.larger_point : a.halfedge < b.halfedge;
-}
-
-void sort_bucket(HalfedgesByEdge::Entry* first, HalfedgesByEdge::Entry* last)
-{
-    if (static_cast<std::size_t>(last - first) > kInsertionSortLimit) {
-        std::sort(first, last, before);
-        return;
-    }
-    for (HalfedgesByEdge::Entry* next = first; next < last; ++next) {
-        const HalfedgesByEdge::Entry entry = *next;
-        HalfedgesByEdge::Entry* hole = next;
-        // Half-edges arrive in ascending order, so the larger point alone decides.
-        for (; hole != first && (hole - 1)->larger_point > entry.larger_point; --hole) *hole = *(hole - 1);
-        *hole = entry;
-    }
-}
-
-}  // namespace
-
 HalfedgesByEdge::HalfedgesByEdge(std::uint32_t point_count, std::span<const Triangle> corners)
 {
     // Count into the slot of each smaller point, turn counts into starts, scatter: the starts end up as ends.
@@ -48,11 +21,13 @@ HalfedgesByEdge::HalfedgesByEdge(std::uint32_t point_count, std::span<const Tria
         entries_[bucket_end_[std::min(b, c)]++] = {std::max(b, c), halfedge++};
         entries_[bucket_end_[std::min(c, a)]++] = {std::max(c, a), halfedge++};
     }
-    std::uint32_t begin = 0;
-    for (const std::uint32_t end : bucket_end_) {
-        sort_bucket(entries_.data() + begin, entries_.data() + end);
-        begin = end;
-    }
+}
+
+void HalfedgesByEdge::sort_large_bucket(Entry* first, Entry* last)
+{
+    std::sort(first, last, [](const Entry& a, const Entry& b) {
+        return a.larger_point != b.larger_point ? a.larger_point < b.larger_point : a.halfedge < b.halfedge;
+    });
 }
 
 }  // namespace kerf::core

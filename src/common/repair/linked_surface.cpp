@@ -49,7 +49,7 @@ bool may_be_turned_over(const LinkedSurface& surface, std::span<const Nonmanifol
 
 /// Links triangles and orients patches. Edges of more than two triangles go to `resolved` and are not linked yet.
 /// `patch` stays empty if there is nothing to orient.
-LinkedSurface link_patches(Buffer<Triangle> corners, const HalfedgesByEdge& edges, std::uint32_t point_count,
+LinkedSurface link_patches(Buffer<Triangle> corners, HalfedgesByEdge& edges, std::uint32_t point_count,
                            std::vector<NonmanifoldEdge>& resolved, Buffer<std::uint32_t>& patch)
 {
     LinkedSurface surface;
@@ -102,7 +102,33 @@ LinkedSurface link_patches(Buffer<Triangle> corners, const HalfedgesByEdge& edge
 
 }  // namespace
 
-LinkedSurface link_surface(Buffer<Triangle> corners, const HalfedgesByEdge& edges, std::span<const glm::vec3> positions,
+bool link_plainly(std::span<const Triangle> corners, HalfedgesByEdge& edges, Buffer<std::uint32_t>& opposite)
+{
+    opposite.resize(corners.size() * 3);
+    return edges.for_each_while([&](std::span<const HalfedgesByEdge::Entry> edge) {
+        const std::uint32_t a = edge[0].halfedge;
+        if (edge.size() == 1) {
+            opposite[a] = kNone;
+            return true;
+        }
+        const std::uint32_t b = edge[1].halfedge;
+        if (edge.size() > 2 || start_of(corners, a) == start_of(corners, b)) return false;
+        opposite[a] = b;
+        opposite[b] = a;
+        return true;
+    });
+}
+
+LinkedSurface plain_surface(Buffer<Triangle> corners, Buffer<std::uint32_t> opposite)
+{
+    LinkedSurface surface;
+    surface.flipped.assign(corners.size(), 0);
+    surface.corners = std::move(corners);
+    surface.opposite = std::move(opposite);
+    return surface;
+}
+
+LinkedSurface link_surface(Buffer<Triangle> corners, HalfedgesByEdge& edges, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved)
 {
     Buffer<std::uint32_t> patch;
@@ -116,7 +142,7 @@ std::uint64_t count_open_edges(Buffer<Triangle> corners, std::uint32_t point_cou
 {
     std::vector<NonmanifoldEdge> resolved;
     Buffer<std::uint32_t> patch;
-    const HalfedgesByEdge edges(point_count, corners);
+    HalfedgesByEdge edges(point_count, corners);
     const LinkedSurface surface = link_patches(std::move(corners), edges, point_count, resolved, patch);
     auto open = std::count(surface.opposite.begin(), surface.opposite.end(), kNone);
     for (const NonmanifoldEdge& edge : resolved) {

@@ -50,6 +50,14 @@ inline std::uint32_t turned_over(std::uint32_t h)
     return h - h % 3 + (2 - h % 3);
 }
 
+/// Pairs the half-edges if every edge has two triangles at most, and these run along it in opposite directions. Then no
+/// triangle repeats another, and link_surface() has nothing to decide. Otherwise returns false, and `opposite` is of no
+/// use. `corners` holds three different points for each triangle, and `edges` their edges. O(n).
+bool link_plainly(std::span<const Triangle> corners, HalfedgesByEdge& edges, Buffer<std::uint32_t>& opposite);
+
+/// A surface that link_plainly() has linked.
+LinkedSurface plain_surface(Buffer<Triangle> corners, Buffer<std::uint32_t> opposite);
+
 /// Finds each triangle's neighbours. Edges with two triangles join them into patches. The smaller part of a patch is
 /// turned over so that the patch has one orientation; a patch without one (a Moebius strip) is cut open. If an edge of
 /// an even number of triangles, more than two, is still not balanced, patches are turned over as find_turned_sheets()
@@ -58,7 +66,7 @@ inline std::uint32_t turned_over(std::uint32_t h)
 /// patches are oriented, as many half-edges of an edge stay without a partner as more run along it one way than the
 /// other. `corners` holds three different points for each triangle, and `edges` their edges; `positions` belong to the
 /// points. `resolved` receives the edges of more than two triangles. O(n) plus sorting at each such edge.
-LinkedSurface link_surface(Buffer<Triangle> corners, const HalfedgesByEdge& edges, std::span<const glm::vec3> positions,
+LinkedSurface link_surface(Buffer<Triangle> corners, HalfedgesByEdge& edges, std::span<const glm::vec3> positions,
                            std::vector<NonmanifoldEdge>& resolved);
 
 /// The number of half-edges that link_surface() leaves without a neighbour, which does not depend on positions.

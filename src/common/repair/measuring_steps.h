@@ -20,11 +20,11 @@ inline bool is_linked_plainly(const MeshFacts& facts)
 
 /// Counts edges and the loops of the boundary. `edges` are those of `corners`, without degenerate triangles. O(n).
 void count_edges(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
-                 const HalfedgesByEdge& edges);
+                 HalfedgesByEdge& edges);
 
 /// Counts shells and non-manifold points. O(n) up to the inverse Ackermann function.
 void count_components(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
-                      const HalfedgesByEdge& edges);
+                      HalfedgesByEdge& edges);
 
 /// Counts edges, loops, shells and points, of all triangles that are not degenerate. O(n) up to the inverse Ackermann
 /// function.

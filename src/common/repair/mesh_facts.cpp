@@ -83,8 +83,7 @@ MeshFacts count_triangles(std::size_t vertex_count, std::uint32_t point_count, c
     return facts;
 }
 
-void count_edges(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
-                 const HalfedgesByEdge& edges)
+void count_edges(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners, HalfedgesByEdge& edges)
 {
     const auto start = [&](std::uint32_t h) { return start_of(corners, h); };
     BoundaryLoops loops(point_count);
@@ -110,7 +109,7 @@ void count_edges(MeshFacts& facts, std::uint32_t point_count, std::span<const Tr
 }
 
 void count_components(MeshFacts& facts, std::uint32_t point_count, std::span<const Triangle> corners,
-                      const HalfedgesByEdge& edges)
+                      HalfedgesByEdge& edges)
 {
     const auto triangle_count = static_cast<std::uint32_t>(corners.size());
     DisjointSets shells(triangle_count);
@@ -129,7 +128,7 @@ void count_connectivity(MeshFacts& facts, std::uint32_t point_count, std::span<c
     others.reserve(corners.size());
     for (std::size_t t = 0; t < corners.size(); ++t)
         if (faults.of[t] != TriangleFault::degenerate) others.push_back(corners[t]);
-    const HalfedgesByEdge edges(point_count, others);
+    HalfedgesByEdge edges(point_count, others);
     count_edges(facts, point_count, others, edges);
     count_components(facts, point_count, others, edges);
 }

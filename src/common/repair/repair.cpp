@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "common/repair/clean_soup.h"
 #include "common/repair/linked_surface.h"
@@ -73,29 +74,42 @@ void count_faults(Repairs& repairs, const Faults& faults)
     }
 }
 
-/// Links triangles. Counts the edges of the soup on the way, if they are wanted and its duplicate triangles have not
-/// been looked at already.
-LinkedSurface link_and_count(Buffer<Triangle> corners, std::span<const glm::vec3> positions, FactsWanted facts_wanted,
-                             std::vector<NonmanifoldEdge>& resolved, MeshFacts& facts)
+/// The edges of triangles and, if nothing about them is to be decided, the neighbours.
+struct Links
 {
-    const auto point_count = static_cast<std::uint32_t>(positions.size());
-    const HalfedgesByEdge edges(point_count, corners);
-    if (facts_wanted == FactsWanted::none) return link_surface(std::move(corners), edges, positions, resolved);
-    if (facts.duplicate_triangles == 0) {
-        count_edges(facts, point_count, corners, edges);
-        if (!is_linked_plainly(facts)) count_components(facts, point_count, corners, edges);
-    }
-    LinkedSurface surface = link_surface(std::move(corners), edges, positions, resolved);
-    facts.open_edges = static_cast<std::uint64_t>(std::count(surface.opposite.begin(), surface.opposite.end(), kNone));
-    return surface;
+    std::optional<HalfedgesByEdge> edges;  ///< none if triangles are degenerate
+    Buffer<std::uint32_t> opposite;        ///< empty: link_surface() decides
+};
+
+/// Most meshes have no fault: linking them shows that, and costs less than to look for faults first.
+Links try_to_link(std::uint32_t point_count, std::span<const Triangle> corners)
+{
+    Links links;
+    bool has_degenerate = false;
+    for (const auto& [a, b, c] : corners) has_degenerate |= (a == b) | (b == c) | (c == a);
+    if (has_degenerate) return links;
+    links.edges.emplace(point_count, corners);
+    if (!link_plainly(corners, *links.edges, links.opposite)) links.opposite.clear();
+    return links;
 }
 
-std::uint64_t count_used_points(std::uint32_t point_count, std::span<const Triangle> corners)
+/// Links triangles, as far as `links` has not done so. Counts the edges of the soup on the way, if they are wanted and
+/// its duplicate triangles have not been looked at already.
+LinkedSurface link_and_count(Buffer<Triangle> corners, Links links, std::span<const glm::vec3> positions,
+                             FactsWanted facts_wanted, std::vector<NonmanifoldEdge>& resolved, MeshFacts& facts)
 {
-    Buffer<std::uint8_t> used(point_count, 0);
-    for (const Triangle& triangle : corners)
-        for (const std::uint32_t point : triangle) used[point] = 1;
-    return std::accumulate(used.begin(), used.end(), std::uint64_t{0});
+    const auto point_count = static_cast<std::uint32_t>(positions.size());
+    const bool counts = facts_wanted != FactsWanted::none;
+    if (counts && facts.duplicate_triangles == 0) {
+        count_edges(facts, point_count, corners, *links.edges);
+        if (!is_linked_plainly(facts)) count_components(facts, point_count, corners, *links.edges);
+    }
+    LinkedSurface surface = links.opposite.empty() ? link_surface(std::move(corners), *links.edges, positions, resolved)
+                                                   : plain_surface(std::move(corners), std::move(links.opposite));
+    if (counts)
+        facts.open_edges =
+            static_cast<std::uint64_t>(std::count(surface.opposite.begin(), surface.opposite.end(), kNone));
+    return surface;
 }
 
 /// Turns over the shells that are inside out.
@@ -186,7 +200,8 @@ Repaired repair(TriangleSoup soup, FactsWanted facts_wanted)
     repairs.replaced_attributes = clean(soup).vertices;
     const Weld weld = weld_positions(soup.vertices);
     Buffer<Triangle> corners = corners_by_point(soup, weld);
-    const Faults faults = find_faults(weld.point_count, corners);
+    Links links = try_to_link(weld.point_count, corners);
+    const Faults faults = links.opposite.empty() ? find_faults(weld.point_count, corners) : no_faults(corners.size());
     count_faults(repairs, faults);
     MeshFacts facts = count_triangles(soup.vertices.size(), weld.point_count, faults);
     const bool has_facts = facts_wanted == FactsWanted::all;
@@ -198,19 +213,25 @@ Repaired repair(TriangleSoup soup, FactsWanted facts_wanted)
             "positions that differ: with a scale that is not 0, with more digits, or nearer to the origin";
         return result;
     }
+    if (kept.corners.size() < soup.triangles.size() || !kept.turned_over.empty())
+        links.edges.emplace(weld.point_count, kept.corners);
     Buffer<glm::vec3> positions(weld.point_count);
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) positions[weld.points[v]] = soup.vertices[v].position;
 
     std::vector<NonmanifoldEdge> resolved;
-    LinkedSurface surface = link_and_count(std::move(kept.corners), positions, facts_wanted, resolved, facts);
+    LinkedSurface surface =
+        link_and_count(std::move(kept.corners), std::move(links), positions, facts_wanted, resolved, facts);
     repairs.nonmanifold_edges = surface.nonmanifold_edges;
     repairs.unorientable_edges = surface.unorientable_edges;
     for (std::size_t t = 0; !kept.turned_over.empty() && t < surface.flipped.size(); ++t)
         surface.flipped[t] ^= kept.turned_over[t];
-    VertexFans fans = find_vertex_fans(surface, resolved);
-    if (fans.count > count_used_points(weld.point_count, surface.corners))
-        repairs.nonmanifold_points = count_nonmanifold_points(weld.point_count, surface.corners,
-                                                              HalfedgesByEdge(weld.point_count, surface.corners));
+    Buffer<std::uint8_t> is_used(weld.point_count, 0);
+    VertexFans fans = find_vertex_fans(surface, resolved, is_used);
+    fans.is_one_at_each_point = fans.count == std::accumulate(is_used.begin(), is_used.end(), std::uint32_t{0});
+    if (!fans.is_one_at_each_point) {
+        HalfedgesByEdge edges(weld.point_count, surface.corners);
+        repairs.nonmanifold_points = count_nonmanifold_points(weld.point_count, surface.corners, edges);
+    }
 
     Shells shells = find_shells(surface, fans, positions);
     if (has_facts) {

@@ -230,9 +230,14 @@ std::uint64_t count_open(std::uint32_t point_count, std::span<const Triangle> co
 
 }  // namespace
 
+Faults no_faults(std::size_t triangle_count)
+{
+    return {std::vector<TriangleFault>(triangle_count, TriangleFault::none), {}};
+}
+
 Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners)
 {
-    Faults faults{std::vector<TriangleFault>(corners.size(), TriangleFault::none), {}};
+    Faults faults = no_faults(corners.size());
     const std::vector<Repeat> repeats = find_repeats(point_count, corners, faults.of);
     faults.repeats = repeats.size();
     if (repeats.empty()) return faults;

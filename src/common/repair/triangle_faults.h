@@ -54,6 +54,9 @@ struct Faults
 /// edge of a repeat, turned over, would close that edge and hold the repeat.
 Faults find_faults(std::uint32_t point_count, std::span<const Triangle> corners);
 
+/// What find_faults() finds if every edge has two triangles at most, and these run along it in opposite directions.
+Faults no_faults(std::size_t triangle_count);
+
 /// The triangles that stay, turned over where their faults say so.
 struct KeptTriangles
 {

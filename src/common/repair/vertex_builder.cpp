@@ -10,6 +10,28 @@ namespace kerf::core {
 
 namespace {
 
+/// Gives numbers an index, in the order of first use.
+class SingleNumbering
+{
+public:
+    explicit SingleNumbering(std::size_t size) : index_(size, kNone) {}
+
+    /// Without a branch on whether the number is new, which can't be predicted: every sixth is.
+    std::uint32_t number(std::uint32_t of)
+    {
+        const bool is_new = index_[of] == kNone;
+        index_[of] = is_new ? count_ : index_[of];
+        count_ += is_new ? 1 : 0;
+        return index_[of];
+    }
+
+    std::uint32_t count() const { return count_; }
+
+private:
+    Buffer<std::uint32_t> index_;
+    std::uint32_t count_ = 0;
+};
+
 /// Gives each pair of numbers an index, in the order of first use. Most first numbers come with one second number only,
 /// so the table is rarely needed.
 class PairNumbering
@@ -17,7 +39,7 @@ class PairNumbering
 public:
     explicit PairNumbering(std::size_t first_count) : entry_(first_count, Entry{kNone, kNone}) {}
 
-    /// Without a branch on whether the pair is new, which can't be predicted: every sixth is.
+    /// Without a branch on whether the pair is new, as above.
     std::uint32_t number(std::uint32_t first, std::uint32_t second)
     {
         Entry& entry = entry_[first];
@@ -99,24 +121,38 @@ private:
     /// attributes of a soup vertex.
     void number_vertices(std::span<const std::uint32_t> order)
     {
-        const bool given = in_.soup.has_normals;
+        if (!in_.soup.has_normals) {
+            PairNumbering numbering(smooth_.normals.size());
+            number_corners(order, numbering, [&](std::uint32_t corner, std::uint32_t v) {
+                return numbering.number(smooth_.sector[corner], v);
+            });
+        } else if (in_.fans.is_one_at_each_point && turned_.empty()) {
+            // A soup vertex, which has one point, is then in one fan.
+            SingleNumbering numbering(in_.soup.vertices.size());
+            number_corners(order, numbering, [&](std::uint32_t, std::uint32_t v) { return numbering.number(v); });
+        } else {
+            PairNumbering numbering(in_.soup.vertices.size());
+            number_corners(order, numbering, [&](std::uint32_t corner, std::uint32_t v) {
+                const std::uint32_t fan = in_.fans.fan[corner];
+                return numbering.number(v, is_turned(corner, v) ? kNone - 1 - fan : fan);
+            });
+        }
+    }
+
+    /// Gives each corner the vertex that number_of(corner of the surface, soup vertex) says.
+    template <class NumberOf>
+    void number_corners(std::span<const std::uint32_t> order, const auto& numbering, NumberOf&& number_of)
+    {
         mesh_.triangles.resize(order.size());
         first_corner_.resize(3 * order.size() + 1);
-        PairNumbering numbering(given ? in_.soup.vertices.size() : smooth_.normals.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) {
             const std::uint32_t t = order[i];
             const bool flipped = in_.surface.flipped[t] != 0;
             const Triangle& from = in_.soup.triangles[in_.soup_triangles[t]];
             for (std::uint32_t c = 0; c < 3; ++c) {
-                const std::uint32_t corner = 3 * t + c, v = in_.first_equal[from[flipped ? (3 - c) % 3 : c]];
+                const std::uint32_t corner = 3 * t + c;
                 first_corner_[numbering.count()] = corner;  // of the next vertex, if this is a new one
-                if (given) {
-                    const std::uint32_t fan = in_.fans.fan[corner];
-                    const bool turned = flipped && is_turned(corner, v);
-                    mesh_.triangles[i][c] = numbering.number(v, turned ? kNone - 1 - fan : fan);
-                } else {
-                    mesh_.triangles[i][c] = numbering.number(smooth_.sector[corner], v);
-                }
+                mesh_.triangles[i][c] = number_of(corner, in_.first_equal[from[flipped ? (3 - c) % 3 : c]]);
             }
         }
         first_corner_.resize(numbering.count());

@@ -174,13 +174,15 @@ private:
 
 }  // namespace
 
-VertexFans find_vertex_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved)
+VertexFans find_vertex_fans(LinkedSurface& surface, std::span<const NonmanifoldEdge> resolved,
+                            std::span<std::uint8_t> is_used)
 {
     VertexFans fans;
     fans.fan.assign(surface.opposite.size(), kNone);
     for (std::uint32_t h = 0; h < surface.opposite.size(); ++h) {
         if (fans.fan[h] != kNone) continue;
         const std::uint32_t number = fans.count++;
+        if (!is_used.empty()) is_used[surface.start(h)] = 1;
         std::uint32_t corner = h;
         do {
             fans.fan[corner] = number;
@@ -200,7 +202,7 @@ VertexFans find_vertex_fans(LinkedSurface& surface, std::span<const NonmanifoldE
 }
 
 std::uint64_t count_nonmanifold_points(std::uint32_t point_count, std::span<const Triangle> corners,
-                                       const HalfedgesByEdge& edges)
+                                       HalfedgesByEdge& edges)
 {
     // Corner i of triangle t is number 3t + i, like the half-edge that starts there.
     DisjointSets fans(static_cast<std::uint32_t>(corners.size() * 3));
