@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, Iterator
 
 from report import files
-from report.names import ASTEROID, BACKENDS, GALLERY, Kind
+from report.names import ASTEROID, BACKENDS, GALLERY, Kind, UNDRAWN
 from report.repetitions import Counters, collect
 
 
@@ -41,6 +41,7 @@ class Measurements:
     bench: dict[str, Counters] = field(default_factory=dict)
     comparisons: dict[str, dict[str, Any]] = field(default_factory=dict)  # plane mix -> the JSON of kerf compare
     runs: list[Run] = field(default_factory=list)
+    undrawn_runs: list[Run] = field(default_factory=list)  # of the viewer, without a picture
     peers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs
     drawn_caps: list[dict[str, Any]] = field(default_factory=list)  # rows of kerf compare --caps: the worst fans
     stages: list[dict[str, Any]] = field(default_factory=list)  # the stages' files, without their results
@@ -68,6 +69,9 @@ class Measurements:
 
     def run_of(self, model: str, backend: str) -> Run | None:
         return next((run for run in self.runs if run.model == model and run.backend == backend), None)
+
+    def undrawn_run_of(self, model: str, backend: str) -> Run | None:
+        return next((run for run in self.undrawn_runs if run.model == model and run.backend == backend), None)
 
     def viewer_backends(self) -> list[str]:
         return sorted({run.backend for run in self.runs}, key=order)
@@ -103,10 +107,11 @@ def load(stage_files: list[Path]) -> Measurements:
             all_of_them.comparisons[stage["stage"].removeprefix("compare-")] = result
         else:
             model = model_name(stage["command"][1])
+            kept = all_of_them.undrawn_runs if stage["stage"].startswith(UNDRAWN) else all_of_them.runs
             for backend in dict.fromkeys(run["backend"] for run in result["runs"]):
                 runs = [run for run in result["runs"] if run["backend"] == backend]
                 warm = runs[1:] or runs  # the first warms up
-                all_of_them.runs.append(viewer_run(model, result["graphics"], warm))
+                kept.append(viewer_run(model, result["graphics"], warm))
     all_of_them.bench = collect(benchmarks)
     return all_of_them
 

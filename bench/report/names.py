@@ -12,6 +12,7 @@ REAL_BACKENDS = ("halfedge", "halfedge/cgal", "linear", "baseline/remap")  # tha
 SIZES = (1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000, 4_000_000, 16_000_000)  # triangles
 PROXIES = ("every_vertex", "full_hull", "bounded_hull", "box", "sphere")
 ASTEROID = "asteroid"  # the generated model of the viewer's large run, beside the report's fifteen
+UNDRAWN = "frames-"  # begins the names of the viewer's stages that draw nothing
 GALLERY = "gallery-"  # begins the names of stages that draw caps
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from report.judged_caps import WorstFan
 from report.names import (ASTEROID, BACKENDS, FASTEST, GALLERY, Kind, QUADRATIC, REAL_BACKENDS, SIZES,
-                          SUBQUADRATIC)
+                          SUBQUADRATIC, UNDRAWN)
 from report.student_report import report_rows
 
 VIEWER_SIZE = "160x90"  # drawn by a program on most machines: small, so that drawing does not hide cutting
@@ -153,14 +153,20 @@ def peer_stages(extent: Extent, scratch: Path, with_vtk: bool) -> list[Stage]:
 
 
 def viewer_stages(extent: Extent, scratch: Path) -> list[Stage]:
-    """One run a model, every back end in it; the quadratic lookups stay out of the large one."""
+    """One stage a model that draws, every back end in it; the quadratic lookups stay out of the large one. And one that
+    does not draw, of the two back ends whose worst frames are compared, if both are there."""
     stages = []
+    has_opponents = set(VIEWER_OPPONENTS) <= set(extent.viewer_backends)
     for model in [row["model"] for row in report_rows()]:
         stages.append(viewer_stage(f"viewer-{model}", model_file(model), extent.viewer_backends))
+        if has_opponents:
+            stages.append(undrawn_stage(model, model_file(model)))
     backends = tuple(name for name in extent.viewer_backends if name not in QUADRATIC)
     file = str(scratch / f"{ASTEROID}-{extent.viewer_triangles}.ply")
     shape = (ASTEROID, "--triangles", str(extent.viewer_triangles), "--out", file)
     stages.append(viewer_stage(f"viewer-{ASTEROID}", file, backends, shape))
+    if has_opponents:
+        stages.append(undrawn_stage(ASTEROID, file, shape))
     return stages
 
 
@@ -171,6 +177,18 @@ def viewer_stage(name: str, file: str, backends: tuple[str, ...], shape: tuple[s
     warmed_up = tuple(name for backend in backends for name in (backend, backend))
     if set(VIEWER_OPPONENTS) <= set(backends):
         warmed_up += VIEWER_OPPONENTS * (VIEWER_RUNS - 1)
-    arguments = (file, "--headless", "--autopilot", "--seed", str(VIEWER_SEED), "--frames", str(VIEWER_FRAMES),
-                 "--size", VIEWER_SIZE, "--backend", ",".join(warmed_up))
-    return Stage(name, Kind.VIEWER, arguments, (8.0 if shape else 1.5) * len(warmed_up), shape)
+    return Stage(name, Kind.VIEWER, (file, *play(warmed_up)), (8.0 if shape else 1.5) * len(warmed_up), shape)
+
+
+def undrawn_stage(model: str, file: str, shape: tuple[str, ...] = ()) -> Stage:
+    # Drawing by a program empties the caches of the processor between two frames, which a graphics card does not. The
+    # same steps without it, by turns, and in turn the one or the other first.
+    there_and_back = VIEWER_OPPONENTS + tuple(reversed(VIEWER_OPPONENTS))
+    runs = VIEWER_OPPONENTS + (there_and_back * VIEWER_RUNS)[:2 * VIEWER_RUNS]
+    return Stage(UNDRAWN + model, Kind.VIEWER, (file, *play(runs), "--draw", "0"), (4.0 if shape else 0.3) * len(runs),
+                 shape)
+
+
+def play(backends: tuple[str, ...]) -> tuple[str, ...]:
+    return ("--headless", "--autopilot", "--seed", str(VIEWER_SEED), "--frames", str(VIEWER_FRAMES),
+            "--size", VIEWER_SIZE, "--backend", ",".join(backends))

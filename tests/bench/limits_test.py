@@ -23,7 +23,8 @@ class Limits(unittest.TestCase):
         self.assertEqual(section.parts, [])
 
     def test_the_longer_worst_frame_is_admitted(self):
-        self.assertIn("Of 2 models it has the longer worst frame in 2", unflattering.frames(self.FOUND, Facts()))
+        self.assertIn("Of 2 models it has the longer worst frame in 2, and without drawing, as with a graphics card, in 0.",
+                      unflattering.frames(self.FOUND, Facts()))
 
     def test_a_worse_tail_and_a_worse_chain_are_admitted_and_better_ones_are_not_named(self):
         self.assertIn("10.0 ms against 1.00 at 100 k", unflattering.tail(self.FOUND, Facts()))

@@ -57,6 +57,15 @@ class Loading(unittest.TestCase):
                            "result": {"graphics": "a card", "runs": [run(ms) for ms in (90.0, 1.0, 7.0, 2.0)]}})
         self.assertEqual([each.times["simulate_cpu_ms"]["max"] for each in found.runs], [2.0])
 
+    def test_runs_that_draw_nothing_are_kept_apart(self):
+        run = {"backend": "halfedge", "cuts": []} | {name: {"max": 2.0} for name in (
+            "frame_ms", "simulate_cpu_ms", "submit_cpu_ms", "cut_to_upload_cpu_ms")}
+        found = self.load({"stage": "frames-rook", "kind": "viewer", "command": ["viewer", "data/models/rook.obj"],
+                           "result": {"graphics": "a card", "runs": [run, run]}})
+        self.assertEqual(found.runs, [])
+        self.assertEqual(found.undrawn_run_of("rook", "halfedge").times["simulate_cpu_ms"]["max"], 2.0)
+        self.assertIsNone(found.undrawn_run_of("rook", "linear"))
+
     def test_answers_of_other_libraries_are_rows(self):
         found = self.load(*({"stage": kind, "kind": kind, "result": {"peers": [{"peer": kind}]}}
                             for kind in ("peers", "vtk")))

@@ -46,6 +46,15 @@ class ModelTables(unittest.TestCase):
         self.assertIsNone(self.row(frames_table(self.FOUND), "asteroid")["report_fps"])
         self.assertEqual(self.row(worst_frames_table(self.FOUND), "asteroid")["halfedge_ms"], 140.0)
 
+    def test_frames_that_are_not_drawn_have_columns_of_their_own(self):
+        table = worst_frames_table(self.FOUND)
+        self.assertEqual([column.title for column in table.columns][:3],
+                         ["model", "halfedge, not drawn", "remap, not drawn"])
+        row = self.row(table, "rook")
+        self.assertEqual((row["halfedge_undrawn_ms"], row["baseline/remap_undrawn_ms"], row["halfedge_ms"]),
+                         (1.0, 2.0, 140.0))
+        self.assertNotIn("halfedge_undrawn_ms", self.row(table, "asteroid"))
+
     def test_times_that_do_not_grow_have_an_exponent_of_0_with_any_model_left_out(self):
         row = next(row for row in model_exponents_table(self.FOUND).rows if row["times"] == "halfedge")
         for key in ("exponent", "least", "most"):

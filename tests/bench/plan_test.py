@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 from report.judged_caps import WorstFan
-from report.names import Kind
+from report.names import Kind, UNDRAWN
 from report.plan import FULL, NORMAL, QUICK, VIEWER_OPPONENTS, VIEWER_RUNS, gallery_stages, plan, text_plan
 
 
@@ -39,12 +39,24 @@ class Plans(unittest.TestCase):
 
     def test_each_back_end_of_the_viewer_has_a_run_that_warms_up(self):
         for stage in plan(NORMAL, Path("scratch")):
-            if stage.kind == Kind.VIEWER:
+            if stage.kind == Kind.VIEWER and not stage.name.startswith(UNDRAWN):
                 names = stage.arguments[-1].split(",")
                 each, more = names[:2 * len(set(names))], names[2 * len(set(names)):]
                 self.assertEqual(each[0::2], each[1::2], stage.name)
                 self.assertEqual(len(set(each)), len(each) // 2, stage.name)
                 self.assertEqual(more, list(VIEWER_OPPONENTS * (VIEWER_RUNS - 1)), stage.name)
+
+    def test_frames_that_are_not_drawn_are_run_by_turns_the_one_or_the_other_first(self):
+        undrawn = [stage for stage in plan(NORMAL, Path("scratch")) if stage.name.startswith(UNDRAWN)]
+        drawn = [stage for stage in plan(NORMAL, Path("scratch")) if stage.name.startswith("viewer-")]
+        self.assertEqual([stage.arguments[0] for stage in undrawn], [stage.arguments[0] for stage in drawn])
+        for stage in undrawn:
+            self.assertEqual(stage.arguments[-2:], ("--draw", "0"))
+            names = stage.arguments[stage.arguments.index("--backend") + 1].split(",")
+            pairs = [tuple(names[i:i + 2]) for i in range(0, len(names), 2)]
+            self.assertEqual(len(pairs), 1 + VIEWER_RUNS)  # the first warms up
+            self.assertEqual({frozenset(pair) for pair in pairs}, {frozenset(VIEWER_OPPONENTS)})
+            self.assertEqual(sum(pair == VIEWER_OPPONENTS for pair in pairs), len(pairs) // 2 + 1)
 
     def test_a_quick_report_runs_each_back_end_of_the_viewer_once(self):
         for stage in plan(QUICK, Path("scratch")):

@@ -181,7 +181,10 @@ def frames(found: Measurements) -> Section:
         "twenty cuts a model, as the report did by hand. *Simulate* is processor time of a frame's physics and "
         "cutting. Preparing happens on a worker and is not in it. A first run of each back end warms up the driver and "
         "what the processor keeps of code, and is not counted. Of `remap` and the half-edge back end there are five runs "
-        "more, by turns, and the times are their medians: which frame is the worst changes from run to run.",
+        "more, by turns, and the times are their medians: which frame is the worst changes from run to run. *Not drawn* "
+        "are five runs of each in which nothing is drawn: where a program draws, it empties the processor's caches "
+        "between two frames, and a small cut, which takes 3 µs if its code is there, waits for memory most of the time. "
+        "A graphics card does not do that.",
         ShownTable(worst_frames_table(found), "The worst frame while cutting, ms of processor time for physics and "
                                               "cutting.",
                    published=True),

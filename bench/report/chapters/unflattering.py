@@ -11,17 +11,23 @@ HALF, LINEAR = "halfedge", "baseline/remap"
 
 
 def frames(found: Measurements, facts: Facts) -> str:
-    rows = [row for row in worst_frames_table(found).rows if row.get(f"{HALF}_ms") and row.get(f"{LINEAR}_ms")]
+    table = worst_frames_table(found).rows
+    rows = [row for row in table if row.get(f"{HALF}_ms") and row.get(f"{LINEAR}_ms")]
     if not rows:
         return ""
     worst = max(rows, key=lambda row: row[f"{HALF}_ms"])
     slower = sum(row[f"{HALF}_ms"] > row[f"{LINEAR}_ms"] for row in rows)
     ours, theirs = worst[f"{HALF}_ms"], worst[f"{LINEAR}_ms"]
+    undrawn = [row for row in table if row.get(f"{HALF}_undrawn_ms") and row.get(f"{LINEAR}_undrawn_ms")]
+    slower_undrawn = sum(row[f"{HALF}_undrawn_ms"] > row[f"{LINEAR}_undrawn_ms"] for row in undrawn)
+    without = (f", and without drawing, as with a graphics card, in "
+               f"{facts.say('models with the longer worst frame, not drawn', slower_undrawn, count_short)}"
+               if undrawn else "")
     return (f"In the viewer its worst frame takes {facts.say('worst frame ms', ours, timed)} ms of processor time for "
             f"physics and cutting, with the {worst['model']}; `remap`'s takes "
             f"{facts.say('remap worst frame ms', theirs, timed)} ms there. Of "
             f"{facts.say('models with frames', len(rows), count_short)} models it has the longer worst frame in "
-            f"{facts.say('models with the longer worst frame', slower, count_short)}.")
+            f"{facts.say('models with the longer worst frame', slower, count_short)}{without}.")
 
 
 def tail(found: Measurements, facts: Facts) -> str:

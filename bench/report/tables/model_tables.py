@@ -96,15 +96,22 @@ def frames_table(found: Measurements) -> Table:
 
 
 def worst_frames_table(found: Measurements) -> Table:
-    """The frame that simulates and cuts the longest, of every model, one column a back end."""
+    """The frame that simulates and cuts the longest, of every model, one column a back end, and one more for each that
+    was run without drawing."""
     backends = list(reversed(found.viewer_backends()))
+    undrawn = sorted({run.backend for run in found.undrawn_runs}, key=order, reverse=True)
     table = Table("worst_frames", [Column("model", "model")] +
+                  [Column(f"{backend}_undrawn_ms", f"{short(backend)}, not drawn", timed) for backend in undrawn] +
                   [Column(f"{backend}_ms", short(backend), timed) for backend in backends])
     for model in [row["model"] for row in report_rows()] + [ASTEROID]:
         runs = {backend: found.run_of(model, backend) for backend in backends}
-        if any(runs.values()):
-            table.rows.append({"model": model} | {f"{backend}_ms": run.times["simulate_cpu_ms"]["max"]
-                                                  for backend, run in runs.items() if run})
+        without = {backend: found.undrawn_run_of(model, backend) for backend in undrawn}
+        if any(runs.values()) or any(without.values()):
+            table.rows.append({"model": model} |
+                              {f"{backend}_undrawn_ms": run.times["simulate_cpu_ms"]["max"]
+                               for backend, run in without.items() if run} |
+                              {f"{backend}_ms": run.times["simulate_cpu_ms"]["max"]
+                               for backend, run in runs.items() if run})
     return table
 
 
