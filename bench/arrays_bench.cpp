@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bench/back_ends.h"
+#include "bench/machine_memory.h"
 #include "bench/objects.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
@@ -35,6 +36,7 @@ void from_arrays(benchmark::State& state, const TimedBackEnd& back_end, const st
     const MeshInput input = input_of(mesh);
     double make = 0.0, prepare = 0.0;
     for (auto _ : state) {
+        have_memory_for(mesh.triangle_count());
         core::CpuStopwatch watch;
         Result<Mesh> made = Mesh::make(input);
         const double make_time = watch.lap();

@@ -14,6 +14,7 @@
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
+#include "bench/machine_memory.h"
 #include "bench/objects.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
@@ -161,6 +162,7 @@ void prepare_shape(benchmark::State& state, const TimedBackEnd& back_end, const 
     double seconds = 0.0, bytes = 0.0;
     for (auto _ : state) {
         const double before = resident_bytes();
+        have_memory_for(mesh.triangle_count());
         Mesh copy = value_of(mesh.clone());
         core::CpuStopwatch watch;
         const Result<Object> result = back_end.prepare(std::move(copy));
@@ -182,6 +184,7 @@ void prepare_with_threads(benchmark::State& state, const TimedBackEnd& back_end,
     const Mesh& mesh = timed_shape("asteroid", size);
     double seconds = 0.0;
     for (auto _ : state) {
+        have_memory_for(mesh.triangle_count());
         Mesh copy = value_of(mesh.clone());
         const auto start = std::chrono::steady_clock::now();
         const Result<Object> result = back_end.prepare(std::move(copy), threads);

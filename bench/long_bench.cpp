@@ -15,6 +15,7 @@
 
 #include "bench/back_ends.h"
 #include "bench/checked_cut.h"
+#include "bench/machine_memory.h"
 #include "bench/objects.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
@@ -55,6 +56,7 @@ void long_chain(benchmark::State& state, const TimedBackEnd& back_end, std::uint
         // A heap by volume: the largest piece is in front.
         std::vector<HeapPiece> pieces;
         pieces.push_back({clone_of(*prepared), whole, 1});
+        have_memory_for(mesh.triangle_count());
         double total = 0.0, since_mark = 0.0, worst = 0.0, compacting = 0.0, rest = 0.0;
         std::size_t ranges = 0, most_ranges = 0, compactions = 0, mark = 0;
         int at_mark = 0;
