@@ -1,9 +1,9 @@
 #include "common/repair/shells.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/mesh/coordinate_grain.h"
 #include "common/mesh/index.h"
 #include "common/mesh/tolerances.h"
 #include "common/repair/adjacency.h"
@@ -85,7 +85,7 @@ void close_holes(Shells& shells, const LinkedSurface& surface, const VertexFans&
 Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::span<const glm::vec3> positions)
 {
     Shells result = label(surface);
-    double shortest = std::numeric_limits<double>::infinity();
+    ShortestEdge shortest;
     const auto has_neighbours = [&](std::size_t t) {
         const std::uint32_t* const across = &surface.opposite[3 * t];
         return (across[0] != kNone) & (across[1] != kNone) & (across[2] != kNone);
@@ -106,16 +106,14 @@ Shells find_shells(const LinkedSurface& surface, const VertexFans& fans, std::sp
             c.add(k);
             const glm::dvec3 p(i), q(j), r(k);
             sum += volume6(apex, p, q, r);
-            // A shorter edge is rare: a branch that is predicted costs less than a minimum that waits for the one before.
-            for (const glm::dvec3& edge : {q - p, r - q, p - r})
-                if (const double square = glm::dot(edge, edge); square < shortest && square > 0.0) shortest = square;
+            shortest.add(p, q, r);
         }
         for (const Box& box : {a, b, c}) shell.box.add(box);
         shell.volume6 += sum;
         shell.closed = shell.closed && closed;
         shell.triangle_count += static_cast<std::uint32_t>(last - first);
     });
-    result.shortest_edge = std::sqrt(shortest);
+    result.shortest_edge = shortest.length();
     if (!result.closed()) close_holes(result, surface, fans, positions);
     return result;
 }
