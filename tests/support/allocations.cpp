@@ -33,6 +33,11 @@ void* counted(std::size_t size)
 {
     return may_allocate(size) ? std::malloc(size > 0 ? size : 1) : nullptr;
 }
+void* counted(std::size_t size, std::align_val_t alignment)
+{
+    const auto align = static_cast<std::size_t>(alignment);
+    return may_allocate(size) ? std::aligned_alloc(align, (size + align - 1) / align * align) : nullptr;
+}
 
 }  // namespace
 
@@ -44,6 +49,19 @@ void* operator new(std::size_t size)
 void* operator new[](std::size_t size)
 {
     return operator new(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+    if (void* p = counted(size, alignment)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p, std::align_val_t) noexcept
+{
+    std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+    std::free(p);
 }
 // Sorting asks for its buffer in this way.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept

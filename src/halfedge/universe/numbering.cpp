@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "halfedge/universe/huge_pages.h"
-
 namespace kerf::core::halfedge {
 
 namespace {
@@ -12,33 +10,17 @@ namespace {
 /// so the processor does not read ahead by itself.
 constexpr std::size_t kTrianglesAhead = 12;
 
-template <class T>
-Buffer<T> room_for(std::size_t size)
-{
-    Buffer<T> table(size);
-    prefer_huge_pages(table.data(), size * sizeof(T));
-    return table;
-}
-
-template <class T>
-Buffer<T> filled(std::size_t size, T value)
-{
-    Buffer<T> table = room_for<T>(size);
-    std::fill(table.begin(), table.end(), value);
-    return table;
-}
-
 }  // namespace
 
 Numbering::Numbering(const ProvenMesh& proven, std::size_t boundary)
     : mesh_(proven),
       opposite_(proven.adjacency().opposite),
-      known_(filled(opposite_.size(), HalfedgeId())),
-      number_of_vertex_(filled(mesh_.vertices.size(), kNone)),
-      number_of_point_(filled(mesh_.point_count, kNone)),
-      old_vertex_(room_for<Index>(mesh_.vertices.size())),
-      point_(room_for<Index>(mesh_.vertices.size())),
-      halfedges_(room_for<std::array<HalfedgeId, 3>>(mesh_.triangles.size()))
+      known_(opposite_.size(), HalfedgeId()),
+      number_of_vertex_(mesh_.vertices.size(), kNone),
+      number_of_point_(mesh_.point_count, kNone),
+      old_vertex_(mesh_.vertices.size()),
+      point_(mesh_.vertices.size()),
+      halfedges_(mesh_.triangles.size())
 {
     at_boundary_.reserve(boundary);
 }

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "common/mesh/buffer.h"
 #include "common/repair/proven_mesh.h"
 #include "halfedge/universe/append_buffer.h"
 #include "halfedge/universe/ids.h"
+#include "halfedge/universe/scratch_array.h"
 
 // The first of the two passes that write a mesh into a universe: what gets which number. The second pass (mesh_writer.h)
 // follows it chunk by chunk (numbered_chunks.h), on the same thread or on another one.
@@ -42,10 +42,10 @@ public:
     NumberedChunk next();
 
     /// By triangle in the new order, as far as they have their numbers.
-    std::span<const std::array<HalfedgeId, 3>> halfedges() const { return halfedges_; }
+    std::span<const std::array<HalfedgeId, 3>> halfedges() const { return {halfedges_.data(), halfedges_.size()}; }
     /// By new vertex, as far as they have a number: the vertex of the mesh, and the point at which it lies.
-    std::span<const Index> old_vertices() const { return old_vertex_; }
-    std::span<const Index> points() const { return point_; }
+    std::span<const Index> old_vertices() const { return {old_vertex_.data(), old_vertex_.size()}; }
+    std::span<const Index> points() const { return {point_.data(), point_.size()}; }
     /// Half-edges whose opposite ones have no face. All of them once all triangles have their numbers.
     std::span<const HalfedgeId> at_boundary() const { return at_boundary_; }
 
@@ -61,12 +61,12 @@ private:
     AppendBuffer<Triangle, SlotId>* slots_ = nullptr;
     /// By half-edge of the mesh: its own number, once the triangle across has its numbers. Told by that triangle, so that
     /// each reads what lies together, and only writing goes all over the mesh. Invalid until then.
-    Buffer<HalfedgeId> known_;
+    ScratchArray<HalfedgeId> known_;
     // kNone: without a number yet.
-    Buffer<Index> number_of_vertex_;               ///< by old vertex
-    Buffer<Index> number_of_point_;                ///< by old point
-    Buffer<Index> old_vertex_, point_;             ///< by new vertex
-    Buffer<std::array<HalfedgeId, 3>> halfedges_;  ///< by new triangle
+    ScratchArray<Index> number_of_vertex_;               ///< by old vertex
+    ScratchArray<Index> number_of_point_;                ///< by old point
+    ScratchArray<Index> old_vertex_, point_;             ///< by new vertex
+    ScratchArray<std::array<HalfedgeId, 3>> halfedges_;  ///< by new triangle
     std::vector<HalfedgeId> at_boundary_;
     /// Numbers handed out. They change all the time, so what another thread reads lies on other cache lines.
     struct alignas(64) Counts

@@ -124,7 +124,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     u.has_boundary = boundary > 0;
     UniverseSize size{mesh.point_count, (3 * n + boundary) / 2, n, mesh.vertices.size(), 0};
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
-    Buffer<Index> order;
+    ScratchArray<Index> order;
     std::future<void> order_is_made =
         beside(two_threads, [&] { order = spatial_order(proven, group_of, u.groups.size()); });
     const std::size_t crossings = crossings_of_one_cut(n) * std::max<std::size_t>(options.cuts_with_room, 1);
@@ -132,14 +132,15 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     set_sizes(u, size);
     Numbering numbering(proven, boundary);
     order_is_made.get();
-    const std::vector<Run> runs = find_runs(order, group_of, adjacency);
+    const std::span<const Index> in_order(order.data(), order.size());
+    const std::vector<Run> runs = find_runs(in_order, group_of, adjacency);
     progress.at(0.4);
     for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
     reserve_nodes(u, size, crossings);
 
-    numbering.begin(order, u.slots);
+    numbering.begin(in_order, u.slots);
     NumberedChunks chunks(numbering, two_threads);
-    MeshWriter writer(mesh, order, numbering, u);
+    MeshWriter writer(mesh, in_order, numbering, u);
     SlotId written(0);
     std::vector<ShellRoot> roots = plant_trees(runs, adjacency.shell_count, u, [&](SlotId end) {
         while (written < end) {

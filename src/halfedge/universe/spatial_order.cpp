@@ -6,8 +6,6 @@
 #include <numeric>
 #include <vector>
 
-#include "halfedge/universe/huge_pages.h"
-
 namespace kerf::core::halfedge {
 
 namespace {
@@ -49,15 +47,7 @@ std::uint64_t spread(std::uint64_t v)
     return v;
 }
 
-/// Sorting scatters over it.
-Buffer<Item> room_for_items(std::size_t count)
-{
-    Buffer<Item> items(count);
-    prefer_huge_pages(items.data(), count * sizeof(Item));
-    return items;
-}
-
-Buffer<Item> items_of(const ProvenMesh& proven, const Layout& layout)
+ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout)
 {
     const IndexedMesh& mesh = proven;
     const Box& box = proven.bounds();
@@ -65,7 +55,7 @@ Buffer<Item> items_of(const ProvenMesh& proven, const Layout& layout)
     const double longest = std::max({size.x, size.y, size.z});
     const double cells = double((1u << layout.bits_of_axis) - 1);
     const double scale = longest > 0.0 ? cells / (3.0 * longest) : 0.0;
-    Buffer<Item> items = room_for_items(mesh.triangles.size());
+    ScratchArray<Item> items(mesh.triangles.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Triangle& t = mesh.triangles[i];
         const glm::dvec3 centre = (glm::dvec3(mesh.vertices[t[0]].position) - lo) +
@@ -84,7 +74,7 @@ Buffer<Item> items_of(const ProvenMesh& proven, const Layout& layout)
 constexpr std::size_t kFewTriangles = 256;
 
 /// By cell and number. The items come in the order of their numbers.
-void sort_by_cell(Buffer<Item>& items, const Layout& layout)
+void sort_by_cell(ScratchArray<Item>& items, const Layout& layout)
 {
     if (items.size() < kFewTriangles) {
         std::sort(items.begin(), items.end());
@@ -99,7 +89,7 @@ void sort_by_cell(Buffer<Item>& items, const Layout& layout)
     std::array<std::array<std::uint32_t, std::size_t(1) << kMostBits>, kMostDigits> start{};
     for (const Item item : items)
         for (std::size_t d = 0; d < layout.digits; ++d) ++start[d][digit(item, d)];
-    Buffer<Item> scratch = room_for_items(items.size());
+    ScratchArray<Item> scratch(items.size());
     for (std::size_t d = 0; d < layout.digits; ++d) {
         std::exclusive_scan(start[d].begin(), start[d].end(), start[d].begin(), 0u);
         for (const Item item : items) scratch[start[d][digit(item, d)]++] = item;
@@ -109,24 +99,24 @@ void sort_by_cell(Buffer<Item>& items, const Layout& layout)
 
 /// A stable sort of triangles by key(triangle) < keys.
 template <class Key>
-void sort_by(Buffer<Index>& order, std::size_t keys, Key key)
+void sort_by(ScratchArray<Index>& order, std::size_t keys, Key key)
 {
     std::vector<std::uint32_t> start(keys, 0);
     for (const Index t : order) ++start[key(t)];
     std::exclusive_scan(start.begin(), start.end(), start.begin(), 0u);
-    Buffer<Index> sorted(order.size());
+    ScratchArray<Index> sorted(order.size());
     for (const Index t : order) sorted[start[key(t)]++] = t;
     order.swap(sorted);
 }
 
 }  // namespace
 
-Buffer<Index> spatial_order(const ProvenMesh& proven, std::span<const Index> group_of, std::size_t groups)
+ScratchArray<Index> spatial_order(const ProvenMesh& proven, std::span<const Index> group_of, std::size_t groups)
 {
     const Layout layout(proven->triangles.size());
-    Buffer<Item> items = items_of(proven, layout);
+    ScratchArray<Item> items = items_of(proven, layout);
     sort_by_cell(items, layout);
-    Buffer<Index> order(items.size());
+    ScratchArray<Index> order(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) order[i] = layout.number(items[i]);
 
     const Adjacency& adjacency = proven.adjacency();
