@@ -235,6 +235,8 @@ std::vector<ShellRoot> compact_copy(const Universe& u, std::span<const ShellRoot
     size.edges = copied.edges.size();
     size.vertices = copied.vertices.size();
     reserve(v, size, crossings_of_one_cut(size.triangles));
+    v.mesh.resize(size.points, size.edges, size.triangles);
+    v.mesh.touch_room();
     reserve_nodes(v, size, crossings_of_one_cut(size.triangles));
     copy_connectivity(u, copied, v.mesh);
     copy_vertices(u, copied.vertices.old(), v);

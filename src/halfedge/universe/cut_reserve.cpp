@@ -22,13 +22,10 @@ std::size_t crossings_of_one_cut(std::size_t triangles)
     return 64 + static_cast<std::size_t>(4.0 * std::sqrt(static_cast<double>(triangles)));
 }
 
-void reserve(Universe& u, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress)
+void reserve(Universe& u, const UniverseSize& size, std::size_t crossings)
 {
-    // The shares are those of the time, about.
     u.mesh.start(
-        {size.points, size.edges, size.triangles},
-        {size.points + kPoints * crossings, size.edges + kEdges * crossings, size.triangles + kFaces * crossings},
-        progress.part(0.0, 0.8));
+        {size.points + kPoints * crossings, size.edges + kEdges * crossings, size.triangles + kFaces * crossings});
     u.vertices.reserve(size.vertices + kVertices * crossings, size.vertices);
     for (Stream& stream : u.streams)
         stream.values.reserve((size.vertices + kVertices * crossings) * stream.width, size.vertices * stream.width);
@@ -36,7 +33,6 @@ void reserve(Universe& u, const UniverseSize& size, std::size_t crossings, const
     u.face_of_slot.reserve(size.triangles + kSlots * crossings, size.triangles);
     u.source_of_face.reserve(size.triangles + kFaces * crossings, size.triangles);
     u.stamp_of_face.reserve(size.triangles + kFaces * crossings, size.triangles);
-    progress.at(1.0);
 }
 
 void reserve_nodes(Universe& u, const UniverseSize& size, std::size_t crossings)

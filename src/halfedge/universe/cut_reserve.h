@@ -20,9 +20,9 @@ struct UniverseSize
 std::size_t crossings_of_one_cut(std::size_t triangles);
 
 /// Makes room in all arrays of an empty universe, but for the tree, for `size` and, by an estimate, for cuts that cross `crossings`
-/// triangles in all. Touches the room for cuts; the caller is about to write the rest. The half-edge mesh has its sizes
-/// then. Throws std::bad_alloc, and Cancelled, after which the universe is good for nothing.
-void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings, const ProgressOfStep& progress = {});
+/// triangles in all. Touches the room for cuts; the caller is about to write the rest. The half-edge mesh is empty still,
+/// and none of its room is touched. Throws std::bad_alloc.
+void reserve(Universe& universe, const UniverseSize& size, std::size_t crossings);
 /// The same for the tree. Throws std::bad_alloc.
 void reserve_nodes(Universe& universe, const UniverseSize& size, std::size_t crossings);
 

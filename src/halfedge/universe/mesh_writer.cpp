@@ -15,6 +15,7 @@ constexpr Index kNumberedAhead = 64;
 
 void MeshWriter::write(const NumberedChunk& chunk)
 {
+    u_.mesh.resize(chunk.points, chunk.edges, chunk.first + chunk.count);
     write_vertices(chunk.vertices);
     for (Index i = 0; i < chunk.count; ++i) {
         __builtin_prefetch(&mesh_.sources[order_[chunk.first + std::min(i + kReadAhead, chunk.count - 1)]]);
@@ -26,6 +27,7 @@ void MeshWriter::write(const NumberedChunk& chunk)
         const FaceId face(static_cast<int>(slot.number()));
         const std::array<HalfedgeId, 3>& h = halfedges_[slot.number()];
         u_.face_of_slot[slot] = face;
+        u_.stamp_of_face[face] = 0;
         u_.source_of_face[face] = mesh_.sources[order_[slot.number()]];
         u_.mesh.set_triangle(face, h[0], h[1], h[2]);
         for (std::size_t c = 0; c < 3; ++c) {
@@ -50,6 +52,7 @@ void MeshWriter::write_vertices(Index end)
 void MeshWriter::finish()
 {
     SurfaceMesh& mesh = u_.mesh;
+    mesh.touch_room();
     for (const HalfedgeId inside : numbering_.at_boundary()) {
         const HalfedgeId h = opposite(inside);
         mesh.set_to(h, mesh.to(mesh.prev(inside)));

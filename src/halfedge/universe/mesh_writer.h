@@ -8,7 +8,9 @@
 namespace kerf::core::halfedge {
 
 /// The second pass that writes a mesh into a universe whose arrays have their sizes: vertices, faces and half-edges,
-/// chunk after chunk of triangles that have their numbers, each chunk in the order of memory.
+/// chunk after chunk of triangles that have their numbers, each chunk in the order of memory. The half-edge mesh grows
+/// with them, within the room that it has: OpenMesh writes new elements, which are in the cache still when they get
+/// their values.
 class MeshWriter
 {
 public:
@@ -25,7 +27,8 @@ public:
 
     /// Can't fail.
     void write(const NumberedChunk& chunk);
-    /// Once all chunks are written: links the half-edges of the boundary, and copies the streams.
+    /// Once all chunks are written: links the half-edges of the boundary, copies the streams, and touches the half-edge
+    /// mesh's room.
     void finish();
 
 private:

@@ -49,6 +49,8 @@ NumberedChunk Numbering::next()
     }
     counts_.triangles += chunk.count;
     chunk.vertices = counts_.vertices;
+    chunk.points = counts_.points;
+    chunk.edges = counts_.edges;
     return chunk;
 }
 

@@ -20,8 +20,8 @@ struct NumberedChunk
 {
     static constexpr std::size_t kTriangles = 2048;
 
-    Index first = 0, count = 0;  ///< triangles
-    Index vertices = 0;          ///< how many vertices have a number once the chunk has
+    Index first = 0, count = 0;                 ///< triangles
+    Index vertices = 0, points = 0, edges = 0;  ///< how many of them have a number once the chunk has
 };
 
 /// Numbers a mesh's triangles, one after another in their new order: vertices and points in the order of their first

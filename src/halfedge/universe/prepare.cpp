@@ -83,7 +83,6 @@ void set_sizes(Universe& u, const UniverseSize& size)
     u.face_of_slot.set_size(size.triangles);
     u.source_of_face.set_size(size.triangles);
     u.stamp_of_face.set_size(size.triangles);
-    std::fill(u.stamp_of_face.begin(), u.stamp_of_face.end(), Index(0));
 }
 
 /// With fewer triangles a second thread costs more than it saves.
@@ -128,13 +127,13 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     std::future<void> order_is_made =
         beside(two_threads, [&] { order = spatial_order(proven, group_of, u.groups.size()); });
     const std::size_t crossings = crossings_of_one_cut(n) * std::max<std::size_t>(options.cuts_with_room, 1);
-    reserve(u, size, crossings, {progress, 0.0, 0.3});
+    reserve(u, size, crossings);
     set_sizes(u, size);
     Numbering numbering(proven, boundary);
     order_is_made.get();
     const std::span<const Index> in_order(order.data(), order.size());
     const std::vector<Run> runs = find_runs(in_order, group_of, adjacency);
-    progress.at(0.4);
+    progress.at(0.25);
     for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
     reserve_nodes(u, size, crossings);
 
@@ -147,7 +146,7 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
             const NumberedChunk chunk = chunks.next();
             writer.write(chunk);
             written = written + chunk.count;
-            progress.at(0.4 + 0.6 * double(written.number()) / double(n));
+            progress.at(0.25 + 0.75 * double(written.number()) / double(n));
         }
     });
     writer.finish();

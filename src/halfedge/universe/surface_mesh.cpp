@@ -18,39 +18,25 @@ constexpr std::size_t kMost = std::size_t(1) << 30;
 
 SurfaceMesh::SurfaceMesh(const SurfaceMesh& other)
 {
-    grow(other.room_, other.sizes(), {});
+    grow(other.room_, other.sizes());
     mesh_.assign_connectivity(other.mesh_);
     if (other.points() > 0)
         std::copy_n(other.mesh_.points(), other.points(), const_cast<decltype(mesh_)::Point*>(mesh_.points()));
 }
 
-void SurfaceMesh::grow(const Sizes& room, const Sizes& then, const ProgressOfStep& progress)
+void SurfaceMesh::start(const Sizes& room)
+{
+    if (room.points > kMost || room.edges > kMost || room.faces > kMost) throw std::bad_alloc();
+    ask_for(room);
+    started_ = room;
+}
+
+void SurfaceMesh::grow(const Sizes& room, const Sizes& then)
 {
     if (room.points > kMost || room.edges > kMost || room.faces > kMost) throw std::bad_alloc();
     const Sizes wanted{std::max(room.points, room_.points), std::max(room.edges, room_.edges),
                        std::max(room.faces, room_.faces)};
-    const std::size_t v = mesh_.n_vertices(), e = mesh_.n_edges(), f = mesh_.n_faces();
-    if (wanted.points > asked_.points || wanted.edges > asked_.edges || wanted.faces > asked_.faces) {
-        ask_for(wanted);
-        // OpenMesh tells no address but that of an element, so one of each must exist.
-        mesh_.resize(std::max<std::size_t>(v, 1), std::max<std::size_t>(e, 1), std::max<std::size_t>(f, 1));
-        // What a long chain of cuts adds, too.
-        const auto prefer = [](auto& first, std::size_t count, std::size_t asked) {
-            prefer_huge_pages(&first, (count * sizeof(first) < kFewHugePages ? count : asked) * sizeof(first));
-        };
-        prefer(mesh_.edge(EdgeId(0)), wanted.edges, asked_.edges);
-        prefer(mesh_.face(FaceId(0)), wanted.faces, asked_.faces);
-        prefer(mesh_.vertex(PointId(0)), wanted.points, asked_.points);
-        prefer(mesh_.point(PointId(0)), wanted.points, asked_.points);
-    }
-    // The first touch of this memory is most of what it takes to prepare tens of millions of triangles.
-    constexpr std::size_t kEdgesTouchedAtOnce = std::size_t(1) << 20;
-    const std::size_t parts = 1 + (wanted.edges - e) / kEdgesTouchedAtOnce;
-    for (std::size_t part = 1; part <= parts; ++part) {
-        const auto so_far = [&](std::size_t from, std::size_t to) { return from + (to - from) / parts * part; };
-        mesh_.resize(so_far(v, wanted.points), so_far(e, wanted.edges), so_far(f, wanted.faces));
-        progress.at(static_cast<double>(part) / static_cast<double>(parts));
-    }
+    if (wanted.points > asked_.points || wanted.edges > asked_.edges || wanted.faces > asked_.faces) ask_for(wanted);
     mesh_.resize(wanted.points, wanted.edges, wanted.faces);
     // New positions are all that OpenMesh does not write to.
     const std::size_t touched = std::max(room_.points, then.points);
@@ -74,6 +60,18 @@ void SurfaceMesh::ask_for(const Sizes& wanted)
         mesh_.reserve(wanted.points, wanted.edges, wanted.faces);
         asked_ = wanted;
     }
+    // OpenMesh tells no address but that of an element, so one of each must exist.
+    const std::size_t v = points(), e = edges(), f = faces();
+    mesh_.resize(std::max<std::size_t>(v, 1), std::max<std::size_t>(e, 1), std::max<std::size_t>(f, 1));
+    // What a long chain of cuts adds, too.
+    const auto prefer = [](auto& first, std::size_t count, std::size_t asked) {
+        prefer_huge_pages(&first, (count * sizeof(first) < kFewHugePages ? count : asked) * sizeof(first));
+    };
+    prefer(mesh_.edge(EdgeId(0)), wanted.edges, asked_.edges);
+    prefer(mesh_.face(FaceId(0)), wanted.faces, asked_.faces);
+    prefer(mesh_.vertex(PointId(0)), wanted.points, asked_.points);
+    prefer(mesh_.point(PointId(0)), wanted.points, asked_.points);
+    mesh_.resize(v, e, f);
 }
 
 std::size_t SurfaceMesh::make_room(std::size_t points, std::size_t edges, std::size_t faces)
@@ -81,7 +79,7 @@ std::size_t SurfaceMesh::make_room(std::size_t points, std::size_t edges, std::s
     const std::size_t v = mesh_.n_vertices() + points, e = mesh_.n_edges() + edges, f = mesh_.n_faces() + faces;
     if (v <= room_.points && e <= room_.edges && f <= room_.faces) return 0;
     const std::size_t before = bytes_reserved();
-    grow({v, e, f}, sizes(), {});
+    grow({v, e, f}, sizes());
     return bytes_reserved() - before;
 }
 

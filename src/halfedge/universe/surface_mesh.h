@@ -75,10 +75,11 @@ public:
         std::size_t points = 0, edges = 0, faces = 0;
     };
 
-    /// Gives an empty mesh its sizes, and makes room for `room` elements in all and touches it. As in AppendBuffer,
-    /// memory for more is asked for but not touched. Throws std::bad_alloc, and Cancelled, after which the mesh
-    /// is good for nothing.
-    void start(const Sizes& sizes, const Sizes& room, const ProgressOfStep& progress) { grow(room, sizes, progress); }
+    /// Asks for room for so many elements in all, of an empty mesh, but does not touch it: the caller is about to resize it
+    /// step by step. As in AppendBuffer, memory for more is asked for, too. Throws std::bad_alloc.
+    void start(const Sizes& room);
+    /// Touches what was asked for and is no element yet, so that a cut need not.
+    void touch_room() { grow(started_, sizes()); }
 
     /// Makes room for more elements; returns the bytes by which the arrays grew. O(added elements), unless the memory
     /// that was asked for is used up.
@@ -95,11 +96,12 @@ public:
 private:
     Sizes sizes() const { return {points(), edges(), faces()}; }
     /// Makes room and touches it; the mesh has the sizes `then` afterwards.
-    void grow(const Sizes& room, const Sizes& then, const ProgressOfStep& progress);
+    void grow(const Sizes& room, const Sizes& then);
     void ask_for(const Sizes& wanted);
 
     OpenMesh::TriMesh_ArrayKernelT<SurfaceTraits> mesh_;
     Sizes room_, asked_;  ///< touched, and asked for: OpenMesh does not tell its capacities
+    Sizes started_;       ///< what start() was asked for
 };
 
 /// Visits the half-edges that leave the origin of `start`, each once, by rotating around it. Stops at a boundary in

@@ -29,12 +29,14 @@ TEST(SurfaceMesh, RoomIsTouchedBeforeItIsNeeded)
     // A large one would hide what is missing.
     test::use_small_pages();
     SurfaceMesh mesh;
-    mesh.start(kSizes, {kSizes.points + 2 * kNew.points, kSizes.edges + 2 * kNew.edges, kSizes.faces + 2 * kNew.faces},
-               {});
+    mesh.start({kSizes.points + 2 * kNew.points, kSizes.edges + 2 * kNew.edges, kSizes.faces + 2 * kNew.faces});
+    mesh.resize(kSizes.points, kSizes.edges, kSizes.faces);
+    mesh.touch_room();
     for (std::size_t i = 0; i < mesh.points(); ++i) mesh.set_position(PointId(int(i)), glm::vec3(0.0f));
     SurfaceMesh copy(mesh);
     EXPECT_LE(faults_of_adding(mesh), kInAnyCase);
     EXPECT_LE(faults_of_adding(copy), kInAnyCase) << "a copy";
+    EXPECT_EQ(mesh.edges(), kSizes.edges + kNew.edges);
     EXPECT_GT(mesh.make_room(2 * kNew.points, 2 * kNew.edges, 2 * kNew.faces), 0u);
     EXPECT_LE(faults_of_adding(mesh), kInAnyCase) << "room that was made later";
 }
