@@ -8,7 +8,7 @@ namespace kerf::core::halfedge {
 inline constexpr std::size_t kHugePage = std::size_t(1) << 21;
 
 /// Arrays from so many bytes on end with a whole huge page.
-inline constexpr std::size_t kFewHugePages = 2 * kHugePage;
+inline constexpr std::size_t kFewHugePages = kHugePage + kHugePage / 2;
 
 /// Asks the operating system to back a large block by large pages, before it is touched: a cut reads a little
 /// everywhere, and with small pages half of its time goes into looking up addresses. No effect on a system that has no
