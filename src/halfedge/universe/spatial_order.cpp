@@ -37,14 +37,21 @@ struct Layout
     Index number(Item item) const { return static_cast<Index>(item & ((Item(1) << bits_of_number) - 1)); }
 };
 
+constexpr std::uint32_t kBitsAtOnce = 6;
+
+/// Numbers of six bits with their bits spread to every third one.
+constexpr auto kSpread = [] {
+    std::array<std::uint32_t, std::size_t(1) << kBitsAtOnce> spread{};
+    for (std::uint32_t v = 0; v < spread.size(); ++v)
+        for (std::uint32_t bit = 0; bit < kBitsAtOnce; ++bit) spread[v] |= (v >> bit & 1u) << 3 * bit;
+    return spread;
+}();
+
 /// Spreads the low 12 bits to every third bit.
-std::uint64_t spread(std::uint64_t v)
+std::uint64_t spread(std::uint32_t v)
 {
-    v = (v | (v << 16)) & 0xff0000ffu;
-    v = (v | (v << 8)) & 0xf00f00fu;
-    v = (v | (v << 4)) & 0xc30c30c3u;
-    v = (v | (v << 2)) & 0x249249249u;
-    return v;
+    constexpr std::uint32_t kMask = (1u << kBitsAtOnce) - 1;
+    return kSpread[v & kMask] | std::uint64_t(kSpread[v >> kBitsAtOnce & kMask]) << 3 * kBitsAtOnce;
 }
 
 ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout)
@@ -63,7 +70,7 @@ ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout)
                                   (glm::dvec3(mesh.vertices[t[2]].position) - lo);
         const glm::dvec3 cell = centre * scale;
         const std::uint64_t code =
-            spread(std::uint64_t(cell.x)) | (spread(std::uint64_t(cell.y)) << 1) | (spread(std::uint64_t(cell.z)) << 2);
+            spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1) | (spread(std::uint32_t(cell.z)) << 2);
         items[i] = (code << layout.bits_of_number) | i;
     }
     return items;
