@@ -5,6 +5,7 @@
 #include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/cut/leaf_distances.h"
 #include "halfedge/cut/leaf_prefetch.h"
+#include "halfedge/cut/visit_tree.h"
 
 namespace kerf::core::halfedge {
 
@@ -47,65 +48,14 @@ public:
     BySide<bool> run(NodeId root)
     {
         const std::size_t first_op = found_.ops.size();
-        write_program(visit_levels(root));
+        const TreeVisit visit = visit_tree(u_, plane_, shell_, root, lists_.visits, found_.ops);
+        present_ = visit.present;
+        found_.nodes_visited += visit.nodes;
         open_leaves(first_op);
         return present_;
     }
 
 private:
-    /// Which nodes the plane meets. Level by level, because memory is far away: a node is asked for when its parent is
-    /// looked at, long before its own turn. Without branches on what can't be predicted, which is where a box lies.
-    /// Returns the end of the visits.
-    std::size_t visit_levels(NodeId root)
-    {
-        std::vector<FindLists::Visit>& visits = lists_.visits;
-        std::size_t end = FindLists::kFirstVisit;
-        visits[end++].op.node = root;
-        for (std::size_t i = FindLists::kFirstVisit; i < end; ++i) {
-            if (visits.size() < end + 2) visits.resize(2 * visits.size());
-            const NodeId n = visits[i].op.node;
-            const Node& node = u_.tree.nodes[n];
-            const auto [lo, hi] = plane_.distance_range(node.box);
-            // A box that touches the plane may hold faces in the plane, so only > and < decide.
-            const bool above = lo > 0.0, below = hi < 0.0, met = !(above || below), leaf = node.is_leaf();
-            present_[Side::positive] |= above;
-            present_[Side::negative] |= below;
-            visits[i].op.kind = !met ? TreeOp::Kind::whole : leaf ? TreeOp::Kind::leaf : TreeOp::Kind::join;
-            visits[i].op.argument = met ? kNone : target(static_cast<Side>(above)).number();
-            if (leaf) {
-                if (met) prefetch_triangles(node);
-                visits[i].child = 0;
-                continue;
-            }
-            visits[i].child = met ? static_cast<Index>(end) : 0;
-            visits[end].op.node = node.left;
-            visits[end + 1].op.node = node.right;
-            end += met ? 2 : 0;
-            prefetch(u_.tree.nodes[node.left]);
-            prefetch(u_.tree.nodes[node.right]);
-        }
-        found_.nodes_visited += end - FindLists::kFirstVisit;
-        return end;
-    }
-
-    /// Writes the program: the visits up to `end` in post-order. Leaves wait for open_leaves().
-    void write_program(std::size_t end)
-    {
-        std::vector<FindLists::Visit>& visits = lists_.visits;
-        constexpr std::size_t kRoot = FindLists::kFirstVisit;
-        visits[0].count = visits[1].count = 0;
-        for (std::size_t i = end; i-- > kRoot;)
-            visits[i].count = 1 + visits[visits[i].child].count + visits[visits[i].child + 1].count;
-        visits[kRoot].first_op = static_cast<Index>(found_.ops.size());
-        found_.ops.resize(found_.ops.size() + visits[kRoot].count);
-        for (std::size_t i = kRoot; i < end; ++i) {
-            const FindLists::Visit visit = visits[i];
-            visits[visit.child].first_op = visit.first_op;
-            visits[visit.child + 1].first_op = visit.first_op + visits[visit.child].count;
-            found_.ops[visit.first_op + visit.count - 1] = visit.op;
-        }
-    }
-
     void open_leaves(std::size_t first_op)
     {
         std::vector<Index>& leaves = lists_.leaves;
@@ -123,22 +73,6 @@ private:
             TreeOp& op = found_.ops[leaves[i]];
             op = open_leaf(op.node);
         }
-    }
-
-    void prefetch_triangles(const Node& leaf) const
-    {
-        prefetch(&u_.slots[leaf.first], leaf.count * sizeof(Triangle));
-        prefetch(&u_.face_of_slot[leaf.first], leaf.count * sizeof(FaceId));
-    }
-    static void prefetch(const Node& node)
-    {
-        __builtin_prefetch(&node);
-        __builtin_prefetch(reinterpret_cast<const char*>(&node + 1) - 1);
-    }
-    static void prefetch(const void* begin, std::size_t bytes)
-    {
-        constexpr std::size_t kCacheLine = 64;
-        for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(static_cast<const char*>(begin) + i);
     }
 
     TargetId target(Side side) const { return first_target(shell_, side); }
@@ -268,7 +202,7 @@ Finder::Finder()
 void Finder::reserve(std::size_t crossings_expected)
 {
     // On the asteroid 1.5 visits for each crossing triangle.
-    const std::size_t visits = 64 + 2 * crossings_expected;
+    const std::size_t visits = kFewVisits + 2 * crossings_expected;
     if (lists_.visits.size() < visits) lists_.visits.resize(visits);
     reserve_touched(lists_.leaves, visits);
 }

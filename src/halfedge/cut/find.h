@@ -8,37 +8,13 @@
 #include "common/mesh/plane.h"
 #include "halfedge/cut/crossing.h"
 #include "halfedge/cut/recycled.h"
+#include "halfedge/cut/tree_program.h"
+#include "halfedge/cut/visit_tree.h"
 #include "halfedge/universe/universe.h"
 
 // FIND: which triangles the plane crosses and which parts of the tree go to a side as they are. Result: Found.
 
 namespace kerf::core::halfedge {
-
-/// What FIND counts in a leaf that is rewritten.
-struct LeafCounts
-{
-    std::uint8_t crossing = 0;       ///< triangles that cross: so many of Found::crossings, in the order of the program
-    BySide<std::uint8_t> kept{};     ///< others, by the side that they are kept on
-    bool sides_are_targets = false;  ///< everything goes to the first target of its side
-};
-
-/// A step of the program that rebuilds a tree, in post-order: FIND writes it, REBUILD runs it once.
-struct TreeOp
-{
-    enum class Kind : std::uint8_t
-    {
-        whole,  ///< hand over subtree `node` to target `argument`
-        leaf,   ///< rewrite leaf `node`; its entries start at `argument`
-        join,   ///< combine the results of the two children of inner node `node`
-    };
-    Kind kind;
-    NodeId node;
-    Index argument;
-    LeafCounts counts = {};
-
-    static TreeOp hand_over(NodeId node, TargetId target) { return {Kind::whole, node, target.number()}; }
-    TargetId target() const { return TargetId(argument); }
-};
 
 /// Where a triangle of a rewritten leaf goes: to a target, or to several as a crossing triangle.
 class LeafEntry
@@ -73,18 +49,6 @@ struct CutShell
     std::size_t first_in_plane = 0, in_plane_count = 0;
     std::size_t first_flush = 0, flush_count = 0;
 };
-
-/// The target that a side of a cut shell has before it is known whether the side falls apart.
-inline TargetId first_target(Index shell, Side side)
-{
-    return TargetId(2 * shell + static_cast<Index>(side));
-}
-
-/// The side of such a target.
-inline Side side_of_target(TargetId first_target)
-{
-    return static_cast<Side>(first_target.number() % 2);
-}
 
 /// An edge of the section's outline: the section edge of a crossing triangle, or an edge in the plane. Crossing
 /// triangles come first (Found::edge_of_crossing(), edge_in_plane()).
@@ -161,18 +125,8 @@ struct Found
 /// What FIND works with, kept for its memory.
 struct FindLists
 {
-    /// A node that was met.
-    struct Visit
-    {
-        TreeOp op;           ///< what becomes of it
-        Index child = 0;     ///< the visit of its left child, which that of the right one follows; 0: none was met
-        Index count = 0;     ///< visits in its subtree
-        Index first_op = 0;  ///< where the subtree's part of the program begins
-    };
-    std::vector<Visit> visits;  ///< level by level; those before kFirstVisit stand for nobody
+    std::vector<NodeVisit> visits;
     std::vector<Index> leaves;  ///< places in the program
-
-    static constexpr std::size_t kFirstVisit = 2;
 };
 
 /// Where an object lies that a plane misses: all of it on one side, or within plane_noise of it on the other. Nothing: the
