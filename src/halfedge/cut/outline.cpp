@@ -48,6 +48,7 @@ void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const
     const auto misses = [&](Side side) { section.side_of_object = side; };
     if (const std::optional<Side> side = missed_side(u, shells, plane, w.waiting_nodes, section.nodes_visited))
         return misses(*side);
+    if (w.quick_outline.find(u, shells, plane, section)) return;
     const Emptied emptied(w);
     w.finder.run(u, shells, plane, w.section_numbers, w.found);
     const Coincidences coincidences = split_crossings(u, w.section_numbers, w.found);

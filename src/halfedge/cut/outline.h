@@ -9,8 +9,8 @@
 
 namespace kerf::core::halfedge {
 
-/// The outline of a section without a cut: FIND, SPLIT and WALK of a cut, with numbers and points of their own, so that
-/// the universe stays as it is. O(s log(n / s) + k). May throw std::bad_alloc.
+/// The outline of a section without a cut: by QuickOutline or, where points coincide, by FIND, SPLIT and WALK of a cut with
+/// numbers and points of their own. The universe stays as it is. O(s log(n / s) + k). May throw std::bad_alloc.
 ///
 /// @param universe   locked for reading
 /// @param workspace  that no cut and no other outline uses meanwhile; empty, and empty again afterwards

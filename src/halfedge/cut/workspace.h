@@ -9,6 +9,7 @@
 #include "halfedge/cut/find_parts.h"
 #include "halfedge/cut/irregular/irregular.h"
 #include "halfedge/cut/planned_pieces.h"
+#include "halfedge/cut/quick_outline.h"
 #include "halfedge/cut/rebuild.h"
 #include "halfedge/cut/section.h"
 #include "halfedge/cut/stitch_plan.h"
@@ -25,7 +26,9 @@ struct CutWorkspace
     Caps caps;
     StitchPlan stitch_plan;
 
-    FaceTable section_numbers;  ///< of sections that change nothing
+    // Of sections that change nothing.
+    QuickOutline quick_outline;
+    FaceTable section_numbers;
 
     std::vector<NodeId> waiting_nodes;  ///< while it is looked whether the plane misses
     Finder finder;
