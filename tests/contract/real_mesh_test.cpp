@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "common/io/mesh_file.h"
@@ -13,30 +12,13 @@
 #include "common/repair/mesh_facts.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
+#include "support/real_files.h"
 #include "support/referee.h"
 
 namespace kerf::core {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> mesh_files()
-{
-    std::vector<fs::path> files;
-    for (const fs::path& folder : {fs::path(KERF_DATA_DIR) / "models", fs::path(KERF_SHARED_MESHES_DIR)}) {
-        if (!fs::is_directory(folder)) continue;
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            std::string extension = entry.path().extension().string();
-            std::transform(extension.begin(), extension.end(), extension.begin(),
-                           [](char c) { return char(std::tolower(c)); });
-            if (extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl" ||
-                extension == ".glb")
-                files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 /// Whether the section is a single loop all of whose edges are seen counter-clockwise from its mean point: then a fan
 /// covers it.
@@ -70,13 +52,9 @@ std::vector<test::NamedBackend> fast_backends()
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RealMesh,
-                         testing::Combine(testing::ValuesIn(mesh_files()), testing::ValuesIn(fast_backends())),
+                         testing::Combine(testing::ValuesIn(test::real_files()), testing::ValuesIn(fast_backends())),
                          [](const auto& param) {
-                             std::string name =
-                                 std::get<0>(param.param).filename().string() + "_" + std::get<1>(param.param).name;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
+                             return test::test_name_of(std::get<0>(param.param)) + "_" + std::get<1>(param.param).name;
                          });
 
 TEST_P(RealMesh, IsCutIntoSidesThatAreClosedAndAddUp)
