@@ -17,6 +17,7 @@ void register_long_benchmarks();
 void register_hard_benchmarks();
 void register_real_benchmarks();
 void register_section_benchmarks();
+void register_stack_benchmarks();
 #ifdef KERF_HAS_VIEWER
 void register_sim_benchmarks();
 #endif
@@ -40,6 +41,7 @@ int main(int argc, char** argv)
         kerf::bench::register_hard_benchmarks();
         kerf::bench::register_real_benchmarks();
         kerf::bench::register_section_benchmarks();
+        kerf::bench::register_stack_benchmarks();
 #ifdef KERF_HAS_VIEWER
         kerf::bench::register_sim_benchmarks();
 #endif

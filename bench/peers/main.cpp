@@ -1,6 +1,8 @@
 // kerf_peers: other libraries on the meshes and planes of kerf_bench. Prints JSON.
 //   kerf_peers cgal SECONDS TRIANGLES...      asteroids of these sizes and the fifteen models, each within a budget
 //   kerf_peers export FOLDER TRIANGLES...     the same inputs as files, for peers that are no C++ (vtk_peer.py)
+//   kerf_peers sections SECONDS TRIANGLES...  sections of asteroids that stay whole, each within a budget
+//   kerf_peers export-sections FOLDER TRIANGLES...  the same inputs as files (vtk_sections.py)
 
 #include <exception>
 #include <filesystem>
@@ -10,6 +12,7 @@
 #include <stdexcept>
 
 #include "bench/peers/cgal_peer.h"
+#include "bench/peers/cgal_slicer.h"
 #include "bench/peers/peer_inputs.h"
 
 namespace kerf::bench {
@@ -25,22 +28,34 @@ void for_each_input(const std::vector<std::string>& sizes, Take take)
     for (const std::string& size : sizes) take(asteroid_input(std::stoull(size)));
 }
 
+Json to_json(const PeerRow& row)
+{
+    return {{"peer", row.peer},     {"mesh", row.mesh},         {"triangles", row.triangles},
+            {"ms", row.ms},         {"least_ms", row.least_ms}, {"most_ms", row.most_ms},
+            {"planes", row.planes}, {"right", row.right},       {"verdict", row.verdict}};
+}
+
 Json cgal(double budget, const std::vector<std::string>& sizes)
 {
     Json rows = Json::array();
     for_each_input(sizes, [&](const PeerInput& input) {
         for (const PeerRow& row : {time_cgal_clip(input, budget), time_cgal_split(input, budget)})
-            rows.push_back({{"peer", row.peer},
-                            {"mesh", row.mesh},
-                            {"triangles", row.triangles},
-                            {"ms", row.ms},
-                            {"least_ms", row.least_ms},
-                            {"most_ms", row.most_ms},
-                            {"planes", row.planes},
-                            {"right", row.right},
-                            {"verdict", row.verdict}});
+            rows.push_back(to_json(row));
     });
     return {{"peers", std::move(rows)}};
+}
+
+Json sections(double budget, const std::vector<std::string>& sizes)
+{
+    Json rows = Json::array();
+    for (const std::string& size : sizes) {
+        const SlicerRow sliced = time_cgal_slicer(asteroid_section_input(std::stoull(size)), budget);
+        Json row = to_json(sliced.row);
+        row["heights"] = 1;
+        row["prepare_ms"] = sliced.prepare_ms;
+        rows.push_back(std::move(row));
+    }
+    return {{"sections", std::move(rows)}};
 }
 
 template <class Element>
@@ -52,15 +67,44 @@ void write_bytes(const std::filesystem::path& path, const std::vector<Element>& 
     if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-/// NAME.points: three floats each; NAME.triangles: three 32-bit indices each; the JSON names them.
-Json export_inputs(const std::filesystem::path& folder, const std::vector<std::string>& sizes)
+/// NAME.points: three floats each; NAME.triangles: three 32-bit indices each. Returns NAME.
+std::string write_mesh(const std::filesystem::path& folder, const BareMesh& mesh)
 {
     std::filesystem::create_directories(folder);
+    std::string file = mesh.name + "-" + std::to_string(mesh.triangles.size());
+    write_bytes(folder / (file + ".points"), mesh.points);
+    write_bytes(folder / (file + ".triangles"), mesh.triangles);
+    return file;
+}
+
+Json export_sections(const std::filesystem::path& folder, const std::vector<std::string>& sizes)
+{
+    Json inputs = Json::array();
+    for (const std::string& size : sizes) {
+        const SectionInput input = asteroid_section_input(std::stoull(size));
+        Json planes = Json::array();
+        for (std::size_t i = 0; i < input.planes.size(); ++i) {
+            const Normal normal = input.planes[i].normal();
+            planes.push_back({{"normal", {normal.x, normal.y, normal.z}},
+                              {"offset", input.planes[i].offset()},
+                              {"length", input.expected[i].length},
+                              {"loops", input.expected[i].loops}});
+        }
+        inputs.push_back({{"mesh", input.name},
+                          {"file", write_mesh(folder, input)},
+                          {"lowest", input.lowest},
+                          {"highest", input.highest},
+                          {"planes", std::move(planes)}});
+    }
+    return {{"length_share", kLengthShare}, {"inputs", std::move(inputs)}};
+}
+
+/// The JSON names the meshes' files.
+Json export_inputs(const std::filesystem::path& folder, const std::vector<std::string>& sizes)
+{
     Json inputs = Json::array();
     for_each_input(sizes, [&](const PeerInput& input) {
-        const std::string file = input.name + "-" + std::to_string(input.triangles.size());
-        write_bytes(folder / (file + ".points"), input.points);
-        write_bytes(folder / (file + ".triangles"), input.triangles);
+        const std::string file = write_mesh(folder, input);
         Json planes = Json::array();
         for (std::size_t i = 0; i < input.planes.size(); ++i) {
             const Plane& plane = input.planes[i];
@@ -77,13 +121,20 @@ Json export_inputs(const std::filesystem::path& folder, const std::vector<std::s
 
 int run(const std::vector<std::string>& arguments)
 {
-    if (arguments.size() < 2 || (arguments[0] != "cgal" && arguments[0] != "export")) {
-        std::cerr << "Usage: kerf_peers cgal SECONDS TRIANGLES... | kerf_peers export FOLDER TRIANGLES...\n";
+    const std::string what = arguments.empty() ? "" : arguments[0];
+    const bool is_known = what == "cgal" || what == "export" || what == "sections" || what == "export-sections";
+    if (arguments.size() < 2 || !is_known) {
+        std::cerr << "Usage: kerf_peers cgal|sections SECONDS TRIANGLES...\n"
+                     "       kerf_peers export|export-sections FOLDER TRIANGLES...\n";
         return 2;
     }
     const std::vector<std::string> sizes(arguments.begin() + 2, arguments.end());
-    std::cout << (arguments[0] == "cgal" ? cgal(std::stod(arguments[1]), sizes) : export_inputs(arguments[1], sizes))
-              << '\n';
+    Json answer;
+    if (what == "cgal") answer = cgal(std::stod(arguments[1]), sizes);
+    if (what == "sections") answer = sections(std::stod(arguments[1]), sizes);
+    if (what == "export") answer = export_inputs(arguments[1], sizes);
+    if (what == "export-sections") answer = export_sections(arguments[1], sizes);
+    std::cout << answer << '\n';
     return std::cout.flush() ? 0 : 1;
 }
 

@@ -12,12 +12,17 @@
 
 namespace kerf::bench {
 
-/// A closed mesh without attributes, the planes that cut it, and what must come out.
-struct PeerInput
+/// A closed mesh without attributes.
+struct BareMesh
 {
     std::string name;
     std::vector<Vec3f> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< index into `points`
+};
+
+/// The planes that cut a mesh, and what must come out.
+struct PeerInput : BareMesh
+{
     std::vector<Plane> planes;
     std::vector<double> volumes;  ///< of the negative side of each plane, by the baseline
     double volume = 0.0;          ///< of the whole
@@ -31,5 +36,24 @@ PeerInput asteroid_input(std::uint64_t triangles);
 
 /// The report's fifteen models.
 std::vector<PeerInput> model_inputs();
+
+/// Planes that meet a mesh which stays whole, and what is there.
+struct SectionInput : BareMesh
+{
+    struct Expected
+    {
+        double length = 0.0;  ///< of all loops
+        std::size_t loops = 0;
+    };
+    std::vector<Plane> planes;
+    std::vector<Expected> expected;      ///< of each plane, by the linear back end
+    double lowest = 0.0, highest = 0.0;  ///< z, between which stacks of sections lie
+};
+
+/// The loops of a section must be as long to this share: what rounding their points to float may change.
+inline constexpr double kLengthShare = 1e-5;
+
+/// The asteroid of about so many triangles.
+SectionInput asteroid_section_input(std::uint64_t triangles);
 
 }  // namespace kerf::bench

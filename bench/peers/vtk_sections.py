@@ -1,0 +1,172 @@
+#!/usr/bin/python3
+"""Sections of the files of `kerf_peers export-sections` by VTK, and prints JSON.
+
+Needs Debian's python3-vtk9. `vtk_cutter` is vtkCutter: every triangle is looked at, and segments come out in no order.
+`vtk_cutter_loops` is the same and vtkStripper, which joins them to loops. `vtk_plane_cutter` is vtkPlaneCutter, whose
+sphere tree is made by the first plane, timed apart; its segments share no points, so that `vtk_plane_cutter_loops` is
+the same, vtkCleanPolyData and vtkStripper. Stacks are vtkCutter with many values at once. Only Update() is timed, as processor time of the process. The length of the lines is checked, and of planes the
+number of loops where there are any.
+"""
+
+import argparse
+import json
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+import numpy
+from vtk_peer import read_surface
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import (vtkAppendPolyData, vtkCleanPolyData, vtkCutter, vtkPlaneCutter, vtkStripper)
+
+STACKS = (10, 100, 1000)
+
+
+def plane_of(normal, offset):
+    plane = vtkPlane()
+    plane.SetNormal(*normal)
+    plane.SetOrigin(*(offset * part for part in normal))
+    return plane
+
+
+def seconds_of(*filters):
+    start = time.process_time()
+    for one in filters:
+        one.Update()
+    return time.process_time() - start
+
+
+def joined(source):
+    strip = vtkStripper()
+    strip.SetInputConnection(source.GetOutputPort())
+    strip.JoinContiguousSegmentsOn()
+    strip.SetMaximumLength(2**30)
+    return strip
+
+
+def length_of(lines):
+    """Of all polylines, and how many of them do not end where they begin."""
+    points = numpy_support.vtk_to_numpy(lines.GetPoints().GetData()).astype(numpy.float64)
+    offsets = numpy_support.vtk_to_numpy(lines.GetLines().GetOffsetsArray())
+    path = points[numpy_support.vtk_to_numpy(lines.GetLines().GetConnectivityArray())]
+    steps = numpy.linalg.norm(path[1:] - path[:-1], axis=1)
+    steps[offsets[1:-1] - 1] = 0.0  # from the end of a line to the next
+    ends = offsets[1:] - 1
+    open_ones = int((numpy.abs(path[offsets[:-1]] - path[ends]).max(axis=1) > 0).sum())
+    return float(steps.sum()), open_ones
+
+
+def problem_of(lines, expected, share, has_loops):
+    length, open_ones = length_of(lines)
+    if abs(length - expected["length"]) > share * expected["length"]:
+        return "wrong length"
+    if not has_loops:
+        return "segments in no order"
+    if open_ones:
+        return "loops not closed"
+    return "" if lines.GetNumberOfLines() == expected["loops"] else "other loops"
+
+
+def row_of(peer, entry, triangles, times, problems, heights=1, prepare_ms=0.0):
+    verdict = "; ".join(problem if count == len(times) else f"{problem} in {count}"
+                        for problem, count in sorted(problems.items()))
+    return {"peer": peer, "mesh": entry["mesh"], "triangles": triangles, "heights": heights,
+            "ms": sum(times) * 1e3 / len(times), "least_ms": min(times) * 1e3, "most_ms": max(times) * 1e3,
+            "planes": len(times), "right": len(times) - sum(problems.values()), "verdict": verdict or "right",
+            "prepare_ms": prepare_ms}
+
+
+def by_cutter(surface, plane, joins):
+    cutter = vtkCutter()
+    cutter.SetInputData(surface)
+    cutter.SetCutFunction(plane_of(plane["normal"], plane["offset"]))
+    last = joined(cutter) if joins else cutter
+    return seconds_of(cutter, last) if joins else seconds_of(cutter), last.GetOutput()
+
+
+def planes_by_cutter(peer, surface, entry, triangles, share, budget, joins):
+    times, problems = [], Counter()
+    for plane in entry["planes"]:
+        if times and sum(times) >= budget:
+            break
+        seconds, lines = by_cutter(surface, plane, joins)
+        times.append(seconds)
+        problems.update(filter(None, [problem_of(lines, plane, share, joins)]))
+    return row_of(peer, entry, triangles, times, problems)
+
+
+def joined_parts(parts):
+    """vtkPlaneCutter gives a part for each thread, whose segments share no points: merges those, then joins."""
+    append, clean, strip = vtkAppendPolyData(), vtkCleanPolyData(), vtkStripper()
+    for i in range(parts.GetNumberOfPartitions()):
+        append.AddInputData(parts.GetPartition(i))
+    clean.SetInputConnection(append.GetOutputPort())
+    clean.ToleranceIsAbsoluteOn()
+    clean.SetAbsoluteTolerance(0.0)
+    strip.SetInputConnection(clean.GetOutputPort())
+    strip.JoinContiguousSegmentsOn()
+    strip.SetMaximumLength(2**30)
+    seconds = seconds_of(strip)
+    return seconds, strip.GetOutput()
+
+
+def planes_by_plane_cutter(surface, entry, triangles, share, budget):
+    """Two rows: segments, and loops."""
+    cutter = vtkPlaneCutter()
+    cutter.SetInputData(surface)
+    cutter.BuildTreeOn()
+    times, joining, problems, first = [], [], Counter(), None
+    for plane in [entry["planes"][0], *entry["planes"]]:  # the first one makes the tree
+        if times and sum(times) + sum(joining) >= budget:
+            break
+        cutter.SetPlane(plane_of(plane["normal"], plane["offset"]))
+        seconds = seconds_of(cutter)
+        if first is None:
+            first = seconds
+            continue
+        joins, lines = joined_parts(cutter.GetOutputDataObject(0))
+        times.append(seconds)
+        joining.append(joins)
+        problems.update(filter(None, [problem_of(lines, plane, share, True)]))
+    prepare_ms = max(first - times[0], 0.0) * 1e3
+    in_no_order = Counter({"segments in no order": len(times)})
+    return [row_of("vtk_plane_cutter", entry, triangles, times, in_no_order, prepare_ms=prepare_ms),
+            row_of("vtk_plane_cutter_loops", entry, triangles, [a + b for a, b in zip(times, joining)], problems,
+                   prepare_ms=prepare_ms)]
+
+
+def stack_by_cutter(surface, entry, triangles, heights):
+    """All heights in one go; segments in no order, as of one plane."""
+    cutter = vtkCutter()
+    cutter.SetInputData(surface)
+    cutter.SetCutFunction(plane_of((0.0, 0.0, 1.0), 0.0))
+    step = (entry["highest"] - entry["lowest"]) / heights
+    for i in range(heights):
+        cutter.SetValue(i, entry["lowest"] + (i + 0.5) * step)
+    return row_of("vtk_cutter", entry, triangles, [seconds_of(cutter)], Counter(["segments in no order"]), heights)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("inputs", type=Path, help="what kerf_peers export-sections printed, beside its files")
+    parser.add_argument("--seconds", type=float, default=1.0, help="for each mesh and filter")
+    arguments = parser.parse_args()
+    vtkSMPTools.Initialize(1)  # one thread, as all others
+    with open(arguments.inputs, encoding="utf-8") as file:
+        inputs = json.load(file)
+    share, rows = inputs["length_share"], []
+    for entry in inputs["inputs"]:
+        surface, triangles = read_surface(arguments.inputs.parent, entry["file"])
+        for peer, joins in (("vtk_cutter", False), ("vtk_cutter_loops", True)):
+            rows.append(planes_by_cutter(peer, surface, entry, triangles, share, arguments.seconds, joins))
+        rows += planes_by_plane_cutter(surface, entry, triangles, share, arguments.seconds)
+        rows += [stack_by_cutter(surface, entry, triangles, heights) for heights in STACKS]
+    json.dump({"sections": rows}, sys.stdout, indent=1)
+    print()
+
+
+if __name__ == "__main__":
+    main()
