@@ -43,6 +43,7 @@ class Measurements:
     runs: list[Run] = field(default_factory=list)
     undrawn_runs: list[Run] = field(default_factory=list)  # of the viewer, without a picture
     peers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs
+    slicers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs: sections
     drawn_caps: list[dict[str, Any]] = field(default_factory=list)  # rows of kerf compare --caps: the worst fans
     stages: list[dict[str, Any]] = field(default_factory=list)  # the stages' files, without their results
 
@@ -100,6 +101,8 @@ def load(stage_files: list[Path]) -> Measurements:
             benchmarks += result["benchmarks"]
         elif kind in (Kind.PEERS, Kind.VTK):
             all_of_them.peers += result["peers"]
+        elif kind in (Kind.SLICERS, Kind.VTK_SECTIONS):
+            all_of_them.slicers += result["sections"]
         elif kind == Kind.COMPARE and stage["stage"].startswith(GALLERY):
             file = result["files"][0]
             all_of_them.drawn_caps.append({"model": model_name(file["file"])} | file["rows"][0])

@@ -24,3 +24,5 @@ class Kind(Enum):
     VIEWER = "viewer"
     PEERS = "peers"  # the program that cuts with CGAL
     VTK = "vtk"  # the script that cuts with VTK
+    SLICERS = "slicers"  # the program that cuts with CGAL, asked for sections
+    VTK_SECTIONS = "vtk-sections"  # the script that asks VTK for sections

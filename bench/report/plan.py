@@ -46,6 +46,7 @@ VIEWER_OPPONENTS = ("baseline/remap", "halfedge")
 VIEWER_RUNS = 5  # of each of them that count
 SHOWN_FANS = 4  # in the gallery
 MOST_FOR_PEERS = 100_000  # triangles
+SECTION_SIZES = (10_000, 100_000, 1_000_000, 4_000_000)
 
 
 def plan(extent: Extent, scratch: Path, with_vtk: bool = False) -> list[Stage]:
@@ -121,6 +122,27 @@ def bench_stages(extent: Extent) -> list[Stage]:
             swipe = f"^Swipe/{swiping}.*/{size}/iterations:[0-9]+/manual_time$"
             stages.append(bench_stage(f"swipe-{size}", swipe, extent, 0.01, 1 + size / 40_000))
     stages.append(bench_stage("pieces", "^(Pieces|Physics)/", extent, 0.01, 12))
+    return stages + section_stages(extent)
+
+
+def section_sizes(extent: Extent) -> list[int]:
+    return [size for size in SECTION_SIZES if size <= extent.most_triangles]
+
+
+def section_stages(extent: Extent) -> list[Stage]:
+    """Sections of what stays whole, one by one and in stacks. A loop over all triangles for each of a thousand heights
+    takes longest: it stops at 100 000 triangles."""
+    stages = []
+    for size in section_sizes(extent):
+        stages.append(bench_stage(f"section-{size}", f"^Section/.*/(baseline/remap|halfedge)/asteroid/{size}$", extent,
+                                  0.05, 2 + size / 400_000))
+        stages.append(bench_stage(f"stack-{size}", f"^Stack(Threads/2)?/halfedge/asteroid/{size}/", extent, 0.05,
+                                  2 + size / 400_000))
+        heights = "[0-9]+" if size <= MOST_FOR_PEERS else "10"
+        stages.append(bench_stage(f"linear-stack-{size}", f"^Stack/baseline/remap/asteroid/{size}/{heights}$", extent,
+                                  0.05, 2 + size / 400_000))
+    stages.append(bench_stage("real-sections", f"^(RealSection|RealStack)/.*/{among(real_meshes(extent))[:-1]}(/|$)",
+                              extent, 0.05, 8))
     return stages
 
 
@@ -149,6 +171,11 @@ def peer_stages(extent: Extent, scratch: Path, with_vtk: bool) -> list[Stage]:
     stages = [Stage("peers-cgal", Kind.PEERS, (budget, *sizes), 14.0 * extent.repetitions)]
     if with_vtk:
         stages.append(Stage("peers-vtk", Kind.VTK, (budget, str(scratch / "peers"), *sizes), 8.0 * extent.repetitions))
+    sections = tuple(str(size) for size in section_sizes(extent))
+    stages.append(Stage("slicers-cgal", Kind.SLICERS, (budget, *sections), extent.most_triangles / 60_000))
+    if with_vtk:
+        stages.append(Stage("slicers-vtk", Kind.VTK_SECTIONS, (budget, str(scratch / "slicers"), *sections),
+                            extent.most_triangles / 20_000))
     return stages
 
 

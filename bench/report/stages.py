@@ -36,11 +36,13 @@ class Programs:
     viewer: Path
     peers: Path
     vtk: Path
+    vtk_sections: Path
 
     @staticmethod
     def in_build(build: Path) -> "Programs":
         return Programs(build / "bench/kerf_bench", build / "tools/kerf", build / "viewer/app/kerf-viewer",
-                        build / "bench/kerf_peers", Path("bench/peers/vtk_peer.py"))
+                        build / "bench/kerf_peers", Path("bench/peers/vtk_peer.py"),
+                        Path("bench/peers/vtk_sections.py"))
 
     def missing(self) -> Path | None:
         """The first of them that is not there."""
@@ -48,7 +50,7 @@ class Programs:
 
     def of(self, kind: Kind) -> Path:
         return {Kind.BENCH: self.bench, Kind.COMPARE: self.kerf, Kind.VIEWER: self.viewer, Kind.PEERS: self.peers,
-                Kind.VTK: self.vtk}[kind]
+                Kind.VTK: self.vtk, Kind.SLICERS: self.peers, Kind.VTK_SECTIONS: self.vtk_sections}[kind]
 
 
 class Stages:
@@ -76,7 +78,7 @@ class Stages:
         parts = [str(FORMAT), self.digest(self.programs.of(stage.kind)), *stage.arguments, *stage.shape]
         if stage.shape:
             parts.append(self.digest(self.programs.kerf))
-        if stage.kind == Kind.VTK:
+        if stage.kind in (Kind.VTK, Kind.VTK_SECTIONS):
             parts.append(self.digest(self.programs.peers))
         parts += [self.digest(model) for model in sorted(Path("data/models").glob("*.obj"))]
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
@@ -120,8 +122,12 @@ class Stages:
             return run_for_json([program, "compare", *stage.arguments], accepted=(0, 1))
         if stage.kind == Kind.PEERS:
             return run_for_json([program, "cgal", *stage.arguments], accepted=(0,))
+        if stage.kind == Kind.SLICERS:
+            return run_for_json([program, "sections", *stage.arguments], accepted=(0,))
         if stage.kind == Kind.VTK:
-            return run_vtk(self.programs.peers, program, stage)
+            return run_vtk(self.programs.peers, "export", program, stage)
+        if stage.kind == Kind.VTK_SECTIONS:
+            return run_vtk(self.programs.peers, "export-sections", program, stage)
         return run_for_json([program, *stage.arguments], accepted=(0,))
 
 
@@ -140,11 +146,11 @@ def run_bench(program: Path, stage: Stage, progress: Progress, folder: Path) -> 
     return result
 
 
-def run_vtk(peers: Path, script: Path, stage: Stage) -> Any:
-    """Writes the inputs, then lets VTK cut them."""
+def run_vtk(peers: Path, export: str, script: Path, stage: Stage) -> Any:
+    """Writes the inputs, then lets VTK have them."""
     budget, folder, *sizes = stage.arguments
-    inputs = Path(folder) / "inputs.json"
-    files.write_json(inputs, run_for_json([peers, "export", folder, *sizes], accepted=(0,)))
+    inputs = Path(folder) / f"{export}.json"
+    files.write_json(inputs, run_for_json([peers, export, folder, *sizes], accepted=(0,)))
     return run_for_json(["/usr/bin/python3", script, inputs, "--seconds", budget], accepted=(0,))
 
 

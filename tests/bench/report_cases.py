@@ -42,6 +42,7 @@ def whole_measurements():
                     "planes": 5, "right": 4, "verdict": "volumes do not add up"},
                    {"mesh": "rook", "triangles": 926, "peer": "cgal_split", "ms": 1.0, "least_ms": 1.0, "most_ms": 1.0,
                     "planes": 5, "right": 0, "verdict": "makes no caps"}]
+    add_sections(found)
     found.stages = [{"stage": "cuts", "kind": "bench", "date": "2024-02-29 12:00", "commit": "abc", "seconds": 7.0,
                      "command": ["kerf_bench", "^Cut/", "3", "0.01"], "load": [0.5, 1.0]}]
     return found
@@ -81,6 +82,31 @@ def add_pieces(found):
     for kind in PROXIES:
         found.bench[f"Physics/{kind}/300"] = repeated(real_time=9.0 if kind == "box" else 5.0, bodies=300,
                                                       touching_pairs=7)
+
+
+def add_sections(found):
+    """Sections of asteroids take sqrt(n) / 1000 ms, n / 1000 by `remap`, and a hundred times as long by cuts of copies."""
+    for size in (10_000, 100_000, 1_000_000):
+        root = math.sqrt(size)
+        shared = {"triangles": size, "crossing_triangles": root, "triangles_touched": 20 * root,
+                  "nodes_visited": 10 * root, "sections_each": 5}
+        for way, backend, ms in (("loops", "halfedge", root / 1000), ("nested", "halfedge", 2 * root / 1000),
+                                 ("filled", "halfedge", 3 * root / 1000), ("by_cut", "halfedge", root / 10),
+                                 ("loops", "baseline/remap", size / 1000)):
+            found.bench[f"Section/{way}/{backend}/asteroid/{size}"] = repeated(real_time=5 * ms, **shared)
+        for heights in (10, 1000):
+            for name, ms in (("Stack/halfedge", root), ("StackThreads/2/halfedge", root / 2),
+                             ("Stack/baseline/remap", float(size))):
+                found.bench[f"{name}/asteroid/{size}/{heights}"] = repeated(
+                    real_time=heights * ms / 1000, triangles=size, heights=heights, crossing_triangles=heights * root,
+                    loops=heights)
+    for backend, ms in (("halfedge", 1.0), ("baseline/remap", 4.0)):
+        found.bench[f"RealSection/{backend}/sponge"] = repeated(real_time=5 * ms, triangles=9_000, crossing_triangles=700,
+                                                                loops=3, sections_each=5)
+    found.slicers = [{"mesh": "asteroid", "triangles": 1_000_000, "heights": heights, "peer": peer, "ms": ms,
+                      "least_ms": ms, "most_ms": ms, "planes": 5, "right": 5, "verdict": verdict, "prepare_ms": 9.0}
+                     for peer, heights, ms, verdict in (("cgal_slicer", 1, 8.0, "right"),
+                                                        ("vtk_cutter", 1000, 9000.0, "segments in no order"))]
 
 
 def add_viewer(found):

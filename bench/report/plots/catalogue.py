@@ -6,7 +6,7 @@ A figure is a function of all tables (by name) and gives a Drawing, or None when
 from typing import Any, Callable
 
 from report.plots import (cap_plots, chain_plots, distribution_plots, growth_plots, model_plots, peer_plots,
-                          phase_plots, prepare_plots, proxy_plots)
+                          phase_plots, prepare_plots, proxy_plots, section_plots)
 from report.plots.drawing import Drawing
 from report.tables.table import Table
 
@@ -27,6 +27,7 @@ FIGURES: dict[str, Callable[..., Drawing | None]] = {
     "distribution": distribution_plots.distribution,
     "viewer_cuts": distribution_plots.viewer_cuts,
     "peers": peer_plots.peers,
+    "sections": section_plots.sections,
 }
 
 

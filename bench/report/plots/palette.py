@@ -72,6 +72,10 @@ STYLES = {
     "cgal_clip": Style("green", "P", "--"),
     "cgal_split": Style("violet", "d", "-."),
     "vtk_clip_closed_surface": Style("grey", "*", "--"),
+    "section_by_cut": Style("purple", "v", "-."),
+    "cgal_slicer": Style("green", "P", "--"),
+    "vtk_cutter_loops": Style("grey", "*", "--"),
+    "vtk_plane_cutter_loops": Style("orange", "s", ":"),
 }
 
 
