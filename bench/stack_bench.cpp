@@ -87,7 +87,7 @@ void time_real_section(benchmark::State& state, const TimedBackEnd& back_end, co
     state.counters["loops"] = loops / count;
 }
 
-void register_one(const std::string& name, auto time)
+void register_stack(const std::string& name, auto time)
 {
     benchmark::RegisterBenchmark(name.c_str(), time)->Unit(benchmark::kMillisecond);
 }
@@ -102,7 +102,7 @@ void register_stack_benchmarks()
             if (size > back_end.most_triangles || back_end.differs_in_caps_only()) continue;
             for (const std::size_t heights : {10, 100, 1000}) {
                 const std::string tail = "asteroid/" + std::to_string(size) + "/" + std::to_string(heights);
-                register_one("Stack/" + back_end.name + "/" + tail, [&back_end, size, heights](benchmark::State& s) {
+                register_stack("Stack/" + back_end.name + "/" + tail, [&back_end, size, heights](benchmark::State& s) {
                     time_stack(s, back_end, timed_shape("asteroid", size), heights, 1);
                 });
                 if (back_end.name == "halfedge" && size == kMillion)
@@ -117,10 +117,10 @@ void register_stack_benchmarks()
     for (const RealMesh& real : real_meshes())
         for (const TimedBackEnd& back_end : back_ends()) {
             if (back_end.name != "halfedge" && back_end.name != "baseline/remap") continue;
-            register_one("RealSection/" + back_end.name + "/" + real.name,
-                         [&back_end, real](benchmark::State& s) { time_real_section(s, back_end, mesh_of(real)); });
-            register_one("RealStack/" + back_end.name + "/" + real.name + "/100",
-                         [&back_end, real](benchmark::State& s) { time_stack(s, back_end, mesh_of(real), 100, 1); });
+            register_stack("RealSection/" + back_end.name + "/" + real.name,
+                           [&back_end, real](benchmark::State& s) { time_real_section(s, back_end, mesh_of(real)); });
+            register_stack("RealStack/" + back_end.name + "/" + real.name + "/100",
+                           [&back_end, real](benchmark::State& s) { time_stack(s, back_end, mesh_of(real), 100, 1); });
         }
 }
 
