@@ -1,6 +1,5 @@
 """Runs kerf_bench and reads the JSON that it writes."""
 
-import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -27,7 +26,7 @@ def names_matching(program: Path, pattern: str) -> list[str]:
 def run_benchmarks(program: Path, pattern: str, repetitions: str, min_time: str, listener: Listener, out: Path) -> Any:
     """The harness's JSON, which the program writes to `out`. The program is killed when this is interrupted, so that
     nothing goes on in the background. Raises BenchmarkFailed."""
-    total = len(names_matching(program, pattern))
+    names = names_matching(program, pattern)
     command = [str(program), f"--benchmark_filter={pattern}", f"--benchmark_repetitions={repetitions}",
                f"--benchmark_min_time={min_time}", "--benchmark_enable_random_interleaving=false",
                f"--benchmark_out={out}", "--benchmark_out_format=json"]
@@ -35,23 +34,23 @@ def run_benchmarks(program: Path, pattern: str, repetitions: str, min_time: str,
     with tempfile.TemporaryFile("w+") as messages:
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=messages, text=True) as process:
             try:
-                done = follow(process, total, listener)
+                done = follow(process, names, listener)
                 process.wait()
             finally:
                 process.kill()
-        if process.returncode != 0 or done != total:
+        if process.returncode != 0 or done != len(names):
             messages.seek(0)
             raise BenchmarkFailed(f"{program} failed with exit status {process.returncode}:\n{messages.read().strip()}")
     return files.read_json(out)
 
 
-def follow(process: subprocess.Popen[str], total: int, listener: Listener) -> int:
+def follow(process: subprocess.Popen[str], names: list[str], listener: Listener) -> int:
     """Reads what the program prints, and tells the listener; gives the number of benchmarks that were seen."""
     assert process.stdout is not None
     seen: set[str] = set()
     for line in process.stdout:
-        match = re.match(r"(\S+?)/manual_time", line)
-        if match and match.group(1) not in seen:
-            seen.add(match.group(1))
-            listener(len(seen), total, match.group(1))
+        name = next(iter(line.split(maxsplit=1)), "")
+        if name in names and name not in seen:
+            seen.add(name)
+            listener(len(seen), len(names), name.removesuffix("/manual_time"))
     return len(seen)

@@ -17,7 +17,7 @@ def collect(benchmarks: Iterable[dict[str, Any]]) -> dict[str, Counters]:
     for entry in benchmarks:
         if entry.get("run_type") != "iteration":
             continue
-        name = re.sub(r"(/iterations:\d+)?/manual_time.*", "", entry["name"])
+        name = re.sub(r"(/iterations:\d+)?/(manual|real)_time.*", "", entry["name"])
         if entry.get("error_occurred"):
             raise WrongResult(f"{name} was not timed because its result is wrong: {entry['error_message']}")
         runs.setdefault(name, []).append(per_cut(entry))

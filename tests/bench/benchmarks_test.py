@@ -20,7 +20,7 @@ class Benchmarks(unittest.TestCase):
         program = self.folder / "program"
         prints = "".join(f"echo '{line}'\n" for line in lines)
         program.write_text(f"""#!/bin/sh
-case "$*" in *list_tests*) echo Cut/a/manual_time; echo Cut/b/manual_time; exit 0;; esac
+case "$*" in *list_tests*) echo Cut/a/manual_time; echo Section/b; exit 0;; esac
 for argument; do
     case "$argument" in --benchmark_out=*) echo '{json.dumps({"benchmarks": []})}' > "${{argument#*=}}";; esac
 done
@@ -31,11 +31,11 @@ echo it is broken >&2
         return run_benchmarks(program, "^Cut/", "3", "0.01", lambda *each: self.heard.append(each),
                               self.folder / "out.json")
 
-    BOTH = ("Cut/a/manual_time 1 ms", "Cut/a/manual_time 1 ms", "Cut/b/manual_time 1 ms")
+    BOTH = ("Cut/a/manual_time 1 ms", "Cut/a/manual_time 1 ms", "Section/b 1 ms", "Section/b_mean 1 ms")
 
     def test_the_listener_hears_of_each_benchmark_once(self):
         self.assertEqual(self.run_program(self.BOTH), {"benchmarks": []})
-        self.assertEqual(self.heard, [(1, 2, "Cut/a"), (2, 2, "Cut/b")])
+        self.assertEqual(self.heard, [(1, 2, "Cut/a"), (2, 2, "Section/b")])
 
     def test_a_failure_is_told_with_what_the_program_said(self):
         with self.assertRaisesRegex(BenchmarkFailed, "exit status 3:\nit is broken"):
