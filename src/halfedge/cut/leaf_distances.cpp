@@ -40,6 +40,27 @@ void LeafDistances::find_one_by_one(const Plane& given_plane, std::span<const Ve
     }
 }
 
+LeafDistances::Masks LeafDistances::masks(std::size_t count) const
+{
+    // Eight triangles at a time, a byte each; no byte is larger than seven, so nothing is carried into the next.
+    constexpr std::uint64_t kOnes = 0x0101010101010101, kHighBits = 0x80 * kOnes;
+    const auto is_set = [](std::uint64_t bytes) { return (bytes + 0x7F * kOnes) & kHighBits; };
+    // The high bits of eight bytes, side by side.
+    const auto gathered = [](std::uint64_t bytes) { return (bytes >> 7) * 0x0102040810204080 >> 56; };
+    Masks masks;
+    for (std::size_t i = 0; i < count; i += 8) {
+        std::uint64_t above = 0, below = 0;
+        for (std::size_t byte = 0; byte < 8; ++byte) {
+            above |= std::uint64_t{above_[i + byte]} << 8 * byte;
+            below |= std::uint64_t{below_[i + byte]} << 8 * byte;
+        }
+        masks.crossing |= gathered(is_set(above) & is_set(below)) << i;
+        masks.on |= gathered(is_set((above | below) ^ kAllCorners * kOnes)) << i;
+    }
+    const std::uint64_t asked_for = (std::uint64_t(1) << count) - 1;
+    return {masks.crossing & asked_for, masks.on & asked_for};
+}
+
 #ifdef KERF_AVX2
 KERF_AVX2 void LeafDistances::find_three_at_once(const Plane& plane, std::span<const Vertex> vertices,
                                                  std::span<const Triangle> triangles)

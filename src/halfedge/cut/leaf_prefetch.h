@@ -10,6 +10,18 @@
 
 namespace kerf::core::halfedge {
 
+inline void prefetch(const Node& node)
+{
+    __builtin_prefetch(&node);
+    __builtin_prefetch(reinterpret_cast<const char*>(&node + 1) - 1);
+}
+
+inline void prefetch(const void* begin, std::size_t bytes)
+{
+    constexpr std::size_t kCacheLine = 64;
+    for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(static_cast<const char*>(begin) + i);
+}
+
 /// Asks for the triangles of a leaf that is to be read later, a little at a time.
 class TrianglePrefetch
 {

@@ -1,23 +1,13 @@
 #include "halfedge/cut/visit_tree.h"
 
+#include "halfedge/cut/leaf_prefetch.h"
+
 namespace kerf::core::halfedge {
 
 namespace {
 
 /// The visits before it stand for nobody.
 constexpr std::size_t kRoot = 2;
-
-void prefetch(const Node& node)
-{
-    __builtin_prefetch(&node);
-    __builtin_prefetch(reinterpret_cast<const char*>(&node + 1) - 1);
-}
-
-void prefetch(const void* begin, std::size_t bytes)
-{
-    constexpr std::size_t kCacheLine = 64;
-    for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(static_cast<const char*>(begin) + i);
-}
 
 void prefetch_triangles(const Universe& u, const Node& leaf)
 {

@@ -39,6 +39,7 @@ void expect_distances(bool with_avx2)
     LeafDistances distances;
     for_each_leaf([&](const Plane& plane, std::span<const Vertex> vertices, std::span<const Triangle> triangles) {
         distances.find(plane, vertices, triangles);
+        const LeafDistances::Masks masks = distances.masks(triangles.size());
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             bool above = false, below = false, on = false;
             for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -52,7 +53,10 @@ void expect_distances(bool with_avx2)
             ASSERT_EQ(distances.is_above(i), above);
             ASSERT_EQ(distances.is_below(i), below);
             ASSERT_EQ(distances.is_on(i), on);
+            ASSERT_EQ(masks.crossing >> i & 1, above && below ? 1u : 0u);
+            ASSERT_EQ(masks.on >> i & 1, on ? 1u : 0u);
         }
+        ASSERT_EQ((masks.crossing | masks.on) >> triangles.size(), 0u);
     });
     EXPECT_GT(corners_on_a_plane, 100u);
 }
