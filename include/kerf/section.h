@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kerf/cut.h>
+#include <kerf/draw.h>
 #include <kerf/object.h>
 
 #include <optional>
@@ -17,6 +18,7 @@ struct SectionOptions
     bool nesting = true;  ///< find for each loop the one that it lies in; `fill` finds them in any case
     bool fill = false;    ///< the triangles that close the section: what the cap of a cut would be
     CapQuality fill_quality = CapQuality::fast;  ///< of those triangles
+    bool attributes = false;                     ///< normals, uvs and streams along the outline (SectionPath::ends)
     /// The direction in space that points upwards in the section's frame, as far as it lies in the plane; of any length
     /// but 0. If it is not set, z points upwards, and y in planes that are nearly level (their normal is within 26
     /// degrees of z).
@@ -38,8 +40,12 @@ struct SectionPath
 {
     std::span<const Vec3f> points;       ///< in mesh coordinates; of a chain one more than edges
     std::span<const SectionEdge> edges;  ///< in the order of the points
-    double area = 0.0;                   ///< enclosed, in the mesh's unit, squared; negative of a hole, 0 of a chain
-    double length = 0.0;                 ///< in the mesh's unit
+    /// With SectionOptions::attributes: of edge i the two ends, at 2 i and 2 i + 1, with the normal and uv of the surface
+    /// there, as a cut gives them to its vertices. Two edges that meet at a seam differ where they meet.
+    std::span<const DrawVertex> ends;
+    std::size_t first_edge = 0;  ///< how many edges the paths before it have
+    double area = 0.0;           ///< enclosed, in the mesh's unit, squared; negative of a hole, 0 of a chain
+    double length = 0.0;         ///< in the mesh's unit
     /// Number of the smallest loop around it, or kNone: a hole lies in an outer loop, and what stands in the hole lies
     /// in the hole. None of chains, and without SectionOptions::nesting.
     std::uint32_t parent = kNone;
@@ -95,6 +101,14 @@ struct [[nodiscard]] KERF_API Section
     /// With SectionOptions::fill: three numbers of points() for each triangle, counter-clockwise seen from the positive
     /// side. Valid as those of a path.
     std::span<const std::uint32_t> triangles() const noexcept;
+
+    /// With SectionOptions::attributes: the streams of the mesh along the outline. Values for two ends of each edge, path
+    /// by path; those of a path begin with the end 2 * SectionPath::first_edge. Valid as those of a path, and none (an
+    /// empty one) if there is none of that number.
+    /// @{
+    std::size_t stream_count() const noexcept;
+    Stream stream(std::size_t i) const noexcept;
+    /// @}
 
     /// What it has cost: crossing triangles, loops, chains, and what was looked at.
     const CutStatistics& statistics() const noexcept;

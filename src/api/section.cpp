@@ -94,6 +94,7 @@ Status SectionMaker::fill_clear(const Object& object, const core::Plane& plane, 
     core::PlaneSection& found = data.found;
     // What the back end needs can be as large as the mesh: many sections share it.
     if (scratch != nullptr) found.scratch = std::move(scratch->of_back_end);
+    found.wants_ends = options.attributes;
     section.status = to_public(core::section(*object.inside(), plane, found));
     if (scratch != nullptr) scratch->of_back_end = std::move(found.scratch);
     section.side_of_object = to_public(found.side_of_object);
@@ -101,8 +102,8 @@ Status SectionMaker::fill_clear(const Object& object, const core::Plane& plane, 
     data.statistics = statistics_of(object, found);
     if (!ok(section.status)) return section.status;
 
-    section.area = found.area;
     const core::SectionMeasures measures = core::measure_section(plane, found);
+    section.area = measures.area;
     section.length = measures.length;
     section.centroid = to_public(measures.centroid);
     section.bounds = to_public(measures.box);
@@ -209,6 +210,9 @@ SectionPath Section::path(std::size_t i) const noexcept
     SectionPath path;
     path.points = points().subspan(from.first_point, from.point_count);
     path.edges = {reinterpret_cast<const SectionEdge*>(found.edges.data()) + from.first_edge, from.edge_count};
+    if (!found.ends.empty())
+        path.ends = {reinterpret_cast<const DrawVertex*>(found.ends.data()) + 2 * from.first_edge, 2 * from.edge_count};
+    path.first_edge = from.first_edge;
     path.area = from.area;
     path.length = from.length;
     path.parent = data_->parents.empty() ? kNone : data_->parents[i];
@@ -226,6 +230,18 @@ std::span<const Vec3f> Section::points() const noexcept
 std::span<const std::uint32_t> Section::triangles() const noexcept
 {
     return data_ == nullptr ? std::span<const std::uint32_t>() : data_->corners;
+}
+
+std::size_t Section::stream_count() const noexcept
+{
+    return data_ == nullptr || data_->found.ends.empty() ? 0 : data_->found.end_streams.size();
+}
+
+Stream Section::stream(std::size_t i) const noexcept
+{
+    if (i >= stream_count()) return {};
+    const core::PlaneSection::EndStream& stream = data_->found.end_streams[i];
+    return {stream.name.c_str(), stream.width, stream.values};
 }
 
 const CutStatistics& Section::statistics() const noexcept

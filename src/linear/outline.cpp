@@ -4,8 +4,8 @@
 #include <memory>
 #include <tuple>
 
-#include "common/caps/section_area.h"
 #include "common/cutting/cut_geometry.h"
+#include "common/cutting/section_ends.h"
 #include "common/support/order_by.h"
 #include "linear/section.h"
 #include "linear/slices.h"
@@ -109,14 +109,9 @@ public:
 
         finder_.find(mesh, crossings, sorting_.edges_in_plane(Side::negative), sorting_.edges_in_plane(Side::positive),
                      found_);
-        copy_paths(divide(plane), section);
-        section.area = section_area(plane, [&](auto visit) {
-            for (const PlaneSection::Path& path : section.paths) {
-                const auto points = section.points_of(path);
-                for (std::size_t i = 0; path.closed && i < points.size(); ++i)
-                    visit(points[i], points[i + 1 < points.size() ? i + 1 : 0]);
-            }
-        });
+        const DividedOutline& divided = divide(plane);
+        copy_paths(divided, section);
+        if (section.wants_ends) add_ends(mesh, plane, divided, section);
         section.crossing_triangles = crossings.triangles.size();
         const bool closed = std::ranges::all_of(section.paths, &PlaneSection::Path::closed);
         section.status = closed ? Status::done : Status::open_section;
@@ -146,6 +141,16 @@ private:
             }
             if (!path.closed) to.points.push_back(positions_[edge(path.count - 1).to]);
         }
+    }
+
+    void add_ends(const IndexedMesh& mesh, const Plane& plane, const DividedOutline& divided,
+                  PlaneSection& section) const
+    {
+        for (std::size_t i = 0; i < section.paths.size(); ++i)
+            section.for_each_edge(section.paths[i], [&](std::size_t e, const glm::vec3& p, const glm::vec3& q) {
+                const SectionEdge& edge = found_.edges[divided.edges[divided.paths[i].first + e]];
+                add_section_ends(plane, mesh.vertices, mesh.streams, mesh.triangles[edge.triangle], p, q, section);
+            });
     }
 
     Sorting sorting_;

@@ -411,5 +411,26 @@ TEST_P(SectionTest, OfAPieceNamesTheCapsMaterialAndNoTriangleOfTheInput)
     EXPECT_NEAR(of_cap, 2.0, 1e-6);
 }
 
+TEST_P(SectionTest, HasAttributesAlongTheOutlineIfTheyAreAskedFor)
+{
+    const Object cube = test::cube(GetParam());
+    SectionOptions options;
+    EXPECT_TRUE(section(cube, Plane::z(0.25).value()).path(0).ends.empty());
+    options.attributes = true;
+    const Section found = section(cube, Plane::z(0.25).value(), options);
+    const SectionPath path = found.path(0);
+    ASSERT_EQ(path.ends.size(), 2 * path.edges.size());
+    for (std::size_t e = 0; e < path.edges.size(); ++e) {
+        const DrawVertex &from = path.ends[2 * e], &to = path.ends[2 * e + 1];
+        EXPECT_EQ(from.position, path.points[e]);
+        EXPECT_EQ(to.position, path.points[(e + 1) % path.points.size()]);
+        // The outline of a face: both normals are the face's, across the edge and level.
+        EXPECT_EQ(from.normal, to.normal);
+        const Vec3d along{to.position.x - from.position.x, to.position.y - from.position.y, 0.0};
+        EXPECT_NEAR(dot(along, from.normal), 0.0, 1e-6);
+        EXPECT_NEAR(from.normal.z, 0.0, 1e-6);
+    }
+}
+
 }  // namespace
 }  // namespace kerf

@@ -20,6 +20,7 @@
 
 #include "common/cutting/cut.h"
 #include "common/proxy/collision_proxy.h"
+#include "common/sections/section_measures.h"
 #include "support/backends.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
@@ -147,7 +148,7 @@ const std::vector<Reading>& readings()
              PlaneSection found;
              Bytes bytes{static_cast<std::uint32_t>(section(object, first_plane(), found))};
              for (const glm::vec3& p : found.points) append(bytes, p);
-             append(bytes, found.area);
+             append(bytes, measure_section(first_plane(), found).area);
              return bytes;
          }},
         {"to_indexed_mesh", [](const Cuttable& object) { return referee::bytes_of(object.to_indexed_mesh()); }},

@@ -33,6 +33,8 @@ public:
         const auto low = static_cast<std::int64_t>(units - static_cast<double>(high) * 0x1p52);
         sum_ += Integer(high) * (Integer(1) << 52) + low;
     }
+    /// Adds what another sum of the same bound holds, as if its numbers were added here.
+    void add(const OrderlessSum& other) { sum_ += other.sum_; }
     double value() const { return static_cast<double>(sum_) * unit_; }
 
 private:
@@ -42,6 +44,13 @@ private:
     double unit_, per_unit_;
     Integer sum_ = 0;
 };
+
+/// For twice the areas of the triangles between the edges of loops and a corner of the loops' box, which is not empty.
+inline OrderlessSum sum_of_twice_areas(const Box& box)
+{
+    const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
+    return OrderlessSum(4.0 * glm::dot(size, size));
+}
 
 /// Signed area of closed loops in a plane, in mesh units squared: positive if they run counter-clockwise seen from the
 /// positive side. The bits do not depend on the order of the edges. `for_each_edge(visit)` calls visit(p, q) for the
@@ -53,8 +62,8 @@ double section_area(const Plane& plane, ForEachEdge for_each_edge)
     for_each_edge([&](const glm::vec3& p, const glm::vec3&) { box.add(p); });
     if (box.empty()) return 0.0;
     // About a corner of the box, so that a section far from the origin loses no digits.
-    const glm::dvec3 origin(box.lo), size = glm::dvec3(box.hi) - origin;
-    OrderlessSum twice(4.0 * glm::dot(size, size));
+    const glm::dvec3 origin(box.lo);
+    OrderlessSum twice = sum_of_twice_areas(box);
     for_each_edge([&](const glm::vec3& p, const glm::vec3& q) {
         twice.add(glm::dot(plane.normal, glm::cross(glm::dvec3(p) - origin, glm::dvec3(q) - origin)));
     });

@@ -5,9 +5,11 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "common/cutting/status.h"
+#include "common/mesh/indexed_mesh.h"
 #include "common/mesh/side.h"
 
 // What a plane meets of an object that it does not cut.
@@ -41,6 +43,14 @@ struct PlaneSection
         /// @}
     };
 
+    /// A stream of the object along the outline.
+    struct EndStream
+    {
+        std::string name;
+        std::uint32_t width = 1;
+        std::vector<float> values;  ///< `width` for each of `ends`
+    };
+
     /// What a back end needs to find a section, so that the next one takes no memory.
     class Scratch
     {
@@ -59,10 +69,14 @@ struct PlaneSection
     std::vector<Edge> edges;               ///< path by path
     /// Seen from the plane's positive side an outer loop runs counter-clockwise and a hole clockwise.
     std::vector<Path> paths;
-    double area = 0.0;                     ///< signed sum of the closed loops' areas, mesh units squared
     std::uint64_t crossing_triangles = 0;  ///< with vertices strictly on both sides of the plane
     std::uint64_t nodes_visited = 0;       ///< tree nodes looked at
     std::uint64_t triangles_touched = 0;   ///< triangle records read
+
+    /// Asked for by the caller: `ends` and `end_streams` are filled. clear() leaves it.
+    bool wants_ends = false;
+    std::vector<Vertex> ends;  ///< of edge i those at 2 i and 2 i + 1, with the attributes that a cut gives them
+    std::vector<EndStream> end_streams;  ///< for each stream of the object, if there are ends
 
     std::unique_ptr<Scratch> scratch;  ///< of the back end that found the last section, if it keeps any
 
@@ -75,7 +89,15 @@ struct PlaneSection
         return std::span(edges).subspan(path.first_edge, path.edge_count);
     }
 
-    /// One without paths, of an object of which nothing is known yet. Keeps the scratch.
+    /// Calls visit(i, p, q) for edge i of a path and its ends. O(edges).
+    template <class Visit>
+    void for_each_edge(const Path& path, Visit visit) const
+    {
+        const std::span<const glm::vec3> p = points_of(path);
+        for (std::size_t i = 0; i < path.edge_count; ++i) visit(i, p[i], p[i + 1 < p.size() ? i + 1 : 0]);
+    }
+
+    /// One without paths, of an object of which nothing is known yet. Keeps the scratch and its memory.
     void clear()
     {
         status = Status::missed;
@@ -83,7 +105,8 @@ struct PlaneSection
         points.clear();
         edges.clear();
         paths.clear();
-        area = 0.0;
+        ends.clear();
+        for (EndStream& stream : end_streams) stream.values.clear();
         crossing_triangles = nodes_visited = triangles_touched = 0;
     }
 };

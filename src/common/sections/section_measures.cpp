@@ -9,14 +9,6 @@ namespace kerf::core {
 
 namespace {
 
-/// Calls visit(p, q) for the ends of each edge of a path.
-template <class Visit>
-void for_each_edge(const PlaneSection& section, const PlaneSection::Path& path, Visit&& visit)
-{
-    const auto points = section.points_of(path);
-    for (std::size_t i = 0; i < path.edge_count; ++i) visit(points[i], points[i + 1 < points.size() ? i + 1 : 0]);
-}
-
 /// A sum of vectors that are no longer than `bound`.
 class OrderlessVectorSum
 {
@@ -45,27 +37,48 @@ bool lies_in(const Box& box, const glm::dvec3& p, const Plane& plane)
     return true;
 }
 
+double diagonal(const Box& box)
+{
+    return glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
+}
+
+glm::dvec3 centroid_of_outline(const PlaneSection& section, const glm::dvec3& origin, double size, double all_length)
+{
+    OrderlessVectorSum moment(2.0 * size * size);
+    for (const PlaneSection::Path& path : section.paths)
+        section.for_each_edge(path, [&](std::size_t, const glm::vec3& p, const glm::vec3& q) {
+            const glm::dvec3 from = glm::dvec3(p) - origin, to = glm::dvec3(q) - origin;
+            moment.add(glm::length(to - from) * (from + to));
+        });
+    return origin + moment.value() / (2.0 * all_length);
+}
+
 }  // namespace
 
 SectionMeasures measure_section(const Plane& plane, PlaneSection& section)
 {
     SectionMeasures measures;
-    for (const glm::vec3& p : section.points) measures.box.add(p);
-    if (section.points.empty()) return measures;
+    Box enclosed;
+    for (const PlaneSection::Path& path : section.paths) {
+        Box& box = path.closed ? enclosed : measures.box;
+        for (const glm::vec3& p : section.points_of(path)) box.add(p);
+    }
+    measures.box.add(enclosed);
+    if (measures.box.empty()) return measures;
 
-    // About a corner of the box, so that a section far from the origin loses no digits.
-    const glm::dvec3 origin(measures.box.lo);
-    const double size = glm::length(glm::dvec3(measures.box.hi) - origin);
-    // The sum of a triangle's corners is at most two sizes long, and its normal two squares of them.
-    OrderlessVectorSum area_moment(4.0 * size * size * size), length_moment(2.0 * size * size);
-    OrderlessSum all_twice_area(2.0 * size * size), all_length(size);
+    // About a corner of the box, as section_area() does, so that a section far from the origin loses no digits.
+    if (enclosed.empty()) enclosed = measures.box;
+    const glm::dvec3 origin(enclosed.lo);
+    const double size = diagonal(measures.box);
+    const OrderlessSum no_area = sum_of_twice_areas(enclosed), no_length(size);
+    OrderlessSum all_twice_area = no_area, all_length = no_length;
+    // The sum of an edge's ends is at most two sizes long, and twice its triangle's area two squares of them.
+    OrderlessVectorSum area_moment(4.0 * size * size * size);
     for (PlaneSection::Path& path : section.paths) {
-        OrderlessSum twice_area(2.0 * size * size), length(size);
-        for_each_edge(section, path, [&](const glm::vec3& p, const glm::vec3& q) {
+        OrderlessSum twice_area = no_area, length = no_length;
+        section.for_each_edge(path, [&](std::size_t, const glm::vec3& p, const glm::vec3& q) {
             const glm::dvec3 from = glm::dvec3(p) - origin, to = glm::dvec3(q) - origin;
-            const double edge_length = glm::length(to - from);
-            length.add(edge_length);
-            length_moment.add(edge_length * (from + to));
+            length.add(glm::length(to - from));
             if (!path.closed) return;
             const double edge_area = glm::dot(plane.normal, glm::cross(from, to));
             twice_area.add(edge_area);
@@ -73,13 +86,14 @@ SectionMeasures measure_section(const Plane& plane, PlaneSection& section)
         });
         path.length = length.value();
         path.area = 0.5 * twice_area.value();
-        all_twice_area.add(twice_area.value());
-        all_length.add(length.value());
+        all_twice_area.add(twice_area);
+        all_length.add(length);
     }
+    measures.area = 0.5 * all_twice_area.value();
     measures.length = all_length.value();
     measures.centroid = origin + area_moment.value() / (3.0 * all_twice_area.value());
     if (!lies_in(measures.box, measures.centroid, plane))
-        measures.centroid = origin + length_moment.value() / (2.0 * measures.length);
+        measures.centroid = centroid_of_outline(section, origin, size, measures.length);
     if (!lies_in(measures.box, measures.centroid, plane)) measures.centroid = measures.box.centre();
     return measures;
 }

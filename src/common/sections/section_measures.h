@@ -13,6 +13,7 @@ namespace kerf::core {
 /// Of a whole section.
 struct SectionMeasures
 {
+    double area = 0.0;    ///< section_area() of the closed loops, bit for bit; mesh units squared
     double length = 0.0;  ///< of all loops and chains, mesh units
     /// Centroid of what the loops enclose, in the plane up to rounding. If they enclose nothing, or if loops that wind
     /// backwards leave it outside of the section's box: that of the outline. The origin of a section without points.

@@ -70,7 +70,8 @@ struct InPlaneEdge
     FaceId negative_face, positive_face;
     GroupId group;
     Index shell = 0;
-    VertexId start_vertex;      ///< where the positive half-edge starts
+    VertexId start_vertex;      ///< of the negative face, where the positive half-edge starts
+    VertexId end_vertex;        ///< and where it ends
     BySide<TargetId> target{};  ///< where its faces go
 };
 

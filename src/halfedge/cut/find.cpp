@@ -165,6 +165,7 @@ private:
                                        group,
                                        shell_,
                                        VertexId(t[(i + 1) % 3]),
+                                       VertexId(t[i]),
                                        {target(Side::negative), target(Side::positive)}});
         }
     }

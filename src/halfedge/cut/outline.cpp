@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "common/cutting/section_ends.h"
 #include "halfedge/cut/split.h"
 
 namespace kerf::core::halfedge {
@@ -22,6 +23,30 @@ private:
     CutWorkspace& w_;
 };
 
+/// The corners of a triangle that an outline edge lies in; of an edge in the plane both of its ends.
+Triangle corners_of(const Found& found, OutlineEdgeId edge)
+{
+    if (found.is_crossing(edge)) {
+        const auto& [a, b, c] = found.crossing(edge).corner;
+        return {a.number(), b.number(), c.number()};
+    }
+    const InPlaneEdge& e = found.in_plane_edge(edge);
+    return {e.start_vertex.number(), e.end_vertex.number(), e.end_vertex.number()};
+}
+
+void add_ends(const Universe& u, const Plane& plane, const Found& found, const Section& from, PlaneSection& section)
+{
+    for (std::size_t i = 0; i < section.paths.size(); ++i) {
+        const PlaneSection::Path& path = section.paths[i];
+        section.for_each_edge(path, [&](std::size_t e, const glm::vec3& p, const glm::vec3& q) {
+            add_section_ends(plane, {u.vertices.data(), u.vertices.size()}, u.streams,
+                             corners_of(found, from.loop_edges[from.loops[i].first + e]), p, q, section);
+        });
+    }
+}
+
+}  // namespace
+
 void copy_paths(const Universe& u, const Found& found, const Section& from, PlaneSection& to)
 {
     to.points.reserve(from.loop_points.size() + from.loops.size());
@@ -40,8 +65,6 @@ void copy_paths(const Universe& u, const Found& found, const Section& from, Plan
     }
 }
 
-}  // namespace
-
 void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const Plane& plane, CutWorkspace& w,
                   PlaneSection& section)
 {
@@ -59,7 +82,7 @@ void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const
         if (!w.found.keeps_triangles(side)) return misses(opposite(side));
     w.walker.run_outline(u, plane, coincidences, w.outline_linker, w.found, w.section);
     copy_paths(u, w.found, w.section, section);
-    section.area = section_area(plane, w.section);
+    if (section.wants_ends) add_ends(u, plane, w.found, w.section, section);
     section.crossing_triangles = w.found.crossings.size();
     const bool closed = std::ranges::all_of(section.paths, &PlaneSection::Path::closed);
     section.status = closed ? Status::done : Status::open_section;

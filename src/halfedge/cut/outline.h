@@ -18,4 +18,8 @@ namespace kerf::core::halfedge {
 void find_outline(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane,
                   CutWorkspace& workspace, PlaneSection& section);
 
+/// The loops and chains of WALK as a section without a cut has them, behind those that are there. O(k). May throw
+/// std::bad_alloc.
+void copy_paths(const Universe& universe, const Found& found, const Section& from, PlaneSection& to);
+
 }  // namespace kerf::core::halfedge

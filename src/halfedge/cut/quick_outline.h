@@ -7,7 +7,8 @@
 #include "common/mesh/plane.h"
 #include "halfedge/cut/crossing_numbers.h"
 #include "halfedge/cut/leaf_distances.h"
-#include "halfedge/cut/visit_tree.h"
+#include "halfedge/cut/leaf_prefetch.h"
+#include "halfedge/cut/visit_leaves.h"
 #include "halfedge/universe/universe.h"
 
 namespace kerf::core::halfedge {
@@ -30,6 +31,7 @@ private:
     {
         glm::vec3 exit;      ///< where the outline leaves it: on the edge from the negative to the positive corner
         glm::vec3 opposite;  ///< the corner that is not at the edge by which the outline enters it
+        SlotId slot;
         FaceId face;
         GroupId group;
         Index exit_corner = 0;  ///< where the edge begins that it leaves by: 0 to 2
@@ -38,13 +40,15 @@ private:
 
     bool find_crossed(const Universe& universe, const std::vector<ShellRoot>& shells, const Plane& plane,
                       PlaneSection& section);
-    bool open_leaf(const Universe& universe, const Plane& plane, const Node& leaf);
+    bool open_leaf(const Universe& universe, const Plane& plane, const Node& leaf, const VertexPrefetch& ahead);
     bool find_next(const Universe& universe);
     bool trace(const Universe& universe, PlaneSection& section);
+    void add_ends(const Universe& universe, const Plane& plane, PlaneSection& section) const;
 
-    std::vector<NodeVisit> visits_ = std::vector<NodeVisit>(kFewVisits);
-    std::vector<TreeOp> program_;
+    std::vector<LeafVisit> visits_;
+    std::vector<NodeId> leaves_;
     std::vector<Crossed> crossed_;
+    std::vector<SlotId> traced_;  ///< the triangle of each edge, if the ends are asked for
     FaceTable numbers_;
     LeafDistances distances_;
 };
