@@ -10,6 +10,15 @@
 
 namespace kerf::core {
 
+namespace {
+
+bool is_finite(const glm::dvec3& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+}  // namespace
+
 std::string_view name_of(Status status)
 {
     switch (status) {
@@ -27,6 +36,8 @@ std::string_view name_of(Status status)
             return "out_of_memory";
         case Status::cancelled:
             return "cancelled";
+        case Status::not_separated:
+            return "not_separated";
     }
     return "unknown";
 }
@@ -54,7 +65,8 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     CutResult result;
     if (!object) {
         result.status = Status::invalid_mesh;
-    } else if (!plane.valid() || !std::isfinite(options.cap_uv_scale) || !can_close(options.cap_quality)) {
+    } else if (!plane.valid() || !std::isfinite(options.cap_uv_scale) || !can_close(options.cap_quality) ||
+               (options.only && !is_finite(options.only->point))) {
         result.status = Status::invalid_argument;
     } else {
         try {

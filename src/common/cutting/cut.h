@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -82,6 +83,18 @@ inline constexpr std::uint32_t kDefaultCapMaterial = std::numeric_limits<std::ui
 /// Whether this program can close sections so: by `delaunay` with CGAL's ways alone. O(1), from any thread.
 bool can_close(CapQuality quality) noexcept;
 
+/// A part of a section, found by a point: the path of it that is nearest, and what belongs to that.
+struct OnlyNear
+{
+    enum class Extent : std::uint8_t
+    {
+        region,  ///< an outer loop with the holes right in it, or a chain
+        solid,   ///< all paths of one solid
+    };
+    glm::dvec3 point{0.0};
+    Extent extent = Extent::region;
+};
+
 struct CutOptions
 {
     bool build_caps = true;         ///< close the section
@@ -91,6 +104,10 @@ struct CutOptions
     std::uint32_t cap_material = kDefaultCapMaterial;
     double cap_uv_scale = 1.0;                  ///< uv of caps for each mesh unit (PlaneFrame)
     CapQuality cap_quality = CapQuality::fast;  ///< the fan of the report's back ends knows only that
+    /// If it is set, the object is cut there alone. The rest stays whole: what the plane crosses there goes to one side
+    /// with what it is connected with, and a solid that is not cut at all but crosses the plane to the negative one. The
+    /// status is `not_separated` if what lies on both sides of the cut is connected elsewhere.
+    std::optional<OnlyNear> only = std::nullopt;
 };
 
 struct CutResult;
