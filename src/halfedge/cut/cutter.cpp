@@ -7,6 +7,7 @@
 #include "common/mesh/plane_frame.h"
 #include "common/mesh/plane_noise.h"
 #include "halfedge/cut/crossing_numbers.h"
+#include "halfedge/cut/partial_cut.h"
 #include "halfedge/cut/piece_plan.h"
 #include "halfedge/cut/split.h"
 #include "halfedge/cut/stitch.h"
@@ -34,11 +35,12 @@ bool Cutter::plan(const Plane& plane, const CutOptions& options, CutResult& resu
     w_.finder.run(u_, shells_, plane, numbers, w_.found);
     done(Phase::find, result);
     make_room_for_vertices(result);
-    const Coincidences coincidences = split_crossings(u_, numbers, w_.found);
+    Coincidences coincidences = split_crossings(u_, numbers, w_.found);
     done(Phase::split, result);
     // All of a side can vanish: a spike so thin that its cut points are one.
     for (const Side side : kSides)
         if (!w_.found.keeps_triangles(side)) return misses(opposite(side), result);
+    if (options.only && !keep_the_rest(options, coincidences, result)) return false;
     w_.walker.run(u_, plane, coincidences, w_.outline_linker, w_.found, w_.section);
     done(Phase::walk, result);
 
@@ -79,8 +81,38 @@ void Cutter::make_room_for_vertices(CutResult& result)
     done(Phase::growth, result);
 }
 
+bool Cutter::keep_the_rest(const CutOptions& options, Coincidences& coincidences, CutResult& result)
+{
+    w_.walker.run_outline(u_, plane_, coincidences, w_.outline_linker, w_.found, w_.section);
+    done(Phase::walk, result);
+    const std::vector<bool> is_chosen = chosen_edges(u_, plane_, *options.only, w_.found, w_.section);
+    make_first_targets(w_.found, w_.pieces);
+    w_.part_finder.separate(u_, w_.section, w_.found, w_.pieces);
+    plan_pieces(u_, plane_, w_.found, w_.outline_linker, w_.section, w_.pieces);
+    // The stamps of this pass are those of an earlier cut to the next one.
+    u_.stamp_base += w_.found.crossings.size() + w_.part_finder.stamps_used();
+    w_.part_finder.forget_stamps();
+    w_.begin(u_);
+    if (!keep_the_rest_whole(u_, shells_, is_chosen, options.split_components, w_.found, w_.pieces)) {
+        result.status = Status::not_separated;
+        return misses(Side::negative, result);
+    }
+    w_.section.clear();
+    done(Phase::components, result);
+    FaceStamps numbers(u_);
+    for (const Crossing& c : w_.found.crossings) numbers.add(c.face);
+    coincidences = split_crossings(u_, numbers, w_.found);
+    done(Phase::split, result);
+    return true;
+}
+
 void Cutter::find_pieces(const CutOptions& options, CutResult& result)
 {
+    if (options.only) {
+        if (options.split_components && w_.section.is_irregular())
+            w_.outline_linker.relink(u_, plane_, w_.found, w_.pieces, w_.section);
+        return count_paths(result);
+    }
     make_first_targets(w_.found, w_.pieces);
     if (options.split_components) {
         w_.part_finder.separate(u_, w_.section, w_.found, w_.pieces);
@@ -88,6 +120,11 @@ void Cutter::find_pieces(const CutOptions& options, CutResult& result)
     } else {
         plan_sides(w_.found, w_.section, w_.pieces);
     }
+    count_paths(result);
+}
+
+void Cutter::count_paths(CutResult& result)
+{
     for (const Loop& loop : w_.section.loops)
         ++(loop.closed ? result.statistics.section_loops : result.statistics.open_chains);
     result.section_area = section_area(plane_, w_.section);

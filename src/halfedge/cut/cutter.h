@@ -64,8 +64,12 @@ private:
     /// Fills the result of a miss. Returns false, as plan() does then.
     static bool misses(Side side_of_object, CutResult& result);
     void make_room_for_vertices(CutResult& result);
-    /// Finds the parts and the pieces, and the loops that are closed together.
+    /// For CutOptions::only: finds what the whole cut would find, and of that what is cut. The numbers of the crossing
+    /// triangles are new then, and the pieces are planned. Returns false if that does not part the object.
+    bool keep_the_rest(const CutOptions& options, Coincidences& coincidences, CutResult& result);
+    /// Finds the parts and the pieces, if they are not planned yet, and the loops that are closed together.
     void find_pieces(const CutOptions& options, CutResult& result);
+    void count_paths(CutResult& result);
     void close_section(CapQuality quality, CutResult& result);
     /// Names the groups of the caps, those that are to be added included, and makes room for them.
     void plan_cap_groups(const CutOptions& options);

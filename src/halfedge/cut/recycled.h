@@ -16,6 +16,8 @@ public:
         return items_[size_++];
     }
     void clear() { size_ = 0; }
+    /// To a number that is not larger than its size.
+    void shorten_to(std::size_t size) { size_ = size; }
     void reserve(std::size_t count)
     {
         if (items_.size() < count) items_.resize(count);

@@ -169,17 +169,18 @@ void Walker::run_with(NewVertices vertices, const Universe& universe, const Plan
     section.coincidences = coincidences;
     Walk(vertices, universe, found, section, run_).run();
     section.cut_point_is_shared.assign(section.cut_points.size(), 0);
-    if (!section.is_irregular()) return;
-    section.clear_loops();
-    linker.link(universe, plane, found, section);
+    if (section.is_irregular()) {
+        section.clear_loops();
+        linker.link(universe, plane, found, section);
+    }
+    section.loops_on_shell.assign(found.shells.size(), 0);
+    for (const Loop& loop : section.loops) ++section.loops_on_shell[loop.shell];
 }
 
 void Walker::run(Universe& universe, const Plane& plane, const Coincidences& coincidences, OutlineLinker& linker,
                  Found& found, Section& section)
 {
     run_with(VerticesBehind(universe, section.new_vertices), universe, plane, coincidences, linker, found, section);
-    section.loops_on_shell.assign(found.shells.size(), 0);
-    for (const Loop& loop : section.loops) ++section.loops_on_shell[loop.shell];
 }
 
 void Walker::run_outline(const Universe& universe, const Plane& plane, const Coincidences& coincidences,
