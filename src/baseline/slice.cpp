@@ -4,6 +4,7 @@
 
 #include "baseline/fan.h"
 #include "baseline/vertex_lookup.h"
+#include "linear/partial_cut.h"
 #include "linear/remap_slicer.h"
 #include "linear/slicing_steps.h"
 
@@ -54,6 +55,10 @@ Slices slice(const Fragment& whole, const Plane& plane, const CutOptions& option
 {
     if (const std::optional<Side> side = missed_by_bounds(whole, plane)) return missed_slices(whole, *side);
     FanClosing fan;
+    if (options.only)
+        return cut_only(whole, plane, options, fan, [&](const Fragment& fragment, const CutOptions& asked) {
+            return slice(fragment, plane, asked, lookup);
+        });
     switch (lookup) {
         case VertexLookup::scan:
             return LookupSlicer<ScanLookup>(whole, plane, options, fan).run();

@@ -54,7 +54,7 @@ CutResult to_result(Slices slices, Make make)
     result.section_area = slices.section_area;
     result.caps_exceed_section = slices.caps_exceed_section;
     result.statistics = slices.statistics;
-    if (slices.status == Status::missed) return result;
+    if (slices.status == Status::missed || slices.status == Status::not_separated) return result;
     for (Fragment& fragment : slices.positive) result.positive.push_back(make(std::move(fragment)));
     for (Fragment& fragment : slices.negative) result.negative.push_back(make(std::move(fragment)));
     return result;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "linear/fragment_object.h"
+#include "linear/partial_cut.h"
 #include "linear/remap_slicer.h"
 #include "linear/right_caps.h"
 
@@ -23,11 +24,20 @@ public:
 private:
     CutResult cut_by(const Plane& plane, const CutOptions& options) override
     {
+        return to_result(slice(plane, options),
+                         [&](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part), listener()); });
+    }
+
+    Slices slice(const Plane& plane, const CutOptions& options) const
+    {
+        if (const std::optional<Side> side = missed_by_bounds(fragment(), plane))
+            return missed_slices(fragment(), *side);
         RightCaps caps;
-        const std::optional<Side> missed = missed_by_bounds(fragment(), plane);
-        return to_result(
-            missed ? missed_slices(fragment(), *missed) : RemapSlicer(fragment(), plane, options, caps).run(),
-            [&](Fragment&& part) { return std::make_unique<LinearObject>(std::move(part), listener()); });
+        if (!options.only) return RemapSlicer(fragment(), plane, options, caps).run();
+        return cut_only(fragment(), plane, options, caps, [&](const Fragment& whole, const CutOptions& asked) {
+            RightCaps of_whole;
+            return RemapSlicer(whole, plane, asked, of_whole).run();
+        });
     }
 };
 

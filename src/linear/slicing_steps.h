@@ -29,6 +29,7 @@ constexpr std::size_t kFewCrossings = 16;
 ///   distribute(group)              triangles of a group of which no vertex is on the plane
 ///   expect_cut_points(count)       before the first vertex at a cut point is asked for
 ///   lookup(side)                   the side's Lookup (vertex_lookup.h)
+/// and may replace pieces_of(parts).
 template <class Self>
 class Slicer
 {
@@ -166,7 +167,7 @@ protected:
         if (options_.split_components) {
             for (const Side side : kSides)
                 parts[side] = find_parts(builders_[side], crossings_, section_, plane_, whole_.noise);
-            piece_of_part = find_pieces(builders_, section_, parts, plane_);
+            piece_of_part = self().pieces_of(parts);
             // Loops keep to one piece on either side: where they touch, the other way round would join pieces.
             for (std::uint32_t e = 0; e < section_.edges.size(); ++e)
                 tags.push_back(std::uint64_t{piece_at(Side::negative, e)} << 32 | piece_at(Side::positive, e));
@@ -210,6 +211,12 @@ protected:
         loops_.reserve(paths.size());
         for (const SectionPath& path : paths) loops_.push_back(to_loop(section_, path));
         statistics.phases[Phase::components] += watch.lap();
+    }
+
+    /// The piece of each part; who knows better has one of his own.
+    BySide<std::vector<std::uint32_t>> pieces_of(const BySide<FoundParts>& parts)
+    {
+        return find_pieces(builders_, section_, parts, plane_);
     }
 
     std::uint32_t material_of_caps()
