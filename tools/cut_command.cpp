@@ -31,6 +31,7 @@ struct CutCommandOptions
     std::string lookup;
     bool no_cap = false;
     double gap = 0.0;
+    std::optional<OnlyNear> only;
     CapQuality cap_quality = CapQuality::fast;
     bool components = false;
     std::string prefix;
@@ -126,6 +127,7 @@ CutReport perform(const CutCommandOptions& options)
     CutOptions cut_options;
     cut_options.cap = !options.no_cap;
     cut_options.gap = options.gap;
+    cut_options.only = options.only;
     cut_options.cap_quality = options.cap_quality;
     cut_options.components = options.components;
     watch.lap();
@@ -316,6 +318,24 @@ void add_cut_command(CLI::App& program)
             "--gap", [options](const std::string& text) { options->gap = parse_width("--gap", text); },
             "Width of the blade, in the mesh's unit: what lies within half of it is taken away")
         ->type_name("NUMBER");
+    CLI::Option* gap = command->get_option("--gap");
+    const auto only = [&](const char* name, OnlyNear::Extent extent, const char* description) {
+        return command
+            ->add_option_function<std::string>(
+                name,
+                [options, name, extent](const std::string& text) {
+                    const glm::dvec3 p = parse_point(name, text);
+                    options->only = OnlyNear{{p.x, p.y, p.z}, extent};
+                },
+                description)
+            ->type_name("X,Y,Z")
+            ->excludes(gap);
+    };
+    CLI::Option* region =
+        only("--only", OnlyNear::Extent::region,
+             "Cut the region of the section alone that is nearest to this point; the rest stays whole");
+    only("--only-solid", OnlyNear::Extent::solid, "Cut the solid alone whose section is nearest to this point")
+        ->excludes(region);
     CLI::Option* backend = command->add_option("--backend", options->backend, "Which way to cut; see below")
                                ->check(CLI::IsMember(backend_choices()).description(""))
                                ->capture_default_str();

@@ -3,6 +3,8 @@
 #include <kerf/object.h>
 #include <kerf/statistics.h>
 
+#include <optional>
+
 namespace kerf {
 
 /// @addtogroup cutting
@@ -25,6 +27,19 @@ enum class CapQuality : unsigned char
 /// any thread.
 KERF_API bool has_cap_quality(CapQuality quality) noexcept;
 
+/// A part of a section, found by a point in the object's own coordinates: that path of it which is nearest to the point,
+/// and what belongs to the path.
+struct OnlyNear
+{
+    enum class Extent : unsigned char
+    {
+        region = 0,  ///< an outer loop with the holes right in it, or a chain
+        solid = 1,   ///< all paths of one solid (SectionPath::solid)
+    };
+    Vec3d point;
+    Extent extent = Extent::region;
+};
+
 /// Options of cut().
 struct CutOptions
 {
@@ -36,6 +51,11 @@ struct CutOptions
     /// nothing.
     double gap = 0.0;
     CapQuality cap_quality = CapQuality::fast;  ///< the fan of the report's slicer knows only that
+    /// If it is set, cut there alone: one leg of two, one tooth of a comb. The rest stays whole, bit for bit, and goes to
+    /// the side of what it is connected with; a solid that the plane crosses elsewhere goes to the negative side. Status
+    /// `not_separated`, and the object stays as it is, if what lies on both sides of that cut is connected elsewhere: a ring
+    /// does not come apart by one cut. Costs a cut and a section more; linear back ends cut three times. Not with a gap.
+    std::optional<OnlyNear> only;
 };
 
 /// What became of an object.
@@ -98,7 +118,8 @@ KERF_API const char* outcome_name(Status status) noexcept;
 ///
 /// Half-edge back end: O(s log n + k) for a section of k triangles in s leaves of the tree; linear: O(n).
 /// Status: `done`, `open_section`, `missed`, `invalid_argument` (an empty object, a gap or a scale that is not finite,
-/// a gap below 0, a quality of caps that this program does not have), `out_of_memory`. All but the first two leave the object as it was, but for a gap, below.
+/// a gap below 0, a quality of caps that this program does not have, a point of `only` that is not finite, or `only` with a gap),
+/// `not_separated`, `out_of_memory`. All but the first two leave the object as it was, but for a gap, below.
 ///
 /// A gap cuts twice: what is above it goes to the positive side, what is below to the negative one, and what is left
 /// is thrown away; that may be all of the object, and then the status is `done` without a piece. If memory runs out in

@@ -17,7 +17,7 @@ struct DicePlanes
 /// Options of dice().
 struct DiceOptions
 {
-    CutOptions cut;  ///< of each cut: caps, gap, components
+    CutOptions cut;  ///< of each cut: caps, gap, components; `only` is refused
     /// Called now and then from the thread that asks, with the share that is done: 0 first, 1 last. Returns false to
     /// stop; dice() then says `cancelled`. Must not throw: that ends the program. May be null.
     bool (*progress)(void* user, double share) = nullptr;

@@ -22,6 +22,7 @@ enum class Status : unsigned char
     out_of_memory = 5,     ///< nothing was done, and every object is as it was
     cancelled = 6,         ///< the caller asked to stop; nothing was done
     unusable_file = 7,     ///< a file that can't be read or written; nothing was done
+    not_separated = 8,     ///< of a cut: what was chosen to be cut does not part the object; nothing was done
 };
 
 /// Whether the call did what was asked for: `done` or `open_section`.

@@ -26,7 +26,8 @@ static_assert(int(Status::done) == int(core::Status::done) && int(Status::missed
               int(Status::invalid_argument) == int(core::Status::invalid_argument) &&
               int(Status::invalid_mesh) == int(core::Status::invalid_mesh) &&
               int(Status::out_of_memory) == int(core::Status::out_of_memory) &&
-              int(Status::cancelled) == int(core::Status::cancelled));
+              int(Status::cancelled) == int(core::Status::cancelled) &&
+              int(Status::not_separated) == int(core::Status::not_separated));
 static_assert(sizeof(Vec3f) == sizeof(glm::vec3));
 
 inline glm::dvec3 to_core(const Vec3d& v)

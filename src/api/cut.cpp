@@ -95,6 +95,10 @@ Cut cut_once(Object&& object, const Plane& plane, const CutOptions& options) noe
     inside.cap_uv_scale = options.cap_uv_scale;
     inside.cap_quality =
         options.cap_quality == CapQuality::delaunay ? core::CapQuality::delaunay : core::CapQuality::fast;
+    if (options.only)
+        inside.only = core::OnlyNear{to_core(options.only->point), options.only->extent == OnlyNear::Extent::solid
+                                                                       ? core::OnlyNear::Extent::solid
+                                                                       : core::OnlyNear::Extent::region};
     core::CutResult found = core::cut(std::unique_ptr<core::Cuttable>(result.object.release()), to_core(plane), inside);
     result.object = Object(found.object.release());
     result.status = to_public(found.status);
@@ -179,6 +183,11 @@ const char* fault_of_cut(const Object& object, const CutOptions& options)
     if (!std::isfinite(options.cap_uv_scale)) return "the uv scale of caps must be finite";
     if (!has_cap_quality(options.cap_quality))
         return "this program has no Delaunay triangulation: link Kerf's component caps_cgal, or ask for fast caps";
+    if (options.only) {
+        const auto& [x, y, z] = options.only->point;
+        if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return "the point where to cut must be finite";
+        if (options.gap != 0.0) return "a cut at one place has no gap: set `only` or `gap`";
+    }
     return nullptr;
 }
 
@@ -228,6 +237,8 @@ const char* outcome_name(Status status) noexcept
             return "cancelled";
         case Status::unusable_file:
             return "unusable_file";
+        case Status::not_separated:
+            return "not_separated";
     }
     return "unknown";
 }
@@ -270,6 +281,8 @@ const char* Cut::reason() const noexcept
             return refusal_;
         case Status::out_of_memory:
             return "there is not enough memory to cut it; divide it or free some";
+        case Status::not_separated:
+            return "a cut there alone would not part the object: what lies on both sides of it is connected elsewhere";
         default:
             return "";
     }

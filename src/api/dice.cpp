@@ -217,6 +217,8 @@ Dice dice(Object&& object, std::span<const DicePlanes> planes, const DiceOptions
     if (const char* fault = fault_of(planes)) return DiceMaker::refused(Status::invalid_argument, fault);
     if (const char* fault = fault_of_cut(object, options.cut))
         return DiceMaker::refused(Status::invalid_argument, fault);
+    if (options.cut.only)
+        return DiceMaker::refused(Status::invalid_argument, "dicing cuts everywhere: do not set `only`");
     Object taken = std::move(object);
     return answer_or(DiceMaker::refused(Status::out_of_memory), [&] {
         Dice dice = DiceMaker::begun();

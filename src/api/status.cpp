@@ -31,6 +31,8 @@ const char* text(Status status) noexcept
             return "cancelled";
         case Status::unusable_file:
             return "unusable file";
+        case Status::not_separated:
+            return "not separated";
     }
     return "unknown";
 }

@@ -160,6 +160,37 @@ TEST_P(CutTest, WithAGapMissesWhatTheBladeDoesNotTouch)
     EXPECT_EQ(result.count(Side::positive) + result.count(Side::negative), 0u);
 }
 
+TEST_P(CutTest, OfOnePlaceAloneLeavesTheRest)
+{
+    CutOptions options;
+    options.only = OnlyNear{{0.1, -0.5, 0.0}};
+    options.gap = 0.1;
+    Cut result = cut(test::cube(GetParam()), Plane::x(0.0).value(), options);
+    EXPECT_EQ(result.status, Status::invalid_argument);
+    EXPECT_STREQ(result.reason(), "a cut at one place has no gap: set `only` or `gap`");
+    options.gap = 0.0;
+    result = cut(std::move(result.object), Plane::x(0.0).value(), options);
+    EXPECT_EQ(result.status, Status::done);
+    options.only->point.y = std::numeric_limits<double>::infinity();
+    result = cut(std::move(*result.one(Side::positive)), Plane::x(0.5).value(), options);
+    EXPECT_EQ(result.status, Status::invalid_argument);
+    EXPECT_FALSE(result.object.is_empty());
+
+    const Mesh ring = test::shape("torus", 600);
+    options.only->point = {0.0, 1.0, 0.0};
+    const std::uint64_t triangles = ring.triangle_count();
+    result = cut(test::object_of(ring, GetParam()), test::plane_at(0.01, 0.01, 0.01, 1.0, 0.02, 0.01), options);
+    // If it lies in that plane, its section is one region with a hole.
+    if (result.status == Status::done)
+        result = cut(test::object_of(ring, GetParam()), test::plane_at(0.01, 0.01, 0.01, 0.02, 0.01, 1.0), options);
+    EXPECT_EQ(result.status, Status::not_separated);
+    EXPECT_EQ(result.object.triangle_count(), triangles);
+    EXPECT_STREQ(result.reason(),
+                 "a cut there alone would not part the object: what lies on both sides of it is connected elsewhere");
+    EXPECT_STREQ(text(result.status), "not separated");
+    EXPECT_STREQ(outcome_name(result.status), "not_separated");
+}
+
 TEST(CutWithAGap, IsTheTwoCutsThatItStandsFor)
 {
     rc::check([](std::uint64_t seed, bool components) {

@@ -38,6 +38,36 @@ TEST_F(KerfCut, GoesThroughThreePointsAndTakesAGapAway)
         EXPECT_EQ(kerf("cut in.ply " + std::string(use) + " --out d").status, 2) << use;
 }
 
+TEST_F(KerfCut, CutsOnePlaceAlone)
+{
+    make("comb", 100);
+    const Json whole = kerf_json("info in.ply");
+    bool is_across = false;
+    for (const char* axis : {"x", "y", "z"}) {
+        const Json bounds = whole["bounds"];
+        const int i = axis[0] - 'x';
+        const double middle = 0.5 * (bounds["min"][i].get<double>() + bounds["max"][i].get<double>()) + 0.01;
+        const std::string plane = std::string(axis) + "=" + std::to_string(middle);
+        const Json cut = kerf_json("cut in.ply --plane " + plane + " --out a");
+        if (cut["counts"]["loops"].get<int>() < 2) continue;
+        const Json one = kerf_json("cut in.ply --plane " + plane + " --only 0,0,0 --out b");
+        EXPECT_EQ(one["counts"]["loops"], 1);
+        double volume = 0.0;
+        for (const char* side : {"positive", "negative"}) {
+            EXPECT_EQ(one[side]["closed"], true);
+            volume += one[side]["volume"].get<double>();
+        }
+        EXPECT_NEAR(volume, whole["volume"].get<double>(), 1e-5 * volume);
+        const Json solid = kerf_json("cut in.ply --plane " + plane + " --only-solid 0,0,0 --out c");
+        EXPECT_EQ(solid["counts"]["loops"], cut["counts"]["loops"]);
+        is_across = true;
+    }
+    EXPECT_TRUE(is_across);
+    for (const char* use :
+         {"--only 0,0", "--only 0,0,nan", "--only 0,0,0 --gap 0.1", "--only 0,0,0 --only-solid 0,0,0"})
+        EXPECT_EQ(kerf("cut in.ply --plane x=0.05 " + std::string(use) + " --out d").status, 2) << use;
+}
+
 TEST_F(KerfCut, WritesBothSidesAndSaysWhatItDid)
 {
     make("asteroid", 2000);
