@@ -41,15 +41,17 @@ void DeferredPass::fill(std::span<const PlacedDraw> draws, const PictureTarget& 
     buffer_->begin();
     program_.use();
     const GLint model = program_.uniform("model"), number = program_.uniform("batch");
+    const GLint clipped = program_.uniform("clipped");
     for (std::size_t i = 0; i < draws.size(); ++i) {
         const SurfaceDraw& surface = draws[i].surface;
         glBindVertexArray(surface.object->fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(surface.object->model));
         glUniform1f(number, static_cast<float>(i));
+        glUniform1f(clipped, surface.object->is_clipped ? 1.0f : 0.0f);
         cull_for(*surface.object);
         draw_runs(surface.batch->runs, statistics);
     }
-    glDisable(GL_CULL_FACE);
+    end_culling();
 }
 
 void DeferredPass::shade(std::span<const PlacedDraw> draws, Lighting lighting, const PictureTarget& target,

@@ -4,11 +4,16 @@ namespace kerf::render {
 
 void cull_for(const DrawnObject& object)
 {
+    const auto set = [](GLenum what, bool on) { on ? glEnable(what) : glDisable(what); };
     // What is seen of an open mesh's back is drawn, too.
-    if (object.is_closed)
-        glEnable(GL_CULL_FACE);
-    else
-        glDisable(GL_CULL_FACE);
+    set(GL_CULL_FACE, object.is_closed);
+    set(GL_CLIP_DISTANCE0, object.is_clipped);
+}
+
+void end_culling()
+{
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_CLIP_DISTANCE0);
 }
 
 void draw_runs(const IndexRuns& runs, DrawStatistics& statistics)

@@ -17,6 +17,9 @@ struct DrawnObject
     /// Cut from a mesh without boundary. Of such an object only what faces the eye is drawn: its back is never seen,
     /// and where caps lie on one another, facing either way, rounding must not choose between them.
     bool is_closed = false;
+    bool is_clipped = false;  ///< what lies beyond DrawOptions::clip is not drawn
+    /// Not the cap of a clipped object: its needles would shade themselves, and the object's far side throws the same.
+    bool throws_shadow = true;
 };
 
 /// What of an object has one look: what is drawn with one call.
@@ -26,8 +29,11 @@ struct SurfaceDraw
     const DrawBatch* batch = nullptr;
 };
 
-/// From now on what faces away is left out, if the object is closed.
+/// From now on what faces away is left out, if the object is closed, and what is clipped. end_culling() ends it.
+/// @{
 void cull_for(const DrawnObject& object);
+void end_culling();
+/// @}
 
 /// What a frame cost in commands.
 struct DrawStatistics

@@ -10,22 +10,6 @@ namespace kerf::render {
 
 namespace {
 
-void describe_vertices(const SharedBuffers& buffers)
-{
-    glBindVertexArray(buffers.vertex_array.id());
-    glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
-    const auto attribute = [](GLuint location, GLint floats, std::size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(DrawVertex), buffer_offset(offset));
-    };
-    attribute(0, 3, offsetof(DrawVertex, position));
-    attribute(1, 3, offsetof(DrawVertex, normal));
-    attribute(2, 2, offsetof(DrawVertex, uv));
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-}
-
 /// A buffer for so many bytes. One that is written once is not worth to be kept mapped.
 GrowingBuffer buffer_for(std::uint64_t bytes, Room room)
 {
@@ -78,6 +62,22 @@ IndexRuns everything_of(const DrawView& view)
 }
 
 }  // namespace
+
+void describe_vertices(const SharedBuffers& buffers)
+{
+    glBindVertexArray(buffers.vertex_array.id());
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
+    const auto attribute = [](GLuint location, GLint floats, std::size_t offset) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(DrawVertex), buffer_offset(offset));
+    };
+    attribute(0, 3, offsetof(DrawVertex, position));
+    attribute(1, 3, offsetof(DrawVertex, normal));
+    attribute(2, 2, offsetof(DrawVertex, uv));
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
 
 void IndexRuns::add(std::uint32_t first_index, std::uint32_t index_count)
 {

@@ -22,6 +22,9 @@ struct SharedBuffers
     GlVertexArray vertex_array;
 };
 
+/// Says how the buffers' vertices (DrawVertex) are to be read; again whenever one of the buffers has moved.
+void describe_vertices(const SharedBuffers& buffers);
+
 /// Runs of the index buffer as glMultiDrawElements wants them.
 struct IndexRuns
 {

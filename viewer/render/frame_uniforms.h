@@ -41,6 +41,7 @@ struct FrameBlock
     glm::vec4 viewport{1.0f};
     glm::mat4 to_world{1.0f};
     glm::vec4 picture{0.0f};
+    glm::vec4 clip{0.0f};
 };
 
 /// The uniform buffer that all programs of a frame read.

@@ -72,11 +72,13 @@ std::vector<PixelFacts> InspectionPass::draw(const Viewpoint& viewpoint, std::sp
     program_.use();
     const GLint model = program_.uniform("model"), scale = program_.uniform("pattern_scale");
     const GLint id = program_.uniform("object_id"), kind = program_.uniform("kind");
+    const GLint clipped = program_.uniform("clipped");
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
         glUniform1f(scale, object.pattern_scale);
         glUniform1ui(id, object.id);
+        glUniform1f(clipped, object.is_clipped ? 1.0f : 0.0f);
         cull_for(object);
         for (const DrawBatch& batch : object.fragment->batches) {
             glUniform1ui(kind, 1u + static_cast<GLuint>(batch.kind));
@@ -84,7 +86,7 @@ std::vector<PixelFacts> InspectionPass::draw(const Viewpoint& viewpoint, std::sp
                                 static_cast<GLsizei>(batch.runs.counts.size()));
         }
     }
-    glDisable(GL_CULL_FACE);
+    end_culling();
     glBindVertexArray(0);
 
     const auto ids = read_back<glm::uvec2>(GL_COLOR_ATTACHMENT0, GL_RG_INTEGER, GL_UNSIGNED_INT, width_, height_);

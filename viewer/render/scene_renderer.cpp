@@ -41,7 +41,7 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    draw_shadows(objects, shadow_projection);
+    draw_shadows(objects, shadow_projection, options.clip);
 
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(area.x, area.y, area.width, area.height);
@@ -61,6 +61,7 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     frame.ground_colour = {lights.ground, 0.0f};
     frame.viewport = {area.width, area.height, lights.exposure, 0.0f};
     frame.to_world = glm::inverse(frame.view_projection);
+    frame.clip = options.clip;
     frame.picture = {area.x, area.y, target.samples, 0.0f};
     uniforms_.set(frame);
     looks_.bind();
@@ -86,21 +87,26 @@ void SceneRenderer::warm_up(Pattern pattern)
         programs_.find(Lighting::textured, pattern, PointSource::geometry_buffer);
 }
 
-void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection)
+void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection,
+                                 const glm::vec4& clip)
 {
     shadow_map_.begin();
     depth_.use();
     glUniformMatrix4fv(depth_.uniform("shadow_projection"), 1, GL_FALSE, glm::value_ptr(projection));
-    const GLint model = depth_.uniform("model");
+    const GLint model = depth_.uniform("model"), clip_of_object = depth_.uniform("clip");
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
     for (const DrawnObject& object : objects) {
+        if (!object.throws_shadow) continue;
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
+        glUniform4fv(clip_of_object, 1, glm::value_ptr(object.is_clipped ? clip : glm::vec4(0.0f)));
         cull_for(object);
+        // Light falls into what is clipped, and its far side stops it.
+        if (object.is_clipped) glDisable(GL_CULL_FACE);
         draw_runs(object.fragment->everything, statistics_);
     }
-    glDisable(GL_CULL_FACE);
+    end_culling();
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -139,13 +145,14 @@ void SceneRenderer::draw_at_once(std::span<const SurfaceDraw> draws, Lighting li
         programs_.use(draw, lighting, PointSource::triangle);
         draw_runs(draw.batch->runs, statistics_);
     }
-    glDisable(GL_CULL_FACE);
+    end_culling();
 }
 
 void SceneRenderer::draw_edges(std::span<const DrawnObject> objects)
 {
     wire_.use();
     const GLint model = wire_.uniform("model"), colour = wire_.uniform("line_colour");
+    const GLint clipped = wire_.uniform("clipped");
     glUniform1f(wire_.uniform("line_width"), 1.1f);
     // The same surface a second time: equal depth passes, and a little in front to be sure.
     glDepthFunc(GL_LEQUAL);
@@ -157,6 +164,8 @@ void SceneRenderer::draw_edges(std::span<const DrawnObject> objects)
     for (const DrawnObject& object : objects) {
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
+        glUniform1f(clipped, object.is_clipped ? 1.0f : 0.0f);
+        object.is_clipped ? glEnable(GL_CLIP_DISTANCE0) : glDisable(GL_CLIP_DISTANCE0);
         for (const DrawBatch& batch : object.fragment->batches) {
             if (batch.kind == TriangleKind::cap)
                 glUniform4f(colour, 1.0f, 0.93f, 0.72f, 0.95f);
@@ -165,6 +174,7 @@ void SceneRenderer::draw_edges(std::span<const DrawnObject> objects)
             draw_runs(batch.runs, statistics_);
         }
     }
+    end_culling();
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);

@@ -21,6 +21,9 @@ struct DrawOptions
     /// which looks the same.
     bool deferred = true;
     Lights lights;
+    /// A plane (normal, then what is added) of the world: of objects that are clipped what lies beyond it is not drawn,
+    /// and throws no shadow.
+    glm::vec4 clip{0.0f};
 };
 
 /// Draws objects before the wall: shadows, surfaces, edges. Draws into whatever framebuffer part the caller names, so
@@ -50,7 +53,7 @@ public:
     const DrawStatistics& statistics() const { return statistics_; }
 
 private:
-    void draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection);
+    void draw_shadows(std::span<const DrawnObject> objects, const glm::mat4& projection, const glm::vec4& clip);
     void draw_surfaces(std::span<const DrawnObject> objects, const glm::mat4& view_projection,
                        const DrawOptions& options, const PictureTarget& target);
     void draw_at_once(std::span<const SurfaceDraw> draws, Lighting lighting);

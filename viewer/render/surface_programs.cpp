@@ -53,6 +53,7 @@ SurfaceProgram::SurfaceProgram(ShaderProgram linked)
       pattern_scale(program.uniform("pattern_scale")),
       look_index(program.uniform("look_index")),
       is_cap(program.uniform("is_cap")),
+      clipped(program.uniform("clipped")),
       to_mesh(program.uniform("to_mesh")),
       batch(program.uniform("batch")),
       is_behind(program.uniform("is_behind"))
@@ -104,6 +105,7 @@ void SurfacePrograms::place(const SurfaceProgram& surface, const DrawnObject& ob
 {
     glUniformMatrix4fv(surface.model, 1, GL_FALSE, glm::value_ptr(object.model));
     glUniform1f(surface.pattern_scale, object.pattern_scale);
+    glUniform1f(surface.clipped, object.is_clipped ? 1.0f : 0.0f);
     if (surface.to_mesh >= 0)
         glUniformMatrix4fv(surface.to_mesh, 1, GL_FALSE, glm::value_ptr(glm::inverse(object.model)));
 }

@@ -31,6 +31,7 @@ struct SurfaceProgram
 {
     ShaderProgram program;
     GLint model, pattern_scale, look_index, is_cap;
+    GLint clipped;                    ///< of PointSource::triangle
     GLint to_mesh, batch, is_behind;  ///< of PointSource::geometry_buffer
 
     explicit SurfaceProgram(ShaderProgram linked);

@@ -11,4 +11,5 @@ layout(std140) uniform Frame
     vec4 viewport;           // width, height in pixels; exposure; time in seconds
     mat4 to_world;           // view_projection undone
     vec4 picture;            // lower left corner on the target in pixels; samples a pixel
+    vec4 clip;               // of objects that are clipped what has a product with it below 0 is not drawn
 } frame;

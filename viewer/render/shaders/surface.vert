@@ -3,6 +3,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 
 uniform mat4 model;
+uniform float clipped;  // 1, or 0: there are drivers that clip whether it is enabled or not
 uniform float pattern_scale;  // object units to pattern units
 
 invariant gl_Position;
@@ -21,4 +22,5 @@ void main()
     pattern_position = position * pattern_scale;
     pattern_uv = uv;
     gl_Position = frame.view_projection * world;
+    gl_ClipDistance[0] = clipped * dot(frame.clip, world);
 }

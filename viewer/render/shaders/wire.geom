@@ -22,6 +22,7 @@ void main()
         distance_to_edge = is_seen ? vec3(0.0) : vec3(1e3);
         if (is_seen) distance_to_edge[i] = height;
         gl_Position = gl_in[i].gl_Position;
+        gl_ClipDistance[0] = gl_in[i].gl_ClipDistance[0];
         EmitVertex();
     }
     EndPrimitive();
