@@ -7,6 +7,7 @@
 #include "viewer/app/game/game_window.h"
 #include "viewer/app/headless/headless_game.h"
 #include "viewer/app/headless/headless_inspection.h"
+#include "viewer/app/inside/inside_program.h"
 #include "viewer/app/inspect/inspection_window.h"
 #include "viewer/app/options.h"
 #include "viewer/render/render_error.h"
@@ -16,6 +17,7 @@ namespace {
 int run(const kerf::app::Options& options)
 {
     using namespace kerf::app;
+    if (options.scene == "section") return run_inside(options);
     if (wants_game(options)) return options.headless ? run_headless_game(options) : run_game(options);
     return options.headless ? run_headless_inspection(options) : run_inspection(options);
 }

@@ -81,7 +81,7 @@ std::vector<std::string> proxy_names()
 std::vector<std::string> all_scenes()
 {
     std::vector<std::string> names = game::scene_names();
-    for (const char* name : {"duel", "menu"}) names.emplace_back(name);
+    for (const char* name : {"duel", "menu", "section"}) names.emplace_back(name);
     return names;
 }
 
@@ -97,6 +97,7 @@ bool wants_game(const Options& options)
 {
     // Menu, screens and duel are more than one simulation.
     if (options.headless) return options.scene == "menu" || options.scene == "duel" || !options.screen.empty();
+    if (options.scene == "section") return false;
     // The game is played in real time and by hand; whoever brings models or input wants to see a simulation.
     const bool brings_something = !options.files.empty() || runs_by_itself(options) || !options.save_script.empty();
     return !brings_something && options.scene != "report";
@@ -195,8 +196,11 @@ ParsedOptions parse_options(int argc, char** argv)
         if (is_menu_or_duel && !options.headless && runs_by_itself(options))
             throw CLI::ValidationError(
                 "--scene", "menu and duel take --frames, --autopilot, --script and --record only with --headless");
-        if (!options.files.empty() && !options.scene.empty() && options.scene != "report")
-            throw CLI::ValidationError("FILE", "only the scene report throws models of your own");
+        const bool is_section = options.scene == "section";
+        if (!options.files.empty() && !options.scene.empty() && options.scene != "report" && !is_section)
+            throw CLI::ValidationError("FILE", "only the scenes report and section show models of your own");
+        if (is_section && (has_runs || !options.script.empty() || !options.save_script.empty()))
+            throw CLI::ValidationError("--scene", "section has one back end, and neither --script nor --save-script");
         if (options.headless && options.frames == 0 && options.script.empty())
             throw CLI::ValidationError("--headless", "needs --frames or --script");
     } catch (const CLI::ParseError& error) {

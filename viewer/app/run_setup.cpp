@@ -24,7 +24,7 @@ const std::string& first_said(const std::string& by_command_line, const std::str
     return by_script.empty() ? otherwise : by_script;
 }
 
-/// What the scene report throws.
+/// What the scene report throws, and the scene section looks into.
 void add_thrown_models(RunSetup& setup, const Options& options)
 {
     if (options.files.empty()) setup.models->add_report_models(options.data_folder / "models");
@@ -82,7 +82,7 @@ RunSetup read_run_setup(const Options& options)
     setup.arrival = arrival_for(options, setup.script);
 
     setup.models = std::make_shared<sim::ModelLibrary>();
-    if (settings.scene == "report") {
+    if (settings.scene == "report" || settings.scene == "section") {
         add_thrown_models(setup, options);
     } else if (game::find_mode(settings.scene)) {
         game::add_fruit_models(*setup.models, options.data_folder / "fruit");

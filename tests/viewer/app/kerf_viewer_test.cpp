@@ -63,6 +63,30 @@ protected:
 
 }  // namespace
 
+TEST_F(KerfViewerTest, LooksIntoAModel)
+{
+    const std::string rook = std::string(KERF_DATA_DIR) + "/models/rook.obj";
+    for (const std::string backend : {"halfedge", "linear"}) {
+        const Json json =
+            report("--headless --scene section --backend " + backend +
+                   " --frames 150 --draw 0 --size 160x90 --panel --screenshot " + backend + ".png " + rook);
+        const Json& run = json["runs"][0];
+        EXPECT_EQ(run["backend"], backend);
+        EXPECT_EQ(run["model"], "rook");
+        EXPECT_EQ(run["triangles"], 926);
+        EXPECT_GE(run["sections"], 149);
+        EXPECT_GT(run["section_cpu_ms"]["median"], 0.0);
+        EXPECT_EQ(run["last"]["status"], "cut");
+        EXPECT_GT(run["last"]["area"], 0.0);
+        EXPECT_GT(run["last"]["triangles"], 10);
+        EXPECT_GT(run["contours"], 5);
+        EXPECT_GT(read_png(backend + ".png").colours, 100);
+    }
+    for (const char* use : {"--script x", "--save-script x", "--backend halfedge,linear"})
+        EXPECT_EQ(kerf("--headless --scene section --frames 2 " + std::string(use)).status, 2) << use;
+    expect_unusable(kerf("--headless --scene section --frames 2 nothing.obj"), "nothing.obj");
+}
+
 TEST_F(KerfViewerTest, PlaysNinetyFramesOnBothBackEnds)
 {
     write_swipes();
