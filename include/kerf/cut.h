@@ -31,13 +31,14 @@ KERF_API bool has_cap_quality(CapQuality quality) noexcept;
 /// and what belongs to the path.
 struct OnlyNear
 {
+    /// What belongs to the path.
     enum class Extent : unsigned char
     {
         region = 0,  ///< an outer loop with the holes right in it, or a chain
         solid = 1,   ///< all paths of one solid (SectionPath::solid)
     };
-    Vec3d point;
-    Extent extent = Extent::region;
+    Vec3d point;                     ///< in the mesh's unit
+    Extent extent = Extent::region;  ///< what is cut of the section
 };
 
 /// Options of cut().
