@@ -92,7 +92,7 @@ std::set<std::uint32_t> crossing_triangles(const IndexedMesh& mesh, const Plane&
     return crossing;
 }
 
-void expect_closed(const Fragments& pieces)
+void expect_closed_pieces(const Fragments& pieces)
 {
     for (const auto& piece : pieces) {
         const IndexedMesh mesh = piece->to_indexed_mesh();
@@ -124,8 +124,8 @@ TEST_P(PartialCut, ChangesNothingButTheTrianglesOfThePathsThatItCuts)
                 }
                 ASSERT_EQ(name_of(result.status), "done");
                 ++cuts;
-                expect_closed(result.positive);
-                expect_closed(result.negative);
+                expect_closed_pieces(result.positive);
+                expect_closed_pieces(result.negative);
                 EXPECT_NEAR(volume_of_both(result), whole, referee::kSumTolerance * std::abs(whole));
                 const auto after = surface_of_both(result);
                 const auto gone = sources_beyond(before, after), made = sources_beyond(after, before);
@@ -272,8 +272,8 @@ TEST_P(PartialCut, OneOfSeveralSolidsIsCutAndTheOthersStayWhole)
         const CutResult result = cut(object->clone(), level, only_near({x, 0, 0.5}, OnlyNear::Extent::solid));
         ASSERT_EQ(name_of(result.status), "done");
         EXPECT_EQ(result.statistics.section_loops, 1u);
-        expect_closed(result.positive);
-        expect_closed(result.negative);
+        expect_closed_pieces(result.positive);
+        expect_closed_pieces(result.negative);
         // The other one is on the negative side, with all of its triangles.
         const double other = x < 0 ? 500 : 720;
         EXPECT_GE(double(result.negative.front()->triangle_count()), other);
@@ -315,8 +315,8 @@ TEST_P(PartialCut, PiecesAreConnectedAndCanBeCutAgain)
                             sum += referee::volume(before);
                             continue;
                         }
-                        expect_closed(second.positive);
-                        expect_closed(second.negative);
+                        expect_closed_pieces(second.positive);
+                        expect_closed_pieces(second.negative);
                         sum += volume_of_both(second);
                     }
                 EXPECT_NEAR(sum, whole, 2 * referee::kSumTolerance * std::abs(whole));
