@@ -7,7 +7,7 @@ namespace kerf::core::halfedge {
 namespace {
 
 /// The visits before it stand for nobody.
-constexpr std::size_t kRoot = 2;
+constexpr std::size_t kFirstVisit = 2;
 
 /// Level by level, because memory is far away: a node is asked for when its parent is looked at, long before its own turn.
 /// Without branches on what can't be predicted, which is where a box lies. Returns the end of the visits.
@@ -15,9 +15,9 @@ std::size_t visit_levels(const Universe& u, const Plane& plane, NodeId root, std
 {
     constexpr std::size_t kFewVisits = 64;
     if (visits.size() < kFewVisits) visits.resize(kFewVisits);
-    std::size_t end = kRoot;
+    std::size_t end = kFirstVisit;
     visits[end++].node = root;
-    for (std::size_t i = kRoot; i < end; ++i) {
+    for (std::size_t i = kFirstVisit; i < end; ++i) {
         if (visits.size() < end + 2) visits.resize(2 * visits.size());
         const Node& node = u.tree.nodes[visits[i].node];
         const auto [lo, hi] = plane.distance_range(node.box);
@@ -46,21 +46,21 @@ std::size_t visit_leaves(const Universe& u, const Plane& plane, NodeId root, std
 {
     const std::size_t end = visit_levels(u, plane, root, visits);
     visits[0].leaves = visits[1].leaves = 0;
-    for (std::size_t i = end; i-- > kRoot;)
+    for (std::size_t i = end; i-- > kFirstVisit;)
         visits[i].leaves =
             Index{visits[i].is_leaf} + visits[visits[i].child].leaves + visits[visits[i].child + 1].leaves;
-    const std::size_t first_leaf = leaves.size(), count = visits[kRoot].leaves;
+    const std::size_t first_leaf = leaves.size(), count = visits[kFirstVisit].leaves;
     // What is no leaf is written behind the list: there is no branch to mispredict.
     leaves.resize(first_leaf + count + 1);
-    visits[kRoot].first = 0;
-    for (std::size_t i = kRoot; i < end; ++i) {
+    visits[kFirstVisit].first = 0;
+    for (std::size_t i = kFirstVisit; i < end; ++i) {
         const LeafVisit visit = visits[i];
         visits[visit.child].first = visit.first;
         visits[visit.child + 1].first = visit.first + visits[visit.child].leaves;
         leaves[first_leaf + (visit.is_leaf ? visit.first : count)] = visit.node;
     }
     leaves.pop_back();
-    return end - kRoot;
+    return end - kFirstVisit;
 }
 
 }  // namespace kerf::core::halfedge

@@ -4,15 +4,11 @@
 
 #include <cstddef>
 
+#include "viewer/app/panel_parts.h"
+
 namespace kerf::app {
 
 namespace {
-
-const ImVec4 kAccent(0.98f, 0.70f, 0.40f, 1.0f);
-
-constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 
 /// A row of a table of two columns.
 template <class... Arguments>
@@ -46,7 +42,7 @@ void show_main(const InsidePanel& panel)
     const float margin = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(margin, margin));
     ImGui::SetNextWindowBgAlpha(0.8f);
-    ImGui::Begin("Section", nullptr, kOverlay);
+    ImGui::Begin("Section", nullptr, kSaysOnly | ImGuiWindowFlags_NoFocusOnAppearing);
     const inside::Study& study = panel.study;
     ImGui::TextColored(kAccent, "%s", study.name().c_str());
     ImGui::SameLine();
@@ -66,41 +62,14 @@ void show_main(const InsidePanel& panel)
     ImGui::End();
 }
 
-void show_keys()
-{
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, 0.5f * size.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowBgAlpha(0.92f);
-    ImGui::Begin("Keys", nullptr, kOverlay);
-    ImGui::TextColored(kAccent, "Keys");
-    ImGui::Separator();
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const InsideKey& key : kInsideKeys) {
-            ImGui::TableNextColumn();
-            ImGui::TextColored(kAccent, "%s", key.key);
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(key.description);
-        }
-        ImGui::EndTable();
-    }
-    ImGui::End();
-}
-
-void show_message(const std::string& message)
-{
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, size.y - ImGui::GetFontSize()), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
-    ImGui::Begin("Message", nullptr, kOverlay);
-    ImGui::TextUnformatted(message.c_str());
-    ImGui::End();
-}
-
 }  // namespace
 
 void show_inside_panel(const InsidePanel& panel, const ViewSettings& view)
 {
     if (view.panel) show_main(panel);
-    if (view.help) show_keys();
+    if (view.help)
+        show_list_of_keys(kInsideKeys, columns_for(kInsideKeys.size()),
+                          "Nothing is cut: the section is asked for anew.");
     if (!panel.message.empty()) show_message(panel.message);
 }
 

@@ -8,6 +8,7 @@
 
 #include "viewer/app/inspect/keys.h"
 #include "viewer/app/inspect/simulation_report.h"
+#include "viewer/app/panel_parts.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body_proxies.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr int kCutsShown = 5;
 constexpr double kShownShare = 0.01;  // of a cut's time: shorter phases are left out
-const ImVec4 kAccent(0.98f, 0.70f, 0.40f, 1.0f);
 
 /// 12345678 -> "11.8 MB".
 std::string bytes_text(std::uint64_t bytes)
@@ -190,50 +190,13 @@ void show_main(PanelState& state)
     ImGui::End();
 }
 
-constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
-                                      ImGuiWindowFlags_NoSavedSettings;
-
-void show_keys()
-{
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, 0.5f * size.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowBgAlpha(0.92f);
-    ImGui::Begin("Keys", nullptr, kOverlay);
-    ImGui::TextColored(kAccent, "Keys");
-    ImGui::Separator();
-    // Side by side where the window is too low for all of them.
-    const float line = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetStyle().CellPadding.y;
-    const bool is_low = (static_cast<float>(kKeyBindings.size()) + 4.0f) * line > size.y;
-    if (ImGui::BeginTable("keys", is_low ? 4 : 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const KeyBinding& binding : kKeyBindings) {
-            ImGui::TableNextColumn();
-            ImGui::TextColored(kAccent, "%s", binding.key);
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(binding.description);
-        }
-        ImGui::EndTable();
-    }
-    ImGui::Separator();
-    ImGui::TextDisabled("Drag with the left mouse button to cut.");
-    ImGui::End();
-}
-
-void show_message(const std::string& message)
-{
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, size.y - ImGui::GetFontSize()), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
-    ImGui::Begin("Message", nullptr, kOverlay);
-    ImGui::TextUnformatted(message.c_str());
-    ImGui::End();
-}
-
 }  // namespace
 
 void show_panel(PanelState& state)
 {
     if (state.view.panel) show_main(state);
-    if (state.view.help) show_keys();
+    if (state.view.help)
+        show_list_of_keys(kKeyBindings, columns_for(kKeyBindings.size()), "Drag with the left mouse button to cut.");
     if (!state.message.empty()) show_message(state.message);
 }
 
