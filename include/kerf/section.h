@@ -199,7 +199,9 @@ private:
 /// origin along the normal, in the mesh's unit and any order. Each section is what section() gives. A section at which
 /// the plane misses has the status `missed`.
 ///
-/// Costs as much as section() for each, on each thread. Status: `done`; `invalid_argument` (as section(), a normal
+/// Half-edge back end: as much as section() for each, on each thread. Linear: one sweep, O(n log h + k) for h heights and k
+/// pairs of a height and a triangle that it meets, so that a mesh that is asked for one stack need not be prepared for more.
+/// Status: `done`; `invalid_argument` (as section(), a normal
 /// without a direction, a height that is not finite); `cancelled`; `out_of_memory`. All but the first have no sections.
 KERF_API SectionStack sections(const Object& object, Normal normal, std::span<const double> heights,
                                const StackOptions& options = {}) noexcept;

@@ -65,11 +65,11 @@ Status SectionMaker::refuse(Section& section, Status status, const char* refusal
 }
 
 Status SectionMaker::fill(const Object& object, const core::Plane& plane, const SectionOptions& options,
-                          SectionScratch* scratch, Section& section) noexcept
+                          SectionScratch* scratch, Section& section, const InStack* in_stack) noexcept
 {
     clear(section);
-    const Status status =
-        answer_or(Status::out_of_memory, [&] { return fill_clear(object, plane, options, scratch, section); });
+    const Status status = answer_or(Status::out_of_memory,
+                                    [&] { return fill_clear(object, plane, options, scratch, section, in_stack); });
     return status == Status::out_of_memory ? refuse(section, status, "") : status;
 }
 
@@ -87,7 +87,7 @@ void SectionMaker::clear(Section& section)
 
 /// May throw std::bad_alloc.
 Status SectionMaker::fill_clear(const Object& object, const core::Plane& plane, const SectionOptions& options,
-                                SectionScratch* scratch, Section& section)
+                                SectionScratch* scratch, Section& section, const InStack* in_stack)
 {
     if (section.data_ == nullptr) section.data_ = new Section::Data;
     Section::Data& data = *section.data_;
@@ -95,7 +95,8 @@ Status SectionMaker::fill_clear(const Object& object, const core::Plane& plane, 
     // What the back end needs can be as large as the mesh: many sections share it.
     if (scratch != nullptr) found.scratch = std::move(scratch->of_back_end);
     found.wants_ends = options.attributes;
-    section.status = to_public(core::section(*object.inside(), plane, found));
+    section.status = to_public(in_stack != nullptr ? core::section(in_stack->search, in_stack->number, found)
+                                                   : core::section(*object.inside(), plane, found));
     if (scratch != nullptr) scratch->of_back_end = std::move(found.scratch);
     section.side_of_object = to_public(found.side_of_object);
     section.frame = frame_of(plane, options.up);

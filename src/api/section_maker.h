@@ -38,14 +38,23 @@ struct SectionMaker
     /// Leaves no paths, and says why.
     static Status refuse(Section& section, Status status, const char* refusal);
 
+    /// A plane of a stack that is searched as a whole.
+    struct InStack
+    {
+        const core::StackSearch& search;
+        std::size_t number = 0;
+    };
+
     /// Fills a section. Without a scratch it takes its own, which it keeps. Its status may be `out_of_memory`.
+    ///
+    /// @param in_stack  the same plane, for a back end that searches stacks; null: by itself
     static Status fill(const Object& object, const core::Plane& plane, const SectionOptions& options,
-                       SectionScratch* scratch, Section& section) noexcept;
+                       SectionScratch* scratch, Section& section, const InStack* in_stack = nullptr) noexcept;
 
 private:
     static void clear(Section& section);
     static Status fill_clear(const Object& object, const core::Plane& plane, const SectionOptions& options,
-                             SectionScratch* scratch, Section& section);
+                             SectionScratch* scratch, Section& section, const InStack* in_stack);
     static void close(const Object& object, const core::Plane& plane, const SectionOptions& options,
                       SectionScratch& scratch, Section& section);
 };

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -30,6 +31,7 @@ struct Work
     std::span<const double> heights;
     const SectionOptions& options;
     SectionStack::Data& data;
+    const core::StackSearch* search;  ///< null: each section is found by itself
     std::atomic<std::size_t> next{0}, done{0};
     std::atomic<bool> is_stopped{false}, has_no_memory{false};
 };
@@ -49,8 +51,10 @@ void work_at(Work& work, GoesOn goes_on)
             if (work.is_stopped) return;
             const std::uint32_t number = work.data.order[i];
             const Plane plane = work.level.moved(work.heights[number]).value_or(work.level);
-            const Status status =
-                SectionMaker::fill(work.object, to_core(plane), work.options, &scratch, work.data.sections[number]);
+            std::optional<SectionMaker::InStack> in_stack;
+            if (work.search != nullptr) in_stack.emplace(SectionMaker::InStack{*work.search, number});
+            const Status status = SectionMaker::fill(work.object, to_core(plane), work.options, &scratch,
+                                                     work.data.sections[number], in_stack ? &*in_stack : nullptr);
             if (status == Status::out_of_memory) work.has_no_memory = true;
             ++work.done;
             if (work.has_no_memory || !goes_on()) {
@@ -113,6 +117,19 @@ struct StackMaker
         return stack.status_ = status;
     }
 
+    /// Of the time that a stack takes, if it is searched as a whole.
+    static constexpr double kShareOfSearch = 0.5;
+
+    static std::unique_ptr<core::StackSearch> search_of(const Object& object, const Plane& level,
+                                                        std::span<const double> heights,
+                                                        const core::ProgressOfStep& progress)
+    {
+        std::vector<double> offsets;
+        offsets.reserve(heights.size());
+        for (const double height : heights) offsets.push_back(level.moved(height).value_or(level).offset());
+        return object.inside()->search_stack(to_core(level).normal, offsets, progress);
+    }
+
     /// May throw std::bad_alloc.
     static Status fill(const Object& object, const Plane& level, std::span<const double> heights,
                        const StackOptions& options, SectionStack& stack)
@@ -130,14 +147,23 @@ struct StackMaker
             return options.progress == nullptr || options.progress(options.user, share);
         };
         if (!goes_on(0.0)) return refuse(stack, Status::cancelled);
-        Work work{object, level, heights, options.section, data};
+        std::unique_ptr<core::StackSearch> search;
+        try {
+            search = search_of(object, level, heights, {{options.progress, options.user}, 0.0, kShareOfSearch});
+        } catch (const core::Cancelled&) {
+            return refuse(stack, Status::cancelled);
+        }
+        const double searched = search ? kShareOfSearch : 0.0;
+        Work work{object, level, heights, options.section, data, search.get()};
         {
             const std::uint32_t wanted = options.threads != 0 ? options.threads : std::thread::hardware_concurrency();
             const std::size_t useful = (heights.size() + kAtATime - 1) / kAtATime;
             const auto threads = static_cast<std::uint32_t>(std::min<std::size_t>(std::max(1u, wanted), useful));
             const Helpers helpers(work, threads > 0 ? threads - 1 : 0);
             try {
-                work_at(work, [&] { return goes_on(double(work.done) / double(heights.size())); });
+                work_at(work, [&] {
+                    return goes_on(searched + (1.0 - searched) * double(work.done) / double(heights.size()));
+                });
             } catch (...) {
                 work.is_stopped = true;
                 throw;

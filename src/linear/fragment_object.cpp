@@ -7,6 +7,7 @@
 #include "common/mesh/plane_noise.h"
 #include "common/mesh/support_points.h"
 #include "linear/outline.h"
+#include "linear/sweep.h"
 
 namespace kerf::core::linear {
 
@@ -61,6 +62,12 @@ std::uint32_t FragmentObject::add_material(const Material& material)
 void FragmentObject::find_section(const Plane& plane, PlaneSection& section) const
 {
     find_outline(fragment_, plane, section);
+}
+
+std::unique_ptr<StackSearch> FragmentObject::search_stack(const glm::dvec3& normal, std::span<const double> offsets,
+                                                          const ProgressOfStep& progress) const
+{
+    return sweep(fragment_, normal, offsets, progress);
 }
 
 Fragment fragment_of(ProvenMesh&& mesh)

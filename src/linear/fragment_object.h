@@ -27,6 +27,8 @@ public:
     std::span<const Material> materials() const override { return fragment_.mesh.materials; }
     std::uint32_t add_material(const Material& material) override;
     IndexedMesh to_indexed_mesh() const override { return fragment_.mesh; }
+    std::unique_ptr<StackSearch> search_stack(const glm::dvec3& normal, std::span<const double> offsets,
+                                              const ProgressOfStep& progress) const override;
 
 protected:
     const Fragment& fragment() const { return fragment_; }

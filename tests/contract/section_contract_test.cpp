@@ -183,6 +183,46 @@ TEST_P(SectionContract, FlippedPlaneRunsTheSameLoopsTheOtherWay)
     }
 }
 
+TEST_P(SectionContract, StacksThatAreSearchedAsAWholeHaveTheSectionsOneByOne)
+{
+    test::Random random(41);
+    std::size_t met = 0, stacks = 0;
+    for (const NamedMesh& shape : all_shapes()) {
+        auto object = prepare(shape.mesh);
+        // The second round is of a piece, which has a cap.
+        for (int round = 0; round < 2; ++round) {
+            const IndexedMesh mesh = object->to_indexed_mesh();
+            for (const NamedPlane& plane : test::planes_for(mesh, 1, 42)) {
+                SCOPED_TRACE(shape.name + ", plane " + plane.name);
+                // Not sorted, twice the same, through vertices, beside the mesh.
+                std::vector<double> offsets{plane.plane.offset, plane.plane.offset + 1e6, plane.plane.offset};
+                for (int i = 0; i < 8; ++i) {
+                    const Vertex& v = mesh.vertices[random.below(std::uint32_t(mesh.vertices.size()))];
+                    offsets.push_back(Plane{plane.plane.normal, 0.0}.signed_distance(v.position));
+                    offsets.push_back(offsets.back() + 0.1 * (random.uniform() - 0.5));
+                }
+                const auto search = object->search_stack(plane.plane.normal, offsets, {});
+                if (search == nullptr) continue;
+                ++stacks;
+                PlaneSection one, of_stack;
+                for (std::size_t i = 0; i < offsets.size(); ++i) {
+                    section(*object, Plane{plane.plane.normal, offsets[i]}, one);
+                    EXPECT_EQ(section(*search, i, of_stack), one.status);
+                    EXPECT_EQ(bytes_of(of_stack), bytes_of(one));
+                    EXPECT_EQ(of_stack.crossing_triangles, one.crossing_triangles);
+                    EXPECT_LE(of_stack.triangles_touched, one.triangles_touched);
+                    met += one.paths.empty() ? 0 : 1;
+                }
+            }
+            CutResult halves = cut(object->clone(), test::planes_for(mesh, 1, 43).front().plane);
+            if (halves.positive.empty()) break;
+            object = std::move(halves.positive.front());
+        }
+    }
+    EXPECT_TRUE(stacks == 0 || met > 1000);
+    EXPECT_EQ(stacks == 0, GetParam().name == "halfedge");
+}
+
 TEST_P(SectionContract, RefusesAPlaneThatIsNone)
 {
     const auto object = prepare(test::closed_shapes().front().mesh);

@@ -91,23 +91,40 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
     return result;
 }
 
-Status section(const Cuttable& object, const Plane& plane, PlaneSection& section) noexcept
+namespace {
+
+/// Calls find(section); running out of memory is a status.
+template <class Find>
+Status filled(PlaneSection& section, Find find) noexcept
 {
-    const auto fails = [&](Status status) {
+    const auto fails = [&] {
         section.clear();
-        return section.status = status;
+        return section.status = Status::out_of_memory;
     };
-    if (!plane.valid()) return fails(Status::invalid_argument);
     section.clear();
     try {
-        object.find_section(plane, section);
+        find(section);
     } catch (const std::bad_alloc&) {
-        return fails(Status::out_of_memory);
+        return fails();
     } catch (const std::length_error&) {
         // A container asked for more elements than its type can count.
-        return fails(Status::out_of_memory);
+        return fails();
     }
     return section.status;
+}
+
+}  // namespace
+
+Status section(const Cuttable& object, const Plane& plane, PlaneSection& section) noexcept
+{
+    if (plane.valid()) return filled(section, [&](PlaneSection& found) { object.find_section(plane, found); });
+    section.clear();
+    return section.status = Status::invalid_argument;
+}
+
+Status section(const StackSearch& stack, std::size_t number, PlaneSection& section) noexcept
+{
+    return filled(section, [&](PlaneSection& found) { stack.find(number, found); });
 }
 
 namespace {

@@ -112,6 +112,21 @@ struct CutOptions
 
 struct CutResult;
 
+/// The sections of an object by parallel planes: what they have in common was found once. Any number of threads may ask at
+/// the same time, as long as the object stays as it is.
+class StackSearch
+{
+public:
+    virtual ~StackSearch() = default;
+    /// Fills `section`, which is clear, for the plane of that number. May throw std::bad_alloc.
+    virtual void find(std::size_t number, PlaneSection& section) const = 0;
+
+protected:
+    StackSearch() = default;
+    StackSearch(const StackSearch&) = default;
+    StackSearch& operator=(const StackSearch&) = default;
+};
+
 /// An object that can be cut: a prepared mesh or a fragment of one.
 ///
 /// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(),
@@ -178,6 +193,14 @@ public:
 
     /// A compact copy: only what the fragment uses, dense point ids. O(n).
     virtual IndexedMesh to_indexed_mesh() const = 0;
+
+    /// For many sections by parallel planes with this normal, of unit length, and these offsets. Null: to ask for one after
+    /// the other costs no more. May throw std::bad_alloc and Cancelled.
+    virtual std::unique_ptr<StackSearch> search_stack(const glm::dvec3& /*normal*/, std::span<const double> /*offsets*/,
+                                                      const ProgressOfStep& /*progress*/) const
+    {
+        return nullptr;
+    }
 
     /// Whether many cuts have scattered the object over shared buffers, so that compact() is worth its time.
     virtual bool wants_compaction() const { return false; }
@@ -252,6 +275,9 @@ CutResult cut(std::unique_ptr<Cuttable> object, const Plane& plane, const CutOpt
 /// @note  The linear back ends cost O(n), without a copy; the half-edge back end O(s log(n / s) + k), as FIND and WALK of
 ///        its cuts.
 Status section(const Cuttable& object, const Plane& plane, PlaneSection& section) noexcept;
+
+/// The same for a plane of a stack.
+Status section(const StackSearch& stack, std::size_t number, PlaneSection& section) noexcept;
 
 /// What became of a mesh.
 struct PrepareResult
