@@ -44,8 +44,8 @@ void Study::ask_for_contours(const Plane& plane)
     heights_.clear();
     const double step = 2.0 * plane_.half_diagonal() / kContours;
     const double lowest = plane.offset() - (1.0 + plane_.place()) * plane_.half_diagonal();
-    if (shows_contours_)
-        for (double height = plane.offset() - step; height > lowest; height -= step) heights_.push_back(height);
+    for (int i = 1; shows_contours_ && i <= kContours; ++i)
+        if (const double height = plane.offset() - i * step; height > lowest) heights_.push_back(height);
     StackOptions options;
     options.section.nesting = false;
     static_cast<void>(kerf::sections(object_, plane.normal(), heights_, contours_, options));
