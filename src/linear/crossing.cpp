@@ -6,7 +6,13 @@ namespace kerf::core::linear {
 
 namespace {
 
-/// The two vertices of the edge that a cut point lies on, in the order in which split_triangle() cut it.
+const CutPoint& cut_point_of(const TriangleSplit& split, std::uint8_t code)
+{
+    return code == TriangleSplit::kCutNext ? split.cut_next : split.cut_previous;
+}
+
+}  // namespace
+
 std::array<std::uint32_t, 2> cut_edge_vertices(const IndexedMesh& mesh, const CrossingTriangle& crossing,
                                                std::uint8_t code)
 {
@@ -15,13 +21,6 @@ std::array<std::uint32_t, 2> cut_edge_vertices(const IndexedMesh& mesh, const Cr
     if (code == TriangleSplit::kCutNext) return {t[lone], t[(lone + 1u) % 3]};
     return {t[(lone + 2u) % 3], t[lone]};
 }
-
-const CutPoint& cut_point_of(const TriangleSplit& split, std::uint8_t code)
-{
-    return code == TriangleSplit::kCutNext ? split.cut_next : split.cut_previous;
-}
-
-}  // namespace
 
 Vertex corner_vertex(const IndexedMesh& mesh, const CrossingTriangle& crossing, std::uint8_t code)
 {

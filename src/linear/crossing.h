@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct Crossings
         return cut_points.find(code == TriangleSplit::kCutNext ? crossing.cut_next : crossing.cut_previous);
     }
 };
+
+/// The two vertices of the edge that a cut point lies on, in the order in which split_triangle() cut it.
+std::array<std::uint32_t, 2> cut_edge_vertices(const IndexedMesh& mesh, const CrossingTriangle& crossing,
+                                               std::uint8_t code);
 
 /// The attributes at corner `code` of a crossing triangle.
 Vertex corner_vertex(const IndexedMesh& mesh, const CrossingTriangle& crossing, std::uint8_t code);

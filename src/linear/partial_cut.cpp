@@ -289,10 +289,7 @@ public:
 
     std::uint32_t cut(Crossings& crossings, const CrossingTriangle& crossing, std::uint8_t code)
     {
-        const Triangle& t = builder_.source().triangles[crossing.triangle];
-        const std::uint8_t lone = crossing.split.lone;
-        const std::uint32_t a = t[lone];
-        const std::uint32_t b = code == TriangleSplit::kCutNext ? t[(lone + 1u) % 3] : t[(lone + 2u) % 3];
+        const auto [a, b] = cut_edge_vertices(builder_.source(), crossing, code);
         std::uint32_t& index = of_cut_(std::min(a, b), std::max(a, b));
         if (index == kNone) index = builder_.append_cut(crossings, crossing, code);
         return index;
