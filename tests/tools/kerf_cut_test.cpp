@@ -42,9 +42,9 @@ TEST_F(KerfCut, CutsOnePlaceAlone)
 {
     make("comb", 100);
     const Json whole = kerf_json("info in.ply");
+    const Json& bounds = whole["bounds"];
     bool is_across = false;
     for (const char* axis : {"x", "y", "z"}) {
-        const Json bounds = whole["bounds"];
         const int i = axis[0] - 'x';
         const double middle = 0.5 * (bounds["min"][i].get<double>() + bounds["max"][i].get<double>()) + 0.01;
         const std::string plane = std::string(axis) + "=" + std::to_string(middle);

@@ -1,9 +1,9 @@
 #include "halfedge/cut/partial_cut.h"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include "common/cutting/joined_pieces.h"
 #include "common/geometry/disjoint_sets.h"
@@ -15,6 +15,17 @@ namespace kerf::core::halfedge {
 namespace {
 
 using Place = JoinedPieces::Place;
+
+/// What of one cut shell, or of one solid, comes to one place. A type of this file: a map by a std::tuple with a Side in
+/// it would be shown by every library that has Kerf inside, because enumerations don't hide a template's names.
+struct PartOfPlace
+{
+    std::uint32_t of = 0;  ///< the shell, or the solid
+    Side side = Side::negative;
+    Index fragment = 0;
+
+    friend auto operator<=>(const PartOfPlace&, const PartOfPlace&) = default;
+};
 
 class PartialCut
 {
@@ -130,14 +141,14 @@ private:
     {
         for (Index s = 0; s < cut_shells_.size(); ++s)
             for (const Side side : kSides) add_target(s, side).is_empty = true;
-        std::map<std::tuple<Index, Side, Index>, TargetId> at;
+        std::map<PartOfPlace, TargetId> at;
         for (Index t = 0; t < pieces_.targets.size(); ++t) {
             const Target& old = pieces_.targets[t];
             const Index shell = new_shell_[old.shell];
             new_target_.push_back(shell == kNone ? TargetId() : first_target(shell, old.side));
             if (shell == kNone || old.is_empty) continue;
             const Place place = place_of(TargetId(t));
-            const auto [entry, is_new] = at.try_emplace({shell, place.side, fragment_of(place)});
+            const auto [entry, is_new] = at.try_emplace(PartOfPlace{shell, place.side, fragment_of(place)});
             if (is_new) {
                 entry->second = first_target(shell, place.side);
                 if (!planned_.target(entry->second).is_empty) {
@@ -169,12 +180,12 @@ private:
     /// What of one solid comes to one place is a shell of a fragment.
     void make_piece_shells()
     {
-        std::map<std::tuple<Side, Index, std::uint32_t>, Index> at;
+        std::map<PartOfPlace, Index> at;
         std::vector<bool> has_one;
         for (Index t = 0; t < planned_.targets.size(); ++t) {
             Target& target = planned_.targets[t];
             const std::uint32_t solid = cut_shells_[target.shell].solid;
-            const auto [entry, is_new] = at.try_emplace({target.side, fragment_of_target_[t], solid},
+            const auto [entry, is_new] = at.try_emplace(PartOfPlace{solid, target.side, fragment_of_target_[t]},
                                                         static_cast<Index>(planned_.shells.size()));
             if (is_new) {
                 PieceShell made;
