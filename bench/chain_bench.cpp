@@ -16,6 +16,7 @@
 #include "bench/checked_cut.h"
 #include "bench/machine_memory.h"
 #include "bench/objects.h"
+#include "bench/predicted_cost.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
 #include "common/support/median.h"
@@ -34,11 +35,6 @@ struct Piece
     MassProperties mass;
 };
 
-struct CutCost
-{
-    double crossing = 0.0, seconds = 0.0;
-};
-
 /// What one chain of cuts took and left behind.
 struct Chain
 {
@@ -47,24 +43,6 @@ struct Chain
     std::size_t most_ranges = 0;
     std::string error;
 };
-
-/// How many times more the worst of some cuts costs than the line through all of them predicts from its crossing
-/// triangles. The line is that of Theil and Sen, which a few bad cuts don't bend: the median of the slopes between all
-/// pairs, then the median of what is left.
-double worst_to_predicted(std::span<const CutCost> cuts)
-{
-    std::vector<double> slopes, rests;
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (cuts[i].crossing != cuts[j].crossing)
-                slopes.push_back((cuts[i].seconds - cuts[j].seconds) / (cuts[i].crossing - cuts[j].crossing));
-    const double slope = slopes.empty() ? 0.0 : core::median(std::move(slopes));
-    for (const CutCost& cut : cuts) rests.push_back(cut.seconds - slope * cut.crossing);
-    const double rest = core::median(std::move(rests));
-    double worst = 0.0;
-    for (const CutCost& cut : cuts) worst = std::max(worst, cut.seconds / (rest + slope * cut.crossing));
-    return worst;
-}
 
 Chain cut_in_a_chain(Object object, std::span<const Normal> normals)
 {
@@ -135,7 +113,7 @@ void recut(benchmark::State& state, const TimedBackEnd& back_end, const std::str
     state.counters["cut_ms"] = sum * 1e3 / kCutsInAChain;
     state.counters["worst_cut_ms"] = worst * 1e3;
     state.counters["ns_per_crossing"] = sum * 1e9 / crossing;
-    state.counters["worst_to_predicted"] = worst_to_predicted(chain.cuts);
+    state.counters["worst_to_predicted"] = worst_to_predicted(chain.cuts).to_predicted;
     state.counters["most_draw_ranges"] = double(chain.most_ranges);
 }
 
@@ -149,12 +127,18 @@ double resident_bytes()
     return resident * double(sysconf(_SC_PAGESIZE));
 }
 
-/// What a program holds more of once it has prepared a copy of a mesh that it does not need any more.
+/// What a program holds more of once it has prepared a copy of a mesh that it does not need any more. The median of a few
+/// times: the first one of a program also touches what the next ones use again.
 double bytes_of_prepared(const Mesh& mesh, const TimedBackEnd& back_end)
 {
-    const double before = resident_bytes();
-    const Result<Object> result = back_end.prepare(value_of(mesh.clone()));
-    return resident_bytes() - before;
+    constexpr int kTimes = 3;
+    std::vector<double> bytes;
+    for (int i = 0; i < kTimes; ++i) {
+        const double before = resident_bytes();
+        const Result<Object> result = back_end.prepare(value_of(mesh.clone()));
+        bytes.push_back(resident_bytes() - before);
+    }
+    return core::median(std::move(bytes));
 }
 
 void prepare_shape(benchmark::State& state, const TimedBackEnd& back_end, const std::string& shape, std::uint64_t size)

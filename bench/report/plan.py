@@ -99,8 +99,8 @@ def real_meshes(extent: Extent) -> list[str]:
 def bench_stages(extent: Extent) -> list[Stage]:
     stages = [bench_stage("cuts", "^Cut/", extent, 0.01, 7),
               bench_stage("proxies", "^Proxy/", extent, 0.01, 6),
-              bench_stage("prepare-choice", f"^Automatic/(model/|asteroid/({'|'.join(sizes_up_to(extent))})/)", extent,
-                          0.01, 6),
+              bench_stage("prepare-choice", f"^Automatic/(model/|asteroid/({'|'.join(sizes_up_to(extent))})/|"
+                          f"mesh/({'|'.join(real_meshes(extent))})/)", extent, 0.01, 6 + extent.most_triangles / 200_000),
               bench_stage("prepare-models", "^Prepare/.*/[a-z]+/manual_time$", extent, 0.01, 2),
               bench_stage("real", f"^(Real|RealChain)/{among(REAL_BACKENDS)}{among(real_meshes(extent))}", extent, 0.05, 15),
               bench_stage("model-chains", f"^ModelChain/{among(REAL_BACKENDS)}", extent, 0.01, 3)]
@@ -113,9 +113,10 @@ def bench_stages(extent: Extent) -> list[Stage]:
         stages.append(bench_stage(f"growth-{size}", f"^(Scale|Geometry)/{growing}.*/{tail}", extent, 0.05,
                                   growth_seconds(size, with_quadratic)))
         if size in (10_000, 100_000, 1_000_000):
-            stages.append(bench_stage(f"chain-{size}", f"^(Recut|Prepare)/.*/{tail}", extent, 0.01, 1 + size / 60_000))
+            stages.append(bench_stage(f"chain-{size}", f"^(Recut|Prepare|PrepareThreads|FromArrays)/.*/{tail}", extent, 0.01,
+                                      1 + size / 50_000))
             stages.append(bench_stage(f"long-{size}", f"^Chain/.*/{size}/iterations:1/manual_time$", extent, 0.01,
-                                      0.7 + size / 200_000))
+                                      3.5 + size / 40_000))
             stages.append(many_stage(size, extent))
             # A dictionary's swipes of a million triangles take longer than all others together.
             swiping = among(BACKENDS if size < 1_000_000 else FASTEST)
