@@ -19,9 +19,9 @@ namespace kerf::core::halfedge {
 /// part of the array by extend(), which can't fail. Elements are trivial.
 ///
 /// A large buffer never moves: room behind it is reserved as addresses (memory_block.h) and touched bit by bit when it
-/// runs out, so that the cost of growth depends on what is added, not on what is there. A small one has addresses for
-/// four times what it was made for. If addresses run out, the elements are copied, and the old ones stay where they are
-/// until the buffer ends. So who reads elements that were there once may go on while others are appended.
+/// runs out, so that the cost of growth depends on what is added, not on what is there. A small one has less room. If it
+/// runs out, the elements are copied, and the old ones stay where they are until the buffer ends. So who reads elements
+/// that were there once may go on while others are appended.
 ///
 /// Key: what an element is found by, a number or an id.
 template <class T, class Key = std::size_t>
@@ -69,7 +69,7 @@ public:
     void reserve(std::size_t capacity, std::size_t written_soon = 0)
     {
         if (capacity <= capacity_) return;
-        if (capacity > static_cast<std::size_t>(-1) / sizeof(T) / kAskedFor) throw std::bad_alloc();
+        if (capacity > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
         const std::size_t bytes = capacity * sizeof(T);
         if (blocks_.empty() || blocks_.back().reserved() < bytes) move_to_block_for(capacity);
         if (!blocks_.back().commit(bytes)) throw std::bad_alloc();
@@ -110,22 +110,10 @@ public:
     std::size_t bytes_reserved() const { return capacity_ * sizeof(T); }
 
 private:
-    static constexpr std::size_t kAskedFor = 4;
-
-    /// With room in advance, if there is any.
-    static MemoryBlock block_for(std::size_t capacity)
-    {
-        try {
-            return MemoryBlock(kAskedFor * capacity * sizeof(T));
-        } catch (const std::bad_alloc&) {
-            return MemoryBlock(capacity * sizeof(T));
-        }
-    }
-
     /// Copies the elements to a new block. The old one stays.
     void move_to_block_for(std::size_t capacity)
     {
-        MemoryBlock block = block_for(capacity);
+        MemoryBlock block(capacity * sizeof(T));
         if (!block.commit(capacity * sizeof(T))) throw std::bad_alloc();
         blocks_.reserve(blocks_.size() + 1);
         T* const data = static_cast<T*>(block.begin());

@@ -5,18 +5,18 @@
 
 namespace kerf::core::halfedge {
 
-/// A run of memory that can grow where it stands. A large block has addresses for many times its size: they are
-/// reserved and cost no memory until commit() asks for some of it. A small one is ordinary memory.
+/// A run of memory that can grow where it stands: it has addresses for many times what it is made for. They are reserved
+/// and cost no memory until commit() asks for some of it, or, in a small block, until they are written to.
 class MemoryBlock
 {
 public:
-    /// Bytes: smaller blocks are ordinary memory, which the allocator keeps when a block ends, touched as it is, so that
-    /// the next object takes it over; pages of a new mapping are touched for the first time. Larger ones would have to be
-    /// copied in a long chain of cuts, milliseconds in one of them.
-    static constexpr std::size_t kLeastMapped = std::size_t(1) << 23;
+    /// Bytes: a block that is made for less is ordinary memory, which the allocator keeps when the block ends, touched as
+    /// it is, so that the next object takes it over; pages of a new mapping are touched for the first time.
+    static constexpr std::size_t kLeastMapped = std::size_t(1) << 21;
 
     MemoryBlock() = default;
-    /// Reserves addresses for at least `bytes`, none of which may be used yet. Throws std::bad_alloc.
+    /// Reserves addresses for at least `bytes`, none of which may be used yet; for many times as many, if there are.
+    /// Throws std::bad_alloc.
     explicit MemoryBlock(std::size_t bytes);
     ~MemoryBlock();
     MemoryBlock(MemoryBlock&& other) noexcept

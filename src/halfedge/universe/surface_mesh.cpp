@@ -48,9 +48,12 @@ void SurfaceMesh::grow(const Sizes& room, const Sizes& then)
 void SurfaceMesh::ask_for(const Sizes& wanted)
 {
     // OpenMesh's arrays are ordinary ones, which are copied when they have no room left: tens of milliseconds in one cut
-    // of a large mesh. What is not touched costs addresses only. glibc keeps what is up to 32 MB for the next object.
-    constexpr std::size_t kKept = std::size_t(1) << 25, kRoomIfKept = 4, kRoom = 8;
-    const std::size_t room = kRoomIfKept * wanted.edges * kEdgeBytes < kKept ? kRoomIfKept : kRoom;
+    // of a large mesh. What is not touched costs addresses only. glibc keeps what is up to 32 MB for the next object, so
+    // that room is as much as stays below.
+    constexpr std::size_t kKept = std::size_t(1) << 25, kRoomIfNotKept = 8;
+    std::size_t room = kRoomIfNotKept;
+    for (const std::size_t kept_room : {4, 16})
+        if (kept_room * wanted.edges * kEdgeBytes < kKept) room = kept_room;
     const auto more = [&](std::size_t count) { return std::min(kMost, room * count); };
     const Sizes ample{more(wanted.points), more(wanted.edges), more(wanted.faces)};
     try {
@@ -63,14 +66,12 @@ void SurfaceMesh::ask_for(const Sizes& wanted)
     // OpenMesh tells no address but that of an element, so one of each must exist.
     const std::size_t v = points(), e = edges(), f = faces();
     mesh_.resize(std::max<std::size_t>(v, 1), std::max<std::size_t>(e, 1), std::max<std::size_t>(f, 1));
-    // What a long chain of cuts adds, too.
-    const auto prefer = [](auto& first, std::size_t count, std::size_t asked) {
-        prefer_huge_pages(&first, (count * sizeof(first) < kFewHugePages ? count : asked) * sizeof(first));
-    };
-    prefer(mesh_.edge(EdgeId(0)), wanted.edges, asked_.edges);
-    prefer(mesh_.face(FaceId(0)), wanted.faces, asked_.faces);
-    prefer(mesh_.vertex(PointId(0)), wanted.points, asked_.points);
-    prefer(mesh_.point(PointId(0)), wanted.points, asked_.points);
+    // What a long chain of cuts adds comes in small pages: memory_block.cpp says why.
+    const auto prefer = [](auto& first, std::size_t count) { prefer_huge_pages(&first, count * sizeof(first)); };
+    prefer(mesh_.edge(EdgeId(0)), wanted.edges);
+    prefer(mesh_.face(FaceId(0)), wanted.faces);
+    prefer(mesh_.vertex(PointId(0)), wanted.points);
+    prefer(mesh_.point(PointId(0)), wanted.points);
     mesh_.resize(v, e, f);
 }
 
