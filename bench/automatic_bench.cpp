@@ -105,11 +105,17 @@ void judge_choices(benchmark::State& state, const Mesh& mesh, const std::vector<
             worst_to_better = std::max(worst_to_better, to_better);
             worst_to_best = std::max(worst_to_best, to_best);
         }
+        for (std::size_t i = 0; i < kBackEnds.size(); ++i) {
+            const std::string name = kBackEnds[i];
+            state.counters["prepare_ms_" + name] = costs[i].prepare * 1e3;
+            state.counters["cut_ms_" + name] = costs[i].cut * 1e3;
+        }
         state.counters["worst_to_better"] = worst_to_better;
         state.counters["worst_to_best"] = worst_to_best;
         state.SetIterationTime(total);
     }
     state.counters["triangles"] = double(mesh.triangle_count());
+    state.counters["vertices"] = double(mesh.vertex_count());
 }
 
 void register_choice(const std::string& name, auto judge)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <thread>
 
+#include "api/back_end_choice.h"
 #include "api/convert.h"
 #include "api/mesh_data.h"
 #include "api/no_memory.h"
@@ -15,18 +16,6 @@ namespace {
 constexpr const char* kNoMemoryForObject = "there is not enough memory for the object; free some";
 constexpr const char* kEmpty = "the object is empty: it was cut, moved from, or never made";
 
-/// Whether so many cuts pay the half-edge back end's preparing back, with all that a game needs of the pieces: meshes,
-/// masses, hulls, views. What a linear cut costs more than a half-edge one follows the vertices, which it copies and
-/// looks at for hulls. Fitted to asteroids from 1 k to 1 M triangles and to the report's models; times are nanoseconds,
-/// of which only the ratios matter. With 1, 2, 5, 10, 20, 50, 100 or 1000 cuts the choice costs at most 1.1 times the
-/// better of both there.
-bool pays(const Mesh& mesh, std::uint32_t cuts)
-{
-    constexpr double kSaved = 10'000.0, kSavedForVertex = 16.0, kPrepare = 5'000.0, kPrepareTriangle = 65.0;
-    const double saved = kSaved + kSavedForVertex * double(mesh.vertex_count());
-    return double(cuts) * saved > kPrepare + kPrepareTriangle * double(mesh.triangle_count());
-}
-
 const char* name_of(const PrepareOptions& options, const Mesh& mesh)
 {
     if (options.back_end_name != nullptr) return options.back_end_name;
@@ -38,7 +27,9 @@ const char* name_of(const PrepareOptions& options, const Mesh& mesh)
         case BackEnd::automatic:
             break;
     }
-    return core::find_back_end("halfedge") != nullptr && pays(mesh, options.cuts_expected) ? "halfedge" : "linear";
+    return core::find_back_end("halfedge") != nullptr && preparing_pays(mesh.data()->mesh(), options.cuts_expected)
+               ? "halfedge"
+               : "linear";
 }
 
 Result<Object> cancelled_object()
