@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -74,16 +75,12 @@ std::vector<double> heights_of(const SectionCommandOptions& options, const Plane
     return {level.distance({through.x, through.y, through.z})};
 }
 
-/// The back end that pays for so many planes. A plane costs the linear ones a look at all triangles, and preparing for the
-/// half-edge one costs as much as some dozens.
-Object prepared(Mesh mesh, const SectionCommandOptions& options, std::size_t planes)
+/// An object of the back end that was asked for, otherwise of the one that is quicker for these planes.
+Object prepared(Mesh mesh, const SectionCommandOptions& options, const Plane& level, std::span<const double> heights)
 {
     PrepareOptions prepare_options;
     prepare_options.back_end_name = options.backend.empty() ? nullptr : options.backend.c_str();
-    constexpr std::size_t kPlanesThatPay = 30;
-    if (options.backend.empty())
-        prepare_options.back_end = planes < kPlanesThatPay ? BackEnd::linear : BackEnd::automatic;
-    prepare_options.cuts_expected = static_cast<std::uint32_t>(std::min<std::size_t>(planes, 1'000'000));
+    if (options.backend.empty()) prepare_options.back_end = quicker_for_sections(mesh, level.normal(), heights);
     prepare_options.threads = options.threads;
     Result<Object> object = prepare(std::move(mesh), prepare_options);
     if (!object) throw std::runtime_error(options.input.file + ": " + object.reason());
@@ -166,7 +163,7 @@ void run(const SectionCommandOptions& options)
     report.normal = level->normal();
     report.unit = options.unit;
     core::Stopwatch watch;
-    const Object object = prepared(std::move(loaded.mesh), options, heights.size());
+    const Object object = prepared(std::move(loaded.mesh), options, *level, heights);
     report.prepare_ms = watch.lap();
     report.backend = object.back_end_name();
     report.stack = find(object, *level, heights, options);
@@ -261,7 +258,7 @@ void add_section_command(CLI::App& program)
     CLI::Option* json = command->add_flag("--json", options->json, "Print JSON instead of text");
     command
         ->add_option("--backend", options->backend,
-                     "Which way to find sections; default: linear for a few planes, otherwise what pays")
+                     "Which way to find sections; default: linear where preparing would take longer than it saves")
         ->check(CLI::IsMember(backend_choices()).description(""));
     command->add_option("--threads", options->threads, "How many may work; 0: as many as the processor has")
         ->capture_default_str();

@@ -131,17 +131,13 @@ def section_sizes(extent: Extent) -> list[int]:
 
 
 def section_stages(extent: Extent) -> list[Stage]:
-    """Sections of what stays whole, one by one and in stacks. A loop over all triangles for each of a thousand heights
-    takes longest: it stops at 100 000 triangles."""
+    """Sections of what stays whole, one by one and in stacks."""
     stages = []
     for size in section_sizes(extent):
         stages.append(bench_stage(f"section-{size}", f"^Section/.*/(baseline/remap|halfedge)/asteroid/{size}$", extent,
                                   0.05, 2 + size / 400_000))
-        stages.append(bench_stage(f"stack-{size}", f"^Stack(Threads/2)?/halfedge/asteroid/{size}/", extent, 0.05,
-                                  2 + size / 400_000))
-        heights = "[0-9]+" if size <= MOST_FOR_PEERS else "10"
-        stages.append(bench_stage(f"linear-stack-{size}", f"^Stack/baseline/remap/asteroid/{size}/{heights}$", extent,
-                                  0.05, 2 + size / 400_000))
+        stages.append(bench_stage(f"stack-{size}", f"^Stack(Threads/2)?/(halfedge|baseline/remap)/asteroid/{size}/", extent,
+                                  0.05, 2 + size / 300_000))
     stages.append(bench_stage("real-sections", f"^(RealSection|RealStack)/.*/{among(real_meshes(extent))[:-1]}(/|$)",
                               extent, 0.05, 8))
     return stages

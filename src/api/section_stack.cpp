@@ -8,8 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "api/back_end_choice.h"
+#include "api/mesh_data.h"
 #include "api/no_memory.h"
 #include "api/section_maker.h"
+#include "back_ends/back_ends.h"
 
 namespace kerf {
 
@@ -96,13 +99,17 @@ private:
     std::vector<std::thread> threads_;
 };
 
+bool are_finite(std::span<const double> heights)
+{
+    return std::ranges::all_of(heights, [](double height) { return std::isfinite(height); });
+}
+
 const char* fault_of(const Object& object, const std::optional<Plane>& level, std::span<const double> heights,
                      const StackOptions& options)
 {
     if (const char* fault = SectionMaker::fault_of(object, options.section)) return fault;
     if (!level) return "the normal must have a direction";
-    if (!std::ranges::all_of(heights, [](double height) { return std::isfinite(height); }))
-        return "the heights must be finite";
+    if (!are_finite(heights)) return "the heights must be finite";
     return nullptr;
 }
 
@@ -186,6 +193,19 @@ Status sections(const Object& object, Normal normal, std::span<const double> hei
     const Status status =
         answer_or(Status::out_of_memory, [&] { return StackMaker::fill(object, *level, heights, options, stack); });
     return status == Status::out_of_memory ? StackMaker::refuse(stack, status) : status;
+}
+
+BackEnd quicker_for_sections(const Mesh& mesh, Normal normal, std::span<const double> heights) noexcept
+{
+    const std::optional<Plane> level = Plane::at(Point(0, 0, 0), normal);
+    const bool has_meaning = !mesh.is_empty() && level && are_finite(heights);
+    if (!has_meaning || core::find_back_end("halfedge") == nullptr) return BackEnd::linear;
+    try {
+        const bool pays = preparing_pays(mesh.data()->mesh(), to_core(*level).normal, heights);
+        return pays ? BackEnd::halfedge : BackEnd::linear;
+    } catch (const std::bad_alloc&) {
+        return BackEnd::linear;
+    }
 }
 
 SectionStack sections(const Object& object, Normal normal, std::span<const double> heights,

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "api/objects.h"
 
@@ -117,6 +119,32 @@ TEST_P(SectionStackTest, OfWhatMeansNothingSaysSo)
     EXPECT_EQ(stack.status(), Status::invalid_argument);
     EXPECT_STRNE(stack.reason(), "");
     EXPECT_TRUE(stack.all().empty());
+}
+
+TEST(QuickerForSections, PreparesIfThePlanesCrossMoreTrianglesThanThereAre)
+{
+    if (std::string(find_back_end("halfedge").name).empty()) GTEST_SKIP() << "this build has one back end";
+    const Mesh mesh = test::shape("asteroid", 10'000);
+    const auto choice = [&](std::size_t count, double first, Normal normal = Normal(1, 2, 3)) {
+        std::vector<double> heights;
+        for (std::size_t i = 0; i < count; ++i) heights.push_back(first - double(i) / double(count));
+        return quicker_for_sections(mesh, normal, heights);
+    };
+    EXPECT_EQ(choice(1, 0.5), BackEnd::linear);
+    EXPECT_EQ(choice(10, 0.5), BackEnd::linear);
+    EXPECT_EQ(choice(1000, 0.5), BackEnd::halfedge);
+    EXPECT_EQ(choice(1000, 0.5, Normal(-1, -2, -3)), BackEnd::halfedge) << "in any order and direction";
+    EXPECT_EQ(choice(1000, 100.0), BackEnd::linear) << "planes that miss cost nothing";
+}
+
+TEST(QuickerForSections, SaysLinearToWhatMeansNothing)
+{
+    const Mesh mesh = test::shape("asteroid", 1000);
+    const std::vector<double> many(1000, 0.0), wrong(1000, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(quicker_for_sections(mesh, Normal(0, 0, 0), many), BackEnd::linear);
+    EXPECT_EQ(quicker_for_sections(mesh, Normal(0, 0, 1), wrong), BackEnd::linear);
+    EXPECT_EQ(quicker_for_sections(mesh, Normal(0, 0, 1), {}), BackEnd::linear);
+    EXPECT_EQ(quicker_for_sections(Mesh(), Normal(0, 0, 1), many), BackEnd::linear);
 }
 
 TEST_P(SectionStackTest, IsDrawnWithALayerForEach)

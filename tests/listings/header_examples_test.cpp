@@ -196,6 +196,14 @@ TEST(HeaderExamples, AStackOfSectionsIsListed)
     EXPECT_EQ(std::count(areas.begin(), areas.end(), '\n'), 3);
 }
 
+TEST(HeaderExamples, AFewSectionsNeedNoPreparing)
+{
+    const kerf::Mesh mesh = *kerf::make_shape("asteroid", 1000);
+    const double heights[] = {-0.2, 0.0, 0.2};
+#include "examples/kerf_section_3.inc"
+    EXPECT_EQ(options.back_end, kerf::BackEnd::linear);
+}
+
 TEST(HeaderExamples, AShapeIsMade)
 {
     std::string complaint;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <random>
 
@@ -7,16 +8,17 @@
 namespace kerf::tools {
 namespace {
 
-using KerfInterrupt = ProgramTest;
-
-TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInterrupted)
+class KerfInterrupt : public ProgramTest
 {
-    ASSERT_EQ(kerf("shape comb -n 9600 -o comb.ply").status, 0);
+protected:
+    void expect_all_or_nothing_whenever_interrupted(const std::string& command, std::size_t interruptions);
+};
+
+void KerfInterrupt::expect_all_or_nothing_whenever_interrupted(const std::string& command, std::size_t interruptions)
+{
     const std::vector<std::string> before = names_in_folder();
-    const std::string cut =
-        "cut comb.ply --backend baseline --normal 0,1,0 --point 0,0.2,0 --components --format stl --out q";
     core::Stopwatch watch;
-    ASSERT_EQ(kerf(cut).status, 0);
+    ASSERT_EQ(kerf(command).status, 0);
     double ms = watch.lap();
     const std::vector<std::string> all = names_in_folder();
     ASSERT_GT(all.size(), 300u);
@@ -26,17 +28,17 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
                                                            {"XCPU", SIGXCPU}, {"ABRT", SIGABRT},  {"USR1", SIGUSR1},
                                                            {"PROF", SIGPROF}, {"RTMIN", SIGRTMIN}};
     // As many as it takes: where a cut came to its end before its signal, the next signals come earlier.
-    constexpr std::size_t kInterruptions = 44, kMostRounds = 1000;
+    constexpr std::size_t kMostRounds = 1000;
     std::size_t interrupted = 0;
     std::mt19937 random(20261122);
-    for (std::size_t round = 0; interrupted < kInterruptions; ++round) {
+    for (std::size_t round = 0; interrupted < interruptions; ++round) {
         ASSERT_LT(round, kMostRounds) << "only " << interrupted << " signals had an effect";
         for (const std::string& name : all)
-            if (name != "comb.ply") std::filesystem::remove(folder_ / name);
+            if (std::ranges::find(before, name) == before.end()) std::filesystem::remove(folder_ / name);
         const double seconds = 0.001 * std::uniform_real_distribution(0.0, 1.1 * ms)(random);
         const auto& [name, number] = signals[round % signals.size()];
         const Outcome outcome =
-            kerf(cut, "ulimit -c 0; timeout --preserve-status -s " + name + " " + std::to_string(seconds));
+            kerf(command, "ulimit -c 0; timeout --preserve-status -s " + name + " " + std::to_string(seconds));
         const std::vector<std::string> names = names_in_folder();
         if (outcome.status == 0) {
             EXPECT_EQ(names, all);
@@ -48,6 +50,19 @@ TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInter
         EXPECT_TRUE(names == before || names == all)
             << names.size() << " files after " << name << " at " << seconds << " s";
     }
+}
+
+TEST_F(KerfInterrupt, ACutIntoHundredsOfFilesLeavesAllOrNothingWheneverItIsInterrupted)
+{
+    ASSERT_EQ(kerf("shape comb -n 9600 -o comb.ply").status, 0);
+    expect_all_or_nothing_whenever_interrupted(
+        "cut comb.ply --backend baseline --normal 0,1,0 --point 0,0.2,0 --components --format stl --out q", 44);
+}
+
+TEST_F(KerfInterrupt, AStackOfHundredsOfLayersLeavesAllOrNothingWheneverItIsInterrupted)
+{
+    ASSERT_EQ(kerf("shape asteroid -n 5000 -o rock.ply").status, 0);
+    expect_all_or_nothing_whenever_interrupted("section rock.ply --count 400 --each -o layer.svg", 22);
 }
 
 TEST_F(KerfInterrupt, ASignalThatIsIgnoredByNohupStaysIgnored)

@@ -112,6 +112,15 @@ TEST_F(KerfSection, AStackHasASectionForEachHeight)
               (std::vector<std::string>{"in.ply", "layer.0001.svg", "layer.0002.svg", "layer.0003.svg"}));
 }
 
+TEST_F(KerfSection, OfManyPlanesIsWorthPreparing)
+{
+    make("asteroid", 10'000);
+    if (kerf("section in.ply --backend halfedge").status == 2) GTEST_SKIP() << "this build has one back end";
+    EXPECT_EQ(kerf_json("section in.ply --count 10")["backend"], "linear");
+    EXPECT_EQ(kerf_json("section in.ply --count 1000")["backend"], "halfedge");
+    EXPECT_EQ(kerf_json("section in.ply --heights 50:60:0.1")["backend"], "linear") << "all of them miss";
+}
+
 TEST_F(KerfSection, ThatMissesWritesNothing)
 {
     make("asteroid", 500);

@@ -22,7 +22,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                    "of its own.", published=True)]
     if stacks.rows:
         parts.append(ShownTable(stacks, "Stacks: ms for all heights, loops in order, nesting and areas among it. `remap` "
-                                "looks at every triangle for each height and stops where that takes seconds.",
+                                "sweeps over all triangles once.",
                                 published=True))
     real = real_sections_table(found)
     if real.rows:
