@@ -2,7 +2,7 @@
 
 import unittest
 
-from report_cases import some_measurements, whole_measurements
+from report_cases import repeated, some_measurements, whole_measurements
 from report.chapters import all_sections, chains, limits, models, peers, proxies, unflattering
 from report.chapters.section import Facts, ShownTable, all_tables
 from report.measurements import Measurements
@@ -32,6 +32,17 @@ class Limits(unittest.TestCase):
         self.assertEqual(unflattering.tail(some_measurements(), Facts()), "")
         self.assertEqual(unflattering.longest(some_measurements(), Facts()), "")
 
+    def test_meshes_that_a_linear_method_cuts_faster_are_named(self):
+        found = some_measurements()
+        for kind, half, linear in (("Real", 2.0, 1.0), ("RealChain", 3.0, 4.0)):
+            for backend, ms in (("halfedge", half), ("linear", linear)):
+                found.bench[f"{kind}/{backend}/wall"] = repeated(real_time=ms, triangles=100.0, ns_per_crossing=1.0,
+                                                                 crossing=10.0, cuts_each=1.0)
+        said = limits.long_sections(found, Facts())
+        self.assertIn("wall, cut(): 2.0 against 1.00 ms", said)
+        self.assertNotIn("whole chain", said)
+        self.assertEqual(limits.long_sections(some_measurements(), Facts()), "")
+
     def test_a_crossover_that_there_is_not_is_said(self):
         self.assertEqual(limits.words({"from_triangles": None}, Facts()), "nowhere that was measured")
 
@@ -44,6 +55,15 @@ class Limits(unittest.TestCase):
 
 class Chapters(unittest.TestCase):
     FOUND = whole_measurements()
+
+    def test_the_worst_of_a_thousand_cuts_is_named(self):
+        found = some_measurements()
+        found.bench["Chain/kept/halfedge/asteroid/100000"] = repeated(
+            triangles=100_000, worst_ms_1=3.0, worst_ms_1000=2.0, worst_to_predicted=1.75, worst_to_predicted_at=7, chains=5)
+        table = chains.long_chains_table(found)
+        self.assertEqual([(row["worst_cut_ms"], row["worst_at"]) for row in table.rows], [(3.0, 7)])
+        self.assertIn("none costs more than 1.75 times", chains.smooth(table, Facts()))
+        self.assertEqual(chains.smooth(chains.long_chains_table(some_measurements()), Facts()), "")
 
     def test_a_compacted_chain_says_what_compacting_cost(self):
         table = next(part.table for part in chains.write(self.FOUND, {}, Facts())[0].parts

@@ -5,7 +5,8 @@ import unittest
 from report_cases import some_measurements
 from report.chapters.prepare import chain_turn, turn_text
 from report.chapters.section import Facts
-from report.tables.prepare_tables import chain_balance_table, choice_table, prepare_table, signed_milliseconds
+from report.tables.prepare_tables import (chain_balance_table, choice_table, from_arrays_table, prepare_table,
+                                           prepare_threads_table, signed_milliseconds)
 
 
 class Preparing(unittest.TestCase):
@@ -51,6 +52,18 @@ class Preparing(unittest.TestCase):
         cube, asteroid = choice_table(found).rows
         self.assertEqual((cube["mesh"], cube["cuts_1"], cube["cuts_20"], cube["worst"]), ("cube", 1.5, 1.0, 1.5))
         self.assertEqual((asteroid["mesh"], asteroid["triangles"], asteroid["worst"]), ("asteroid", 1_012, 1.25))
+
+    def test_two_threads_are_compared_with_one_and_arrays_are_listed(self):
+        found = self.measured()
+        for threads, ms in ((1, 80.0), (2, 50.0)):
+            found.bench[f"PrepareThreads/{threads}/halfedge/asteroid/100000"] = {"real_time": (ms,) * 3}
+        for backend in ("baseline/hash", "linear", "halfedge"):
+            counters = {"make_ms": 3.0, "prepare_ms": 7.0, "ns_per_triangle": 100.0, "real_time": 10.0,
+                        "repetitions": 3}
+            found.bench[f"FromArrays/{backend}/asteroid/100000"] = {key: (value,) * 3 for key, value in counters.items()}
+        row, = prepare_threads_table(found).rows
+        self.assertEqual((row["one_ms"], row["two_ms"], row["two_to_one"]), (80.0, 50.0, 0.625))
+        self.assertEqual([row["backend"] for row in from_arrays_table(found).rows], ["linear", "halfedge"])
 
     def test_a_balance_has_a_sign(self):
         self.assertEqual([signed_milliseconds(ms)[0] for ms in (2.5, -2.5, 0.0)], ["+", "−", "0"])

@@ -2,18 +2,18 @@
 
 from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
-from report.tables.chain_tables import chain_decades_table, chains_table
+from report.tables.chain_tables import chain_decades_table, chains_table, long_chains_table
 from report.tables.numbers import count, count_short, digits, rounded, timed
 from report.tables.table import Table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
-    chains, decades = chains_table(found), chain_decades_table(found)
+    chains, decades, long = chains_table(found), chain_decades_table(found), long_chains_table(found)
     parts: list[Part] = []
     if decades.rows:
         parts += [ShownFigure("chain_times", "Time of a cut in a chain of a thousand, cut() alone."),
                   ShownFigure("chain_ranges", "Draw ranges a piece, mean of all pieces, after so many cuts."),
-                  ranges(decades, facts), compacted(decades, facts), dearer(decades, facts)]
+                  ranges(decades, facts), smooth(long, facts), compacted(decades, facts), dearer(decades, facts)]
     if chains.rows:
         parts += ["A game cuts pieces of pieces. Here the largest piece is cut through its centre of mass, a hundred "
                   "times. *Worst / predicted* is the cut that costs the most compared with what its crossing "
@@ -21,6 +21,9 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                   "Times are those of cut() alone, without mass properties and hulls, in which a linear method takes "
                   "longer, and without preparing.",
                   ShownTable(chains, "Chains of a hundred cuts.")]
+    if long.rows:
+        parts.append(ShownTable(long, "Chains of a thousand cuts: the longest cut, and the one that costs most compared with "
+                                "what its crossing triangles predict. Each cut is the median of five chains.", published=True))
     if decades.rows:
         parts.append(ShownTable(decades, "Chains of a thousand cuts: cut times since the mark before, draw ranges at "
                                          "the mark.",
@@ -44,6 +47,17 @@ def ranges(decades: Table, facts: Facts) -> str:
                  f"{facts.say('ranges after a thousand', last['ranges_per_piece'], digits(0))} after a thousand, "
                  "because smaller pieces have shorter sections. All pieces together have ever more.")
     return text
+
+
+def smooth(long: Table, facts: Facts) -> str:
+    """How far a cut of a chain is from what its section predicts."""
+    rows = [row for row in long.rows if (row["backend"], row["mode"]) == ("halfedge", "kept")]
+    if not rows:
+        return ""
+    row = max(rows, key=lambda row: row["triangles"])
+    return (f"Of a thousand cuts of {facts.say('size of the long chain', row['triangles'], count_short)} triangles none costs "
+            f"more than {facts.say('worst of a thousand to predicted', row['worst_to_predicted'], digits(2))} times what its "
+            "crossing triangles predict: what a cut adds to the buffers comes in small pages, and large buffers never move.")
 
 
 def compacted(decades: Table, facts: Facts) -> str:

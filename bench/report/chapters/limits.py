@@ -7,14 +7,14 @@ from report.measurements import Measurements
 from report.tables.chain_tables import chain_decades_table
 from report.tables.growth_tables import crossovers_table
 from report.tables.model_tables import cuts_table
-from report.tables.numbers import count, count_short, digits, rounded
-from report.tables.real_tables import model_chains_table
+from report.tables.numbers import count, count_short, digits, rounded, timed
+from report.tables.real_tables import model_chains_table, real_chains_table, real_cuts_table
 from report.tables.prepare_tables import chain_balance_table, prepare_table
 
 
 def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
     """What weighs most comes first: the README has the first few."""
-    measured = [small_meshes(found, facts), models(found, facts), memory(found, facts), preparing(found, facts),
+    measured = [small_meshes(found, facts), models(found, facts), long_sections(found, facts), memory(found, facts), preparing(found, facts),
                 worst(found, facts)]
     parts: list[Part] = [text for text in measured if text]
     if parts:
@@ -63,6 +63,22 @@ def models(found: Measurements, facts: Facts) -> str:
         text += (f", and {facts.say('models that remap cuts faster, whole chain', slower, count)} with everything that a "
                  "game needs")
     return text + "."
+
+
+def long_sections(found: Measurements, facts: Facts) -> str:
+    """Meshes that are not round, of which a linear method with right caps is the faster one."""
+    said = []
+    for rows, extent in ((real_cuts_table(found).rows, "cut()"), (real_chains_table(found).rows, "the whole chain")):
+        for row in rows:
+            ours, linear = row.get("halfedge_ms"), row.get("linear_ms")
+            if ours and linear and linear < ours:
+                mesh = row["mesh"]
+                said.append(f"{mesh}, {extent}: {facts.say(f'{mesh}, {extent}, halfedge ms', ours, timed)} against "
+                            f"{facts.say(f'{mesh}, {extent}, linear ms', linear, timed)} ms")
+    if not said:
+        return ""
+    return ("**Sections of a large part of the mesh.** Where a plane crosses much of the mesh there is little to "
+            f"leave alone, and `linear` is faster: {'; '.join(said)}.")
 
 
 def memory(found: Measurements, facts: Facts) -> str:

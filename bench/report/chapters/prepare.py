@@ -3,7 +3,8 @@
 from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
 from report.tables.numbers import count_short, digits, rounded, timed
-from report.tables.prepare_tables import chain_balance_table, choice_table, prepare_table
+from report.tables.prepare_tables import (chain_balance_table, choice_table, from_arrays_table, prepare_table,
+                                           prepare_threads_table)
 from report.tables.table import Table
 
 
@@ -33,6 +34,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     if balance.rows:
         parts.append(ShownTable(balance, "One object cut to pieces, whole chain and cut() alone, ms for all cuts so "
                                 "far. A balance above zero: preparing is paid back.", folded=True))
+    parts += threads_and_arrays(found, facts)
     choice = choice_table(found)
     if choice.rows:
         worst = max(choice.rows, key=lambda row: row["worst"])
@@ -41,8 +43,23 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
                      f"{facts.say('choice, worst', worst['worst'], digits(2))} times what the better one costs "
                      f"({worst['mesh']}, {facts.say('choice, worst size', worst['triangles'], count_short)} triangles).")
         parts.append(ShownTable(choice, "The back end that is chosen, against the better of both: the time of so many "
-                                "cuts of copies, preparing among it.", folded=True))
+                                "cuts of copies, preparing among it. Fans, the caps of `remap`, are never chosen: they are wrong "
+                                "where a section is not star-shaped. The last column counts them as a third choice.", folded=True))
     return [Section("prepare", "Preparing, and the memory it takes", parts)]
+
+
+def threads_and_arrays(found: Measurements, facts: Facts) -> list[Part]:
+    parts: list[Part] = []
+    threads, arrays = prepare_threads_table(found), from_arrays_table(found)
+    if threads.rows:
+        row = threads.rows[-1]
+        parts += [f"**Two threads** prepare {facts.say('threads, size', row['triangles'], count_short)} triangles in "
+                  f"{facts.say('threads, to one', row['two_to_one'], digits(2))} times the time of one.",
+                  ShownTable(threads, "Preparing by `PrepareOptions::threads`, the time that passes.", published=True)]
+    if arrays.rows:
+        parts.append(ShownTable(arrays, "From a program's arrays to an object: `Mesh::make()` checks and joins them, "
+                                "`prepare()` makes them ready to be cut.", published=True))
+    return parts
 
 
 def paid_back_in_chains(balance: Table, facts: Facts) -> str:

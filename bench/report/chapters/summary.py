@@ -37,6 +37,6 @@ def small(found: Measurements, facts: Facts) -> str:
     if row["from_triangles"] is None:
         return "`remap` is the faster one at every size that was measured."
     if not row.get("least"):
-        return "The half-edge back end is the faster one at every size that was measured."
+        return "The half-edge back end is the faster one at every size of the asteroid that was measured."
     return (f"Meshes of fewer than about **{facts.say('crossover', row['from_triangles'], rounded)} triangles** are "
             "cut faster by `remap`, with everything that a game needs of the pieces.")

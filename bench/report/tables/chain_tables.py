@@ -27,6 +27,24 @@ def chains_table(found: Measurements) -> Table:
     return table
 
 
+def long_chains_table(found: Measurements) -> Table:
+    """Chains of a thousand cuts: the cut that takes longest, and the one that costs most for what it crosses."""
+    table = Table("long_chains", [Column("backend", "back end", short), Column("mode", "mode"),
+                                  Column("triangles", "triangles", count), Column("worst_cut_ms", "worst ms", timed),
+                                  Column("worst_to_predicted", "worst / predicted", digits(2)),
+                                  Column("worst_at", "it is cut number", count),
+                                  Column("chains", "chains", digits(0))])
+    for variant, size, c in found.sized("Chain"):
+        if "worst_to_predicted" not in c:
+            continue
+        mode, _, backend = variant.partition("/")
+        table.rows.append({"backend": backend, "mode": mode, "triangles": size,
+                           "worst_cut_ms": max(value[0] for key, value in c.items() if key.startswith("worst_ms_")),
+                           "worst_to_predicted": c["worst_to_predicted"][0],
+                           "worst_at": c["worst_to_predicted_at"][0], "chains": c["chains"][0] * c["repetitions"][0]})
+    return table
+
+
 def chain_decades_table(found: Measurements) -> Table:
     """Chains of a thousand cuts at a few marks: cost since the mark before, and draw ranges."""
     table = Table("chain_decades", [Column("backend", "back end", short), Column("mode", "mode"),

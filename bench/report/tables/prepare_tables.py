@@ -37,6 +37,33 @@ def prepare_table(found: Measurements) -> Table:
     return table
 
 
+def prepare_threads_table(found: Measurements) -> Table:
+    """Preparing for the half-edge back end by one and by two threads: the time that passes."""
+    table = Table("prepare_threads", [Column("triangles", "triangles", count), Column("one_ms", "one thread, ms", timed),
+                                      Column("two_ms", "two threads, ms", timed),
+                                      Column("two_to_one", "two / one", digits(2))])
+    two = {size: c for variant, size, c in found.sized("PrepareThreads") if variant == "2/halfedge"}
+    for variant, size, c in found.sized("PrepareThreads"):
+        if variant == "1/halfedge" and size in two:
+            one_ms, two_ms = c["real_time"][0], two[size]["real_time"][0]
+            table.rows.append({"triangles": size, "one_ms": one_ms, "two_ms": two_ms, "two_to_one": two_ms / one_ms})
+    return table
+
+
+def from_arrays_table(found: Measurements) -> Table:
+    """From the arrays of a program to an object that can be cut."""
+    table = Table("from_arrays", [Column("backend", "back end", short), Column("triangles", "triangles", count),
+                                  Column("make_ms", "Mesh::make() ms", timed), Column("prepare_ms", "prepare() ms", timed),
+                                  Column("ns_per_triangle", "both, ns / triangle", timed),
+                                  Column("spread", "spread", percent)])
+    for backend, size, c in found.sized("FromArrays"):
+        if backend in ("halfedge", "linear"):
+            table.rows.append({"backend": backend, "triangles": size, "make_ms": c["make_ms"][0],
+                               "prepare_ms": c["prepare_ms"][0], "ns_per_triangle": c["ns_per_triangle"][0],
+                               "spread": spread_of(c, "real_time")})
+    return table
+
+
 def chain_balance_table(found: Measurements) -> Table:
     """One object that is cut to pieces, always the largest of them: preparing and all cuts so far, both back ends. The
     pieces take their object's place: they get smaller, and quicker cuts save less and less."""
@@ -73,10 +100,11 @@ def choice_table(found: Measurements) -> Table:
                       if key.startswith("to_better_")})
     columns = [Column(f"cuts_{number}", f"{number} cuts" if number > 1 else "1 cut", digits(2)) for number in numbers]
     table = Table("automatic_choice", [Column("mesh", "mesh"), Column("triangles", "triangles", count)] + columns +
-                  [Column("worst", "worst", digits(2))])
+                  [Column("worst", "worst", digits(2)), Column("worst_to_best", "worst, if fans counted", digits(2))])
     for name, c in sorted(judged.items(), key=lambda row: row[1]["triangles"][0]):
-        row: dict[str, Value] = {"mesh": name.split("/")[-1] if name.startswith("model/") else name.split("/")[0],
-                                 "triangles": c["triangles"][0], "worst": c["worst_to_better"][0]}
+        kind, _, mesh = name.partition("/")
+        row: dict[str, Value] = {"mesh": mesh if kind in ("model", "mesh") else kind, "triangles": c["triangles"][0],
+                                 "worst": c["worst_to_better"][0], "worst_to_best": median(c, "worst_to_best")}
         table.rows.append(row | {f"cuts_{number}": c[f"to_better_{number}"][0] for number in numbers})
     return table
 
