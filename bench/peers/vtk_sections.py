@@ -4,26 +4,23 @@
 Needs Debian's python3-vtk9. `vtk_cutter` is vtkCutter: every triangle is looked at, and segments come out in no order.
 `vtk_cutter_loops` is the same and vtkStripper, which joins them to loops. `vtk_plane_cutter` is vtkPlaneCutter, whose
 sphere tree is made by the first plane, timed apart; its segments share no points, so that `vtk_plane_cutter_loops` is
-the same, vtkCleanPolyData and vtkStripper. Stacks are vtkCutter with many values at once. Only Update() is timed, as processor time of the process. The length of the lines is checked, and of planes the
-number of loops where there are any.
+the same, vtkCleanPolyData and vtkStripper. Stacks are vtkCutter with many values at once. Only Update() is timed, as
+processor time of the process. The length of the lines is checked, and of planes the number of loops where there are any.
 """
 
 import argparse
 import json
 import sys
-import time
 from collections import Counter
 from pathlib import Path
 
 import numpy
+from section_rows import STACKS, has_length, middles_of_layers, row_of, timed
 from vtk_peer import read_surface
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import (vtkAppendPolyData, vtkCleanPolyData, vtkCutter, vtkPlaneCutter, vtkStripper)
-
-STACKS = (10, 100, 1000)
-
 
 def plane_of(normal, offset):
     plane = vtkPlane()
@@ -33,10 +30,7 @@ def plane_of(normal, offset):
 
 
 def seconds_of(*filters):
-    start = time.process_time()
-    for one in filters:
-        one.Update()
-    return time.process_time() - start
+    return timed(lambda: [one.Update() for one in filters])[0]
 
 
 def joined(source):
@@ -61,22 +55,13 @@ def length_of(lines):
 
 def problem_of(lines, expected, share, has_loops):
     length, open_ones = length_of(lines)
-    if abs(length - expected["length"]) > share * expected["length"]:
+    if not has_length(length, expected, share):
         return "wrong length"
     if not has_loops:
         return "segments in no order"
     if open_ones:
         return "loops not closed"
     return "" if lines.GetNumberOfLines() == expected["loops"] else "other loops"
-
-
-def row_of(peer, entry, triangles, times, problems, heights=1, prepare_ms=0.0):
-    verdict = "; ".join(problem if count == len(times) else f"{problem} in {count}"
-                        for problem, count in sorted(problems.items()))
-    return {"peer": peer, "mesh": entry["mesh"], "triangles": triangles, "heights": heights,
-            "ms": sum(times) * 1e3 / len(times), "least_ms": min(times) * 1e3, "most_ms": max(times) * 1e3,
-            "planes": len(times), "right": len(times) - sum(problems.values()), "verdict": verdict or "right",
-            "prepare_ms": prepare_ms}
 
 
 def by_cutter(surface, plane, joins):
@@ -143,9 +128,8 @@ def stack_by_cutter(surface, entry, triangles, heights):
     cutter = vtkCutter()
     cutter.SetInputData(surface)
     cutter.SetCutFunction(plane_of((0.0, 0.0, 1.0), 0.0))
-    step = (entry["highest"] - entry["lowest"]) / heights
-    for i in range(heights):
-        cutter.SetValue(i, entry["lowest"] + (i + 0.5) * step)
+    for i, height in enumerate(middles_of_layers(entry, heights)):
+        cutter.SetValue(i, height)
     return row_of("vtk_cutter", entry, triangles, [seconds_of(cutter)], Counter(["segments in no order"]), heights)
 
 

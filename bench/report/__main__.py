@@ -38,7 +38,7 @@ def parse_arguments() -> argparse.Namespace:
                          help="meshes up to 100 000 triangles, each timed once: under three minutes")
     extents.add_argument("--full", action="store_true",
                          help="meshes up to 16 million triangles: needs 16 GiB and some 25 minutes")
-    parser.add_argument("--peers", action="store_true", help="time VTK beside CGAL, too; ./run installs it (216 MB)")
+    parser.add_argument("--peers", action="store_true", help="time VTK and Open3D beside CGAL, too; ./run installs them (600 MB)")
     parser.add_argument("--again", action="store_true", help="measure everything again, whatever is there")
     parser.add_argument("--stored", action="store_true",
                         help="measure nothing: write the page from what was measured before, with whatever programs")
@@ -61,7 +61,7 @@ def say(sentence: str) -> None:
     print(f"report: {sentence}", file=sys.stderr)
 
 
-def measure(arguments: argparse.Namespace, stages: Stages, has_vtk: bool) -> Measurements:
+def measure(arguments: argparse.Namespace, stages: Stages, has_vtk: bool, has_open3d: bool) -> Measurements:
     """What all stages of the page say. With --stored: those that are there."""
     def done(to_do: list[Any]) -> list[Path]:
         if not arguments.stored:
@@ -70,7 +70,7 @@ def measure(arguments: argparse.Namespace, stages: Stages, has_vtk: bool) -> Mea
 
     if arguments.again and not arguments.stored:
         stages.forget()
-    measured = done(plan(extent_of(arguments), FOLDER / "models", has_vtk))
+    measured = done(plan(extent_of(arguments), FOLDER / "models", has_vtk, has_open3d))
     # Which caps are drawn depends on which fans turned out to be the worst.
     pictures = done(gallery_stages(worst_fans(measurements.load(measured), SHOWN_FANS)))
     return measurements.load(measured + pictures)
@@ -80,14 +80,16 @@ def write_page(arguments: argparse.Namespace) -> int:
     extent = extent_of(arguments)
     stages = Stages(FOLDER / "stages" / extent.name, Programs.in_build(arguments.programs))
     has_vtk = importlib.util.find_spec("vtkmodules") is not None
-    if arguments.peers and not has_vtk:
-        say("VTK is not there; Debian's package is python3-vtk9")
-        return 1
+    has_open3d = importlib.util.find_spec("open3d") is not None
+    for has_it, name, package in ((has_vtk, "VTK", "python3-vtk9"), (has_open3d, "Open3D", "python3-open3d")):
+        if arguments.peers and not has_it:
+            say(f"{name} is not there; Debian's package is {package}")
+            return 1
     if not arguments.stored and (missing := stages.programs.missing()):
         say(f"{missing} is not there; `./run report` builds it")
         return 1
     start = time.monotonic()
-    found = measure(arguments, stages, has_vtk)
+    found = measure(arguments, stages, has_vtk, has_open3d)
     if not found.stages:
         say(f"nothing of extent {extent.name} was measured yet")
         return 1

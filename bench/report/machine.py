@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 PACKAGES = ["libopenmesh-dev", "libcgal-dev", "libbullet-dev", "libglm-dev", "libbenchmark-dev",
-            "libgl1-mesa-dri", "python3-vtk9", "python3-matplotlib"]
+            "libgl1-mesa-dri", "python3-vtk9", "python3-open3d", "python3-matplotlib"]
 SEED = re.compile(r"constexpr std::uint64_t (k\w*Seed) = (\d+);")
 
 

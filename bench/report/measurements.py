@@ -101,7 +101,7 @@ def load(stage_files: list[Path]) -> Measurements:
             benchmarks += result["benchmarks"]
         elif kind in (Kind.PEERS, Kind.VTK):
             all_of_them.peers += result["peers"]
-        elif kind in (Kind.SLICERS, Kind.VTK_SECTIONS):
+        elif kind in (Kind.SLICERS, Kind.VTK_SECTIONS, Kind.OPEN3D_SECTIONS):
             all_of_them.slicers += result["sections"]
         elif kind == Kind.COMPARE and stage["stage"].startswith(GALLERY):
             file = result["files"][0]

@@ -26,3 +26,4 @@ class Kind(Enum):
     VTK = "vtk"  # the script that cuts with VTK
     SLICERS = "slicers"  # the program that cuts with CGAL, asked for sections
     VTK_SECTIONS = "vtk-sections"  # the script that asks VTK for sections
+    OPEN3D_SECTIONS = "open3d-sections"  # the script that asks Open3D for sections

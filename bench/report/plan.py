@@ -49,9 +49,9 @@ MOST_FOR_PEERS = 100_000  # triangles
 SECTION_SIZES = (10_000, 100_000, 1_000_000, 4_000_000)
 
 
-def plan(extent: Extent, scratch: Path, with_vtk: bool = False) -> list[Stage]:
+def plan(extent: Extent, scratch: Path, with_vtk: bool = False, with_open3d: bool = False) -> list[Stage]:
     """All stages of a report, the quickest kinds first. `scratch` is where generated models go."""
-    stages = compare_stages(extent) + bench_stages(extent) + peer_stages(extent, scratch, with_vtk)
+    stages = compare_stages(extent) + bench_stages(extent) + peer_stages(extent, scratch, with_vtk, with_open3d)
     return stages + viewer_stages(extent, scratch)
 
 
@@ -161,7 +161,7 @@ def many_stage(size: int, extent: Extent) -> Stage:
     return Stage(f"many-{size}", Kind.BENCH, (pattern, "1", "0.01"), 3.0 + size / 6_000 if size <= 100_000 else 36.0)
 
 
-def peer_stages(extent: Extent, scratch: Path, with_vtk: bool) -> list[Stage]:
+def peer_stages(extent: Extent, scratch: Path, with_vtk: bool, with_open3d: bool) -> list[Stage]:
     """Other libraries. Most of them take a second a cut above 100 000 triangles."""
     sizes = tuple(str(size) for size in SIZES if size <= MOST_FOR_PEERS)
     budget = str(0.5 * extent.repetitions)  # seconds of cutting for each mesh and library
@@ -173,6 +173,9 @@ def peer_stages(extent: Extent, scratch: Path, with_vtk: bool) -> list[Stage]:
     if with_vtk:
         stages.append(Stage("slicers-vtk", Kind.VTK_SECTIONS, (budget, str(scratch / "slicers"), *sections),
                             extent.most_triangles / 20_000))
+    if with_open3d:
+        stages.append(Stage("slicers-open3d", Kind.OPEN3D_SECTIONS, (budget, str(scratch / "slicers"), *sections),
+                            extent.most_triangles / 40_000))
     return stages
 
 

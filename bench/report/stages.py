@@ -23,6 +23,10 @@ from report.progress import Progress
 FORMAT = 1  # of a stage's file
 
 
+# Scripts, and how `kerf_peers` is asked for what they read.
+SCRIPTS = {Kind.VTK: "export", Kind.VTK_SECTIONS: "export-sections", Kind.OPEN3D_SECTIONS: "export-sections"}
+
+
 class StageFailed(Exception):
     """A program failed; the text says which and why."""
 
@@ -37,12 +41,13 @@ class Programs:
     peers: Path
     vtk: Path
     vtk_sections: Path
+    open3d_sections: Path
 
     @staticmethod
     def in_build(build: Path) -> "Programs":
         return Programs(build / "bench/kerf_bench", build / "tools/kerf", build / "viewer/app/kerf-viewer",
                         build / "bench/kerf_peers", Path("bench/peers/vtk_peer.py"),
-                        Path("bench/peers/vtk_sections.py"))
+                        Path("bench/peers/vtk_sections.py"), Path("bench/peers/open3d_sections.py"))
 
     def missing(self) -> Path | None:
         """The first of them that is not there."""
@@ -50,7 +55,8 @@ class Programs:
 
     def of(self, kind: Kind) -> Path:
         return {Kind.BENCH: self.bench, Kind.COMPARE: self.kerf, Kind.VIEWER: self.viewer, Kind.PEERS: self.peers,
-                Kind.VTK: self.vtk, Kind.SLICERS: self.peers, Kind.VTK_SECTIONS: self.vtk_sections}[kind]
+                Kind.VTK: self.vtk, Kind.SLICERS: self.peers, Kind.VTK_SECTIONS: self.vtk_sections,
+                Kind.OPEN3D_SECTIONS: self.open3d_sections}[kind]
 
 
 class Stages:
@@ -78,7 +84,7 @@ class Stages:
         parts = [str(FORMAT), self.digest(self.programs.of(stage.kind)), *stage.arguments, *stage.shape]
         if stage.shape:
             parts.append(self.digest(self.programs.kerf))
-        if stage.kind in (Kind.VTK, Kind.VTK_SECTIONS):
+        if stage.kind in SCRIPTS:
             parts.append(self.digest(self.programs.peers))
         parts += [self.digest(model) for model in sorted(Path("data/models").glob("*.obj"))]
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
@@ -124,10 +130,8 @@ class Stages:
             return run_for_json([program, "cgal", *stage.arguments], accepted=(0,))
         if stage.kind == Kind.SLICERS:
             return run_for_json([program, "sections", *stage.arguments], accepted=(0,))
-        if stage.kind == Kind.VTK:
-            return run_vtk(self.programs.peers, "export", program, stage)
-        if stage.kind == Kind.VTK_SECTIONS:
-            return run_vtk(self.programs.peers, "export-sections", program, stage)
+        if stage.kind in SCRIPTS:
+            return run_script(self.programs.peers, SCRIPTS[stage.kind], program, stage)
         return run_for_json([program, *stage.arguments], accepted=(0,))
 
 
@@ -146,8 +150,8 @@ def run_bench(program: Path, stage: Stage, progress: Progress, folder: Path) -> 
     return result
 
 
-def run_vtk(peers: Path, export: str, script: Path, stage: Stage) -> Any:
-    """Writes the inputs, then lets VTK have them."""
+def run_script(peers: Path, export: str, script: Path, stage: Stage) -> Any:
+    """Writes the inputs, then lets another library have them."""
     budget, folder, *sizes = stage.arguments
     inputs = Path(folder) / f"{export}.json"
     files.write_json(inputs, run_for_json([peers, export, folder, *sizes], accepted=(0,)))

@@ -12,7 +12,7 @@ from report.plan import FULL, NORMAL, QUICK, VIEWER_OPPONENTS, VIEWER_RUNS, gall
 class Plans(unittest.TestCase):
     def test_stages_have_names_of_their_own_and_sizes_within_the_extent(self):
         for extent in (QUICK, NORMAL, FULL):
-            stages = plan(extent, Path("scratch"), with_vtk=True)
+            stages = plan(extent, Path("scratch"), with_vtk=True, with_open3d=True)
             names = [stage.name for stage in stages]
             self.assertEqual(len(names), len(set(names)))
             sizes = [int(name.split("-")[1]) for name in names if name.startswith("growth-")]
@@ -36,6 +36,11 @@ class Plans(unittest.TestCase):
     def test_vtk_has_a_stage_only_if_it_is_there(self):
         for with_vtk in (False, True):
             self.assertEqual(any(stage.kind == Kind.VTK for stage in plan(QUICK, Path("scratch"), with_vtk)), with_vtk)
+
+    def test_open3d_has_a_stage_only_if_it_is_there(self):
+        for with_open3d in (False, True):
+            stages = plan(QUICK, Path("scratch"), with_open3d=with_open3d)
+            self.assertEqual(any(stage.kind == Kind.OPEN3D_SECTIONS for stage in stages), with_open3d)
 
     def test_each_back_end_of_the_viewer_has_a_run_that_warms_up(self):
         for stage in plan(NORMAL, Path("scratch")):

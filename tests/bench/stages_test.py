@@ -35,7 +35,7 @@ class Resuming(unittest.TestCase):
 
     def stages(self):
         program = self.program.absolute()
-        return Stages(Path("stages"), Programs(*[program] * 6))
+        return Stages(Path("stages"), Programs(*[program] * 7))
 
     def run_stage(self, stage):
         stages = self.stages()
@@ -104,7 +104,7 @@ class Resuming(unittest.TestCase):
         self.assertIsNone(self.stages().programs.missing())
         gone = Path("gone")
         program = self.program.absolute()
-        self.assertEqual(Programs(program, program, gone, program, program, program).missing(), gone)
+        self.assertEqual(Programs(program, program, gone, program, program, program, program).missing(), gone)
 
 
 if __name__ == "__main__":

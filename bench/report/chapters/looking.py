@@ -32,7 +32,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
             slicers, "The same planes by other libraries, on one thread. `cgal_slicer` is CGAL's `Polygon_mesh_slicer` with its "
             "tree, `vtk_cutter` VTK's `vtkCutter`, whose segments `vtk_cutter_loops` joins by `vtkStripper`; "
             "`vtk_plane_cutter` is `vtkPlaneCutter` with its sphere tree; `vtk_plane_cutter_loops` merges the points that its "
-            "segments do not share, and joins them. Lengths and loops are checked. Preparing is what is made before the first section; of heights it is the same.",
+            "segments do not share, and joins them. `open3d_slice` is Open3D's `slice_plane()`. Lengths and loops are checked. Preparing is what is made before the first section; of heights it is the same.",
             published=True))
     return [Section("sections", "Looking inside without cutting", [part for part in parts if part])]
 
@@ -75,7 +75,7 @@ def of_stacks(stacks: Table, facts: Facts) -> str:
 
 def of_libraries(slicers: Table, facts: Facts) -> str:
     rows = [row for row in slicers.rows if row["heights"] == 1 and row["to_halfedge"]
-            and str(row["by"]).startswith(("cgal", "vtk"))]
+            and str(row["by"]).startswith(("cgal", "vtk", "open3d"))]
     if not rows:
         return ""
     size = max(row["triangles"] for row in rows)

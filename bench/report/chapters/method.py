@@ -19,7 +19,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         "Exact counters (triangles touched, nodes, bytes, comparisons) are the same on every run. Tests hold those of "
         "fixed cuts to within three per cent: twice the work would fail them.",
         "`./run report` repeats it: `--quick` takes less than three minutes, `--full` goes up to 16 million triangles, "
-        "`--peers` installs VTK and times it, too. `./run compare-speed REV` times an older revision beside this one.",
+        "`--peers` installs VTK and Open3D and times them, too. `./run compare-speed REV` times an older revision beside this one.",
         ShownTable(facts_table, "Machine, compiler, versions, seeds and commit.", published=True, folded=True),
         ShownTable(stages_table(found), "What was run, when, and how busy the machine was.", listing=True),
         ShownTable(numbers_table(found), "Every counter of every benchmark.", listing=True)])]
