@@ -63,7 +63,7 @@ TEST(WorkspacePool, MakesTheFirstCutOfACloneAsCheapAsAnyOther)
     const std::uint64_t first = allocations_of_cut(), second = allocations_of_cut();
     EXPECT_LE(second, first);
     EXPECT_EQ(allocations_of_cut(), second);
-    EXPECT_LE(second, 60u) << "results and their loops, but no scratch";
+    EXPECT_LE(second, 24u) << "results and their loops, but no scratch";
 }
 
 TEST(WorkspacePool, KeepsCutsOfDifferentUniversesApart)
