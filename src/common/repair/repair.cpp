@@ -1,9 +1,11 @@
 #include "common/repair/repair.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
+#include "common/mesh/is_finite.h"
 #include "common/repair/clean_soup.h"
 #include "common/repair/linked_surface.h"
 #include "common/repair/measuring_steps.h"
@@ -25,23 +27,35 @@ namespace {
 
 constexpr std::size_t kLargestIndex = std::numeric_limits<std::uint32_t>::max();
 
-/// Empty, or one sentence that names the first fault.
-std::string find_error(const TriangleSoup& soup)
+std::string fault_of_sizes(const TriangleSoup& soup)
 {
     if (soup.triangles.empty()) return "the mesh has no triangles; give it one at least";
     if (soup.triangles.size() > kLargestIndex / 3 || soup.vertices.size() >= kLargestIndex)
         return "the mesh has more than 2^32 corners; divide it into several";
-    for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
-        const glm::vec3& p = soup.vertices[v].position;
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    return {};
+}
+
+std::string fault_of_positions(const TriangleSoup& soup)
+{
+    for (std::size_t v = 0; v < soup.vertices.size(); ++v)
+        if (!is_finite(soup.vertices[v].position))
             return "vertex " + std::to_string(v) +
                    " has a coordinate that is not finite; give it a number, or take it and its triangles out";
-    }
+    return {};
+}
+
+std::string fault_of_indices(const TriangleSoup& soup)
+{
     for (std::size_t t = 0; t < soup.triangles.size(); ++t)
         for (const std::uint32_t v : soup.triangles[t])
             if (v >= soup.vertices.size())
                 return "triangle " + std::to_string(t) + " refers to vertex " + std::to_string(v) +
                        but_there_are_only(soup.vertices.size());
+    return {};
+}
+
+std::string fault_of_attributes(const TriangleSoup& soup)
+{
     if (!soup.triangle_materials.empty() && soup.triangle_materials.size() != soup.triangles.size())
         return "there is not one material for each triangle; name one for each, or none at all";
     const std::size_t material_count = std::max<std::size_t>(1, soup.materials.size());
@@ -56,12 +70,25 @@ std::string find_error(const TriangleSoup& soup)
     return {};
 }
 
-/// The point ids of a soup's triangles.
-Buffer<Triangle> corners_by_point(const TriangleSoup& soup, const Weld& weld)
+/// The points at the corners of a soup's triangles.
+struct Corners
 {
-    Buffer<Triangle> corners(soup.triangles.size());
-    for (std::size_t t = 0; t < corners.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i) corners[t][i] = weld.points[soup.triangles[t][i]];
+    Buffer<Triangle> points;  ///< for each triangle; empty if one refers to a vertex that is not there
+    bool has_degenerate = false;
+};
+
+/// One pass, because reading triangles costs more than all that is asked of them.
+Corners corners_by_point(const TriangleSoup& soup, const Weld& weld)
+{
+    Corners corners;
+    corners.points.resize(soup.triangles.size());
+    for (std::size_t t = 0; t < corners.points.size(); ++t) {
+        const auto& [i, j, k] = soup.triangles[t];
+        if (std::max({i, j, k}) >= weld.points.size()) return {};
+        const std::uint32_t a = weld.points[i], b = weld.points[j], c = weld.points[k];
+        corners.points[t] = {a, b, c};
+        corners.has_degenerate |= (a == b) | (b == c) | (c == a);
+    }
     return corners;
 }
 
@@ -82,14 +109,12 @@ struct Links
 };
 
 /// Most meshes have no fault: linking them shows that, and costs less than to look for faults first.
-Links try_to_link(std::uint32_t point_count, std::span<const Triangle> corners)
+Links try_to_link(std::uint32_t point_count, const Corners& corners)
 {
     Links links;
-    bool has_degenerate = false;
-    for (const auto& [a, b, c] : corners) has_degenerate |= (a == b) | (b == c) | (c == a);
-    if (has_degenerate) return links;
-    links.edges.emplace(point_count, corners);
-    if (!link_plainly(corners, *links.edges, links.opposite)) links.opposite.clear();
+    if (corners.has_degenerate) return links;
+    links.edges.emplace(point_count, corners.points);
+    if (!link_plainly(corners.points, *links.edges, links.opposite)) links.opposite.clear();
     return links;
 }
 
@@ -193,14 +218,21 @@ std::string Repairs::describe() const
 Repaired repair(TriangleSoup soup, FactsWanted facts_wanted)
 {
     Repaired result;
-    result.error = find_error(soup);
-    if (!result.error.empty()) return result;
+    const auto refused = [&](std::string fault) {
+        result.error = std::move(fault);
+        return !result.error.empty();
+    };
+    if (refused(fault_of_sizes(soup))) return result;
+    const Weld weld = weld_positions(soup.vertices);
+    if (!weld.is_finite && refused(fault_of_positions(soup))) return result;
+    Corners found = corners_by_point(soup, weld);
+    if (found.points.empty() && refused(fault_of_indices(soup))) return result;
+    if (refused(fault_of_attributes(soup))) return result;
     Repairs& repairs = result.repairs;
 
     repairs.replaced_attributes = clean(soup).vertices;
-    const Weld weld = weld_positions(soup.vertices);
-    Buffer<Triangle> corners = corners_by_point(soup, weld);
-    Links links = try_to_link(weld.point_count, corners);
+    Links links = try_to_link(weld.point_count, found);
+    Buffer<Triangle>& corners = found.points;
     const Faults faults = links.opposite.empty() ? find_faults(weld.point_count, corners) : no_faults(corners.size());
     count_faults(repairs, faults);
     MeshFacts facts = count_triangles(soup.vertices.size(), weld.point_count, faults);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 namespace kerf::core {
@@ -65,6 +66,7 @@ Weld weld_positions(std::span<const Vertex> vertices)
     IndexTable table(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
         const PositionKey key(vertices[v].position);
+        for (int i = 0; i < 3; ++i) weld.is_finite &= std::isfinite(vertices[v].position[i]);
         const std::uint32_t first = table.find_or_insert(
             key.hash(), v, [&](std::uint32_t other) { return PositionKey(vertices[other].position) == key; });
         weld.points[v] = first == v ? weld.point_count++ : weld.points[first];

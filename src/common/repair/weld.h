@@ -13,6 +13,7 @@ struct Weld
 {
     Buffer<std::uint32_t> points;   ///< for each vertex the number of its position, dense, in order of first occurrence
     std::uint32_t point_count = 0;  ///< number of different positions
+    bool is_finite = true;          ///< whether all coordinates are
 };
 
 /// Numbers the different positions; positions are equal if their bits are, with -0 taken as +0. O(n), by hashing.
