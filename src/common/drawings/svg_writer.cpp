@@ -86,6 +86,15 @@ void write_shapes(io::ByteSink& file, const Drawing& drawing, const DrawnLayer& 
     }
 }
 
+/// Layers that lie on one another are contours: filled ones would hide all but the widest.
+std::string paint_of(const Drawing& drawing, const Window& window)
+{
+    constexpr double kStroke = 1e-3;  // of the drawing's larger side
+    if (drawing.layers.size() < 2) return "fill=\"#333\"";
+    const double side = std::max(window.hi_x - window.lo_x, window.hi_y - window.lo_y);
+    return "fill=\"none\" stroke=\"#333\" stroke-width=\"" + number_text(kStroke * side) + "\"";
+}
+
 }  // namespace
 
 void write_svg(io::ByteSink& file, const Drawing& drawing)
@@ -99,11 +108,12 @@ void write_svg(io::ByteSink& file, const Drawing& drawing)
     head.append(number_text(window.lo_y)).append(" ").append(width).append(" ").append(height);
     head.append("\" data-unit=\"").append(drawing.unit).append("\">\n");
     file.write(head);
+    const std::string paint = paint_of(drawing, window);
     for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
         const DrawnLayer& layer = drawing.layers[i];
         std::string group = "<g id=\"layer-";
         group.append(std::to_string(i + 1)).append("\" data-height=\"").append(number_text(layer.height));
-        file.write(group.append("\" fill=\"#333\" fill-rule=\"evenodd\">\n"));
+        file.write(group.append("\" " + paint + " fill-rule=\"evenodd\">\n"));
         write_shapes(file, drawing, layer);
         file.write("</g>\n");
     }

@@ -41,6 +41,16 @@ TEST(Drawings, OfSvgHaveTheirTrueSizeAndAPathForEachShape)
     EXPECT_NE(svg.find("M-2 -1L-1 -4\""), std::string::npos);
 }
 
+TEST(Drawings, OfSeveralLayersInSvgAreContours)
+{
+    Drawing drawing = some_drawing();
+    EXPECT_EQ(count_of(drawing_bytes(drawing, "svg"), "fill=\"#333\""), 1u);
+    drawing.layers.push_back(drawing.layers.front());
+    const std::string svg = drawing_bytes(drawing, "svg");
+    EXPECT_EQ(count_of(svg, "fill=\"#333\""), 0u) << "no layer hides another";
+    EXPECT_EQ(count_of(svg, "fill=\"none\" stroke=\"#333\" stroke-width=\"0.012\""), 2u) << svg;
+}
+
 TEST(Drawings, AreInMillimetresWhateverTheUnit)
 {
     Drawing drawing = some_drawing();
