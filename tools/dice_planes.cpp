@@ -20,6 +20,19 @@ constexpr const char* kAxisNames = "xyz";
 
 }  // namespace
 
+void PlaneFamilies::add_to_direction(const Normal& normal, double height)
+{
+    const auto unit = [](const Normal& n) { return to_glm(Plane::at(Point(0, 0, 0), n)->normal()); };
+    const glm::dvec3 own = unit(normal);
+    for (std::size_t i = 0; i < normals_.size(); ++i) {
+        const glm::dvec3 other = unit(normals_[i]);
+        if (own != other && own != -other) continue;
+        heights_[i].push_back(own == other ? height : -height);
+        return;
+    }
+    add(normal, {height});
+}
+
 PlaneFamilies grid_of(const Box& box, const glm::uvec3& layers)
 {
     const glm::dvec3 lo = to_glm(box.lo), hi = to_glm(box.hi);
@@ -68,7 +81,7 @@ PlaneFamilies read_planes(const std::string& path)
         if (!has_four || !Plane::at(Point(0, 0, 0), Normal(normal)) || !std::isfinite(height))
             throw FileError(path + ": line " + std::to_string(number) +
                             " is not a plane: it needs a normal of three numbers, and its distance from the origin");
-        families.add(Normal(normal), {height});
+        families.add_to_direction(Normal(normal), height);
     }
     return families;
 }

@@ -20,6 +20,10 @@ public:
         heights_.push_back(std::move(heights));
     }
 
+    /// To the family of this direction or the opposite one, if there is one: heights are distances from the origin along
+    /// the normal.
+    void add_to_direction(const Normal& normal, double height);
+
     /// Valid as long as this, and until one is added.
     std::vector<DicePlanes> planes() const
     {
@@ -41,7 +45,7 @@ PlaneFamilies grid_of(const Box& box, const glm::uvec3& layers);
 glm::uvec3 layers_of_size(const Box& box, const glm::dvec3& size);
 
 /// Lines of four numbers: a normal, and the distance from the origin along it. Empty lines and lines that begin with # are
-/// passed over. Each plane is a family of its own.
+/// passed over. Planes of one direction, or of opposite ones, are a family.
 /// @throws FileError  that names the line
 PlaneFamilies read_planes(const std::string& path);
 

@@ -19,7 +19,11 @@ constexpr double kMostHeights = 1e6;
 double parse_height(const std::string& option, const std::string& text)
 {
     if (text.find(',') != std::string::npos) throw CLI::ValidationError(option, "'" + text + "' is not a number");
-    return parse_vector(option, text + ",0,0").x;
+    try {
+        return parse_vector(option, text + ",0,0").x;
+    } catch (const CLI::ValidationError&) {
+        throw CLI::ValidationError(option, "'" + text + "' is not a number");
+    }
 }
 
 double parse_width(const std::string& option, const std::string& text)

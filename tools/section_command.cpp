@@ -255,7 +255,8 @@ void add_section_command(CLI::App& program)
     command
         ->add_flag("--each", options->each, "A file for each plane: OUT.0001.svg and so on, where there is something")
         ->needs(out);
-    CLI::Option* json = command->add_flag("--json", options->json, "Print JSON instead of text");
+    CLI::Option* json = command->add_flag(
+        "--json", options->json, "Print JSON instead of text, without the points: a file of --format json has them");
     command
         ->add_option("--backend", options->backend,
                      "Which way to find sections; default: linear where preparing would take longer than it saves")

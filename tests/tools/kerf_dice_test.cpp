@@ -56,6 +56,10 @@ TEST_F(KerfDice, CutsByPlanesOfAFile)
     EXPECT_EQ(diced["pieces"].size() + diced["empty_cells"].get<std::size_t>(), 16u);
     for (std::size_t i = 0; i < diced["pieces"].size(); ++i)
         EXPECT_EQ(diced["pieces"][i]["file"], "p." + std::to_string(i) + ".obj");
+    write("layers.txt", "1 0 0 0.25\n0 1 0 0\n-2 0 0 0.25\n1 0 0 0\n");
+    const Json layers = kerf_json("dice in.ply --planes layers.txt --out q");
+    EXPECT_EQ(layers["pieces"].size(), 8u);
+    EXPECT_EQ(layers["empty_cells"], 0) << "planes across x are layers, whichever way they look";
     write("wrong.txt", "1 0 0 0\n0 0 0 1\n");
     expect_unusable(kerf("dice in.ply --planes wrong.txt --out p"), "line 2");
     expect_unusable(kerf("dice in.ply --planes none.txt --out p"), "none.txt");

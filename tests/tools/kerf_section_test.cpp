@@ -148,6 +148,7 @@ TEST_F(KerfSection, SaysWhatIsWrongWithItsUse)
           "section in.ply --up 0,0,0", "section in.ply --unit yard", "section in.ply --each",
           "section in.ply --count 0", "section in.ply -o - --json"})
         EXPECT_EQ(kerf(use).status, 2) << use;
+    EXPECT_NE(kerf("section in.ply --height nan").err.find("'nan' is not a number"), std::string::npos);
 }
 
 TEST_F(KerfSection, DoesNotReplaceItsInput)
