@@ -39,7 +39,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
     if choice.rows:
         worst = max(choice.rows, key=lambda row: row["worst"])
         parts.append("**The choice.** `prepare()` chooses a back end by the number of cuts that the program announces. "
-                     f"With everything that a game needs, preparing among it, the choice costs at most "
+                     f"With everything that a game needs, preparing among it, the choice between `linear` and `halfedge` costs at most "
                      f"{facts.say('choice, worst', worst['worst'], digits(2))} times what the better one costs "
                      f"({worst['mesh']}, {facts.say('choice, worst size', worst['triangles'], count_short)} triangles).")
         parts.append(ShownTable(choice, "The back end that is chosen, against the better of both: the time of so many "
