@@ -28,7 +28,7 @@ class Limits(unittest.TestCase):
 
     def test_a_worse_tail_and_a_worse_chain_are_admitted_and_better_ones_are_not_named(self):
         self.assertIn("10.0 ms against 1.00 at 100 k", unflattering.tail(self.FOUND, Facts()))
-        self.assertIn("one takes 10.0 ms (`remap`'s worst: 1.00 ms)", unflattering.longest(self.FOUND, Facts()))
+        self.assertIn("one takes 10.0 ms at 100 k triangles (`remap`'s worst: 1.00 ms)", unflattering.longest(self.FOUND, Facts()))
         self.assertEqual(unflattering.tail(some_measurements(), Facts()), "")
         self.assertEqual(unflattering.longest(some_measurements(), Facts()), "")
 

@@ -44,12 +44,18 @@ def tail(found: Measurements, facts: Facts) -> str:
 
 
 def longest(found: Measurements, facts: Facts) -> str:
-    """The worst cut of a chain of a thousand, if it is the half-edge back end's."""
-    rows = [row for row in chain_decades_table(found).rows if row["mode"] == "kept"]
-    half, linear = (max((row["worst_cut_ms"] for row in rows if row["backend"] == name), default=None)
-                    for name in (HALF, LINEAR))
-    if half is None or linear is None or half < linear:
-        return ""
-    return (f"In a chain of a thousand cuts one takes {facts.say('worst of a chain ms', half, timed)} ms (`remap`'s "
-            f"worst: {facts.say('remap worst of a chain ms', linear, timed)} ms): the reserved room is used up, and "
-            "all buffers move.")
+    """The worst cut of a chain of a thousand, at sizes at which it is the half-edge back end's."""
+    worst: dict[tuple[str, float], float] = {}
+    for row in chain_decades_table(found).rows:
+        if row["mode"] == "kept":
+            key = (row["backend"], row["triangles"])
+            worst[key] = max(worst.get(key, 0.0), row["worst_cut_ms"])
+    said = []
+    for (backend, size), half in worst.items():
+        linear = worst.get((LINEAR, size))
+        if backend == HALF and linear and half > linear:
+            said.append(f"{facts.say(f'worst of a chain ms, {size:.0f}', half, timed)} ms at "
+                        f"{facts.say(f'size of the worse chain, {size:.0f}', size, count_short)} triangles (`remap`'s worst: "
+                        f"{facts.say(f'remap worst of a chain ms, {size:.0f}', linear, timed)} ms)")
+    return (f"In a chain of a thousand cuts one takes {', '.join(said)}: the reserved room is used up, and buffers move."
+            if said else "")
