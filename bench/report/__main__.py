@@ -94,7 +94,9 @@ def write_page(arguments: argparse.Namespace) -> int:
         say(f"nothing of extent {extent.name} was measured yet")
         return 1
     from report.page.export import Report  # matplotlib takes a second to load, and is not needed until here
-    report = Report(found, machine.describe(arguments.programs), extent.name, os.cpu_count() or 1)
+    # What is shown was measured at the stages' commits, whatever is checked out by now.
+    described = machine.describe(arguments.programs) | {"commit": measurements.commits(found)}
+    report = Report(found, described, extent.name, os.cpu_count() or 1)
     page = report.write(FOLDER)
     if arguments.publish:
         say(f"wrote {report.publish(Path('docs'), Path('README.md'))}")

@@ -88,6 +88,11 @@ def model_name(file: str) -> str:
     return ASTEROID if stem.startswith(ASTEROID) else stem
 
 
+def commits(found: Measurements) -> str:
+    """At which the stages were run, the first of them first."""
+    return ", ".join(dict.fromkeys(str(stage.get("commit", "unknown")) for stage in found.stages))
+
+
 def load(stage_files: list[Path]) -> Measurements:
     """Reads stages' files; the order of `stage_files` is the order of runs."""
     all_of_them = Measurements()

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from report import measurements
-from report.measurements import Measurements, order
+from report.measurements import Measurements, commits, order
 
 
 class Loading(unittest.TestCase):
@@ -21,6 +21,11 @@ class Loading(unittest.TestCase):
             files.append(self.folder / f"{number}.json")
             files[-1].write_text(json.dumps(stage))
         return measurements.load(files)
+
+    def test_the_commits_are_those_of_the_stages(self):
+        found = Measurements()
+        found.stages = [{"commit": "b"}, {"commit": "a"}, {"commit": "b"}]
+        self.assertEqual(commits(found), "b, a")
 
     def test_benchmarks_of_several_stages_are_one_table(self):
         found = self.load(*({"stage": name, "kind": "bench", "result": {"benchmarks": [
