@@ -49,7 +49,7 @@ constexpr std::uint32_t kManyCuts = 200;
 
 /// A chain of cuts is looked at after so many.
 constexpr std::array kMarks{1, 3, 10, 20, 30, 40, 60, 100, 300, 1000};
-constexpr int kChains = 5;
+constexpr int kChainsEach = 5;
 
 /// One cut of a chain, and what stands there after it.
 struct Step
@@ -153,7 +153,8 @@ void count_marks(benchmark::State& state, std::span<const Step> steps)
             compactions += step.compactions;
         }
         total += since_mark;
-        const std::string at = "_" + std::to_string(mark);
+        std::string at = "_";
+        at += std::to_string(mark);
         state.counters["mean_ms" + at] = since_mark * 1e3 / double(next - before);
         state.counters["worst_ms" + at] = worst * 1e3;
         state.counters["cutting_ms" + at] = total * 1e3;
@@ -174,7 +175,7 @@ void long_chain(benchmark::State& state, const TimedBackEnd& back_end, std::uint
     std::vector<Step> steps;
     for (auto _ : state) {
         std::vector<LongChain> chains;
-        for (int i = 0; i < kChains; ++i) {
+        for (int i = 0; i < kChainsEach; ++i) {
             have_memory_for(mesh.triangle_count());
             chains.push_back(cut_long_chain(clone_of(*prepared), planes, compacts));
             if (!chains.back().error.empty()) return state.SkipWithError(chains.back().error.c_str());
@@ -190,7 +191,7 @@ void long_chain(benchmark::State& state, const TimedBackEnd& back_end, std::uint
     const WorstCut worst = worst_to_predicted(costs);
     state.counters["worst_to_predicted"] = worst.to_predicted;
     state.counters["worst_to_predicted_at"] = double(worst.number + 1);
-    state.counters["chains"] = kChains;
+    state.counters["chains"] = kChainsEach;
     state.counters["triangles"] = double(mesh.triangle_count());
 }
 

@@ -18,7 +18,7 @@ namespace kerf::core::halfedge {
 namespace {
 
 // For each crossing triangle of an asteroid that is whole.
-constexpr double kTriangles = 18, kBytes = 260, kNodes = 2;
+constexpr double kTriangles = 20, kBytes = 300, kNodes = 2.5;
 constexpr double kExponent = 0.56;
 
 struct Sample
