@@ -30,10 +30,11 @@ struct DrawingOptions
 };
 
 /// Writes sections as lines: SVG, DXF (R12) or OBJ, by the extension. They are seen from the positive side of their
-/// planes, in their frames. SVG has a group for each section, and a path for each outer loop, whose holes are left out
-/// by the even-odd rule (filled, or, of several sections, as contours); DXF a polyline for each loop or chain, in the layers OUTER, HOLES and CHAINS, several sections
-/// above one another; OBJ lines in space, in the mesh's unit. A loop is a hole of the loop around it, so that sections
-/// must have been found with SectionOptions::nesting. The file appears complete or not at all. Component `io`. O(k).
+/// planes, in their frames. SVG has a group for each section, and a path for each outer loop, whose holes are left
+/// out by the even-odd rule (filled, or, of several sections, as contours); DXF a polyline for each loop or chain, in
+/// the layers OUTER, HOLES and CHAINS, several sections above one another; OBJ lines in space, in the mesh's unit. A
+/// loop is a hole of the loop around it, so that sections must have been found with SectionOptions::nesting. The file
+/// appears complete or not at all. Component `io`. O(k).
 /// Status: `unusable_file` (a format that is not written, a folder that is not there, a full disk), `invalid_argument`
 /// (no section with a path, a null path), `out_of_memory`.
 KERF_API Outcome write_drawing(std::span<const Section> sections, const char* path,

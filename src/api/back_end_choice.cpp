@@ -71,7 +71,7 @@ bool preparing_pays(const core::IndexedMesh& mesh, std::uint32_t cuts)
 // --benchmark_filter='^(Stack|RealStack)/').
 bool preparing_pays(const core::IndexedMesh& mesh, const glm::dvec3& normal, std::span<const double> heights)
 {
-    constexpr std::size_t kLooked = 4096, kFew = 2;  // so few planes never cross enough
+    constexpr std::size_t kLooked = 4096, kFew = 2;  // so few planes save too little to ask
     constexpr double kCrossedForEach = 0.8;
     if (heights.size() <= kFew) return false;
     std::vector<double> sorted(heights.begin(), heights.end());

@@ -44,8 +44,8 @@ std::size_t whole(std::size_t unit, std::size_t bytes)
 }
 
 /// A block that has something already and gets less than a huge page grows by so many bytes at least: the system finds
-/// several pages at once in a third of the time that it takes for one after the other. More of them would cost a short
-/// cut more than its section does.
+/// several pages at once in less time than one after the other. More of them would cost a short cut more than its section
+/// does.
 constexpr std::size_t kStep = std::size_t(1) << 15;
 
 /// Asks for pages before they are touched, which costs less than a fault for each. Where there is no such request, they
