@@ -6,29 +6,24 @@ namespace kerf::core::halfedge {
 
 namespace {
 
-/// How many vertices or triangles ahead the mesh is read.
-constexpr Index kReadAhead = 16;
-/// The same for what another thread may have numbered: its cache gives a line away in the time of some dozen triangles.
-constexpr Index kNumberedAhead = 64;
+/// How many vertices or triangles ahead that is read which another thread may have written: its cache gives a line away
+/// in the time of some dozen triangles.
+constexpr Index kReadAhead = 64;
 
 }  // namespace
 
 void MeshWriter::write(const NumberedChunk& chunk)
 {
     u_.mesh.resize(chunk.points, chunk.edges, chunk.first + chunk.count);
-    write_vertices(chunk.vertices);
+    write_points(chunk.vertices);
     for (Index i = 0; i < chunk.count; ++i) {
-        __builtin_prefetch(&mesh_.sources[order_[chunk.first + std::min(i + kReadAhead, chunk.count - 1)]]);
         const SlotId slot(chunk.first + i);
-        if (i + kNumberedAhead < chunk.count) {
-            __builtin_prefetch(&halfedges_[slot.number() + kNumberedAhead]);
-            __builtin_prefetch(&u_.slots[slot + kNumberedAhead]);
+        if (i + kReadAhead < chunk.count) {
+            __builtin_prefetch(&halfedges_[slot.number() + kReadAhead]);
+            __builtin_prefetch(&u_.slots[slot + kReadAhead]);
         }
         const FaceId face(static_cast<int>(slot.number()));
         const std::array<HalfedgeId, 3>& h = halfedges_[slot.number()];
-        u_.face_of_slot[slot] = face;
-        u_.stamp_of_face[face] = 0;
-        u_.source_of_face[face] = mesh_.sources[order_[slot.number()]];
         u_.mesh.set_triangle(face, h[0], h[1], h[2]);
         for (std::size_t c = 0; c < 3; ++c) {
             const PointId p = point(u_.slots[slot][c]);
@@ -38,13 +33,12 @@ void MeshWriter::write(const NumberedChunk& chunk)
     }
 }
 
-void MeshWriter::write_vertices(Index end)
+void MeshWriter::write_points(Index vertices)
 {
-    for (; vertices_ < end; ++vertices_) {
-        __builtin_prefetch(&mesh_.vertices[old_vertex_[std::min(vertices_ + kReadAhead, end - 1)]]);
-        const Vertex& vertex = u_.vertices[vertices_] = mesh_.vertices[old_vertex_[vertices_]];
+    for (; vertices_ < vertices; ++vertices_) {
+        __builtin_prefetch(&u_.vertices[std::min(vertices_ + kReadAhead, vertices - 1)]);
         if (point_[vertices_] != points_) continue;
-        u_.mesh.set_position(point(vertices_), vertex.position);
+        u_.mesh.set_position(point(vertices_), u_.vertices[vertices_].position);
         ++points_;
     }
 }

@@ -7,16 +7,15 @@
 
 namespace kerf::core::halfedge {
 
-/// The second pass that writes a mesh into a universe whose arrays have their sizes: vertices, faces and half-edges,
-/// chunk after chunk of triangles that have their numbers, each chunk in the order of memory. The half-edge mesh grows
+/// The second pass that writes a mesh into a universe whose arrays have their sizes: points, faces and half-edges, chunk
+/// after chunk of triangles that have their numbers, each chunk in the order of memory. The half-edge mesh grows
 /// with them, within the room that it has: OpenMesh writes new elements, which are in the cache still when they get
 /// their values.
 class MeshWriter
 {
 public:
-    MeshWriter(const IndexedMesh& mesh, std::span<const Index> order, const Numbering& numbering, Universe& universe)
+    MeshWriter(const IndexedMesh& mesh, const Numbering& numbering, Universe& universe)
         : mesh_(mesh),
-          order_(order),
           numbering_(numbering),
           halfedges_(numbering.halfedges()),
           old_vertex_(numbering.old_vertices()),
@@ -32,16 +31,15 @@ public:
     void finish();
 
 private:
-    void write_vertices(Index end);
+    void write_points(Index vertices);
     PointId point(Index vertex) const { return PointId(static_cast<int>(point_[vertex])); }
 
     const IndexedMesh& mesh_;
-    std::span<const Index> order_;
     const Numbering& numbering_;
     std::span<const std::array<HalfedgeId, 3>> halfedges_;
     std::span<const Index> old_vertex_, point_;
     Universe& u_;
-    Index vertices_ = 0, points_ = 0;  ///< written
+    Index vertices_ = 0, points_ = 0;  ///< whose points are written, and those
 };
 
 }  // namespace kerf::core::halfedge

@@ -9,6 +9,8 @@ namespace {
 /// How many triangles ahead memory is asked for: this pass reads all over the mesh, and its branches can't be foretold,
 /// so the processor does not read ahead by itself.
 constexpr std::size_t kTrianglesAhead = 12;
+/// The same for what is then copied from all over the mesh.
+constexpr Index kReadAhead = 16;
 
 }  // namespace
 
@@ -25,10 +27,10 @@ Numbering::Numbering(const ProvenMesh& proven, std::size_t boundary)
     at_boundary_.reserve(boundary);
 }
 
-void Numbering::begin(std::span<const Index> order, AppendBuffer<Triangle, SlotId>& slots)
+void Numbering::begin(std::span<const Index> order, Universe& universe)
 {
     order_ = order;
-    slots_ = &slots;
+    u_ = &universe;
 }
 
 NumberedChunk Numbering::next()
@@ -36,17 +38,20 @@ NumberedChunk Numbering::next()
     NumberedChunk chunk;
     chunk.first = counts_.triangles;
     chunk.count = static_cast<Index>(std::min(order_.size() - counts_.triangles, NumberedChunk::kTriangles));
+    const Index first_vertex = counts_.vertices;
     for (Index i = chunk.first; i < chunk.first + chunk.count; ++i) {
         prefetch_triangle(order_[std::min(i + 2 * kTrianglesAhead, order_.size() - 1)]);
         prefetch_neighbours(order_[std::min(i + kTrianglesAhead, order_.size() - 1)]);
         const Index old_triangle = order_[i];
         const Triangle& t = mesh_.triangles[old_triangle];
-        Triangle& slot = (*slots_)[SlotId(i)];
+        Triangle& slot = u_->slots[SlotId(i)];
         for (std::size_t c = 0; c < 3; ++c) {
             slot[c] = vertex(t[c]);
             halfedges_[i][c] = halfedge(3 * old_triangle + Index(c));
         }
     }
+    write_faces(chunk);
+    write_vertices(first_vertex, counts_.vertices);
     counts_.triangles += chunk.count;
     chunk.vertices = counts_.vertices;
     chunk.points = counts_.points;
@@ -98,6 +103,26 @@ HalfedgeId Numbering::halfedge(Index corner)
     counts_.edges += is_first ? 1 : 0;
     known_[is_first ? across : corner] = is_first ? opposite(fresh) : known;
     return is_first ? fresh : known;
+}
+
+void Numbering::write_faces(const NumberedChunk& chunk)
+{
+    const Index end = chunk.first + chunk.count;
+    for (Index i = chunk.first; i < end; ++i) {
+        __builtin_prefetch(&mesh_.sources[order_[std::min(i + kReadAhead, end - 1)]]);
+        const FaceId face(static_cast<int>(i));
+        u_->face_of_slot[SlotId(i)] = face;
+        u_->stamp_of_face[face] = 0;
+        u_->source_of_face[face] = mesh_.sources[order_[i]];
+    }
+}
+
+void Numbering::write_vertices(Index first, Index end)
+{
+    for (Index v = first; v < end; ++v) {
+        __builtin_prefetch(&mesh_.vertices[old_vertex_[std::min(v + kReadAhead, end - 1)]]);
+        u_->vertices[v] = mesh_.vertices[old_vertex_[v]];
+    }
 }
 
 }  // namespace kerf::core::halfedge

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "common/repair/proven_mesh.h"
-#include "halfedge/universe/append_buffer.h"
 #include "halfedge/universe/ids.h"
 #include "halfedge/universe/scratch_array.h"
+#include "halfedge/universe/universe.h"
 
-// The first of the two passes that write a mesh into a universe: what gets which number. The second pass (mesh_writer.h)
-// follows it chunk by chunk (numbered_chunks.h), on the same thread or on another one.
+// The first of the two passes that write a mesh into a universe: what gets which number, and all that belongs to a
+// triangle or a vertex alone. The second pass (mesh_writer.h) follows it chunk by chunk (numbered_chunks.h), on the same
+// thread or on another one.
 
 namespace kerf::core::halfedge {
 
@@ -26,16 +27,17 @@ struct NumberedChunk
 
 /// Numbers a mesh's triangles, one after another in their new order: vertices and points in the order of their first
 /// use, edges in that of their first half-edge. A triangle tells its neighbours what half-edges they have in common, so
-/// connectivity needs no search.
+/// connectivity needs no search. Writes the slots and what runs parallel to them and to the vertices; the two passes
+/// then have about the same work.
 class Numbering
 {
 public:
     /// @param boundary  how many half-edges of the mesh have no opposite one
     Numbering(const ProvenMesh& proven, std::size_t boundary);
 
-    /// The triangles of the mesh in their new order, and where they go with their new vertices. To be said before
+    /// The triangles of the mesh in their new order, and where they go; the arrays have their sizes. To be said before
     /// next().
-    void begin(std::span<const Index> order, AppendBuffer<Triangle, SlotId>& slots);
+    void begin(std::span<const Index> order, Universe& universe);
 
     std::size_t chunks() const { return (order_.size() + NumberedChunk::kTriangles - 1) / NumberedChunk::kTriangles; }
     /// Numbers the next chunk of triangles. Can't fail.
@@ -54,11 +56,13 @@ private:
     void prefetch_neighbours(Index old_triangle) const;
     Index vertex(Index old_vertex);
     HalfedgeId halfedge(Index corner);
+    void write_faces(const NumberedChunk& chunk);
+    void write_vertices(Index first, Index end);
 
     const IndexedMesh& mesh_;
     std::span<const Index> opposite_;
     std::span<const Index> order_;
-    AppendBuffer<Triangle, SlotId>* slots_ = nullptr;
+    Universe* u_ = nullptr;
     /// By half-edge of the mesh: its own number, once the triangle across has its numbers. Told by that triangle, so that
     /// each reads what lies together, and only writing goes all over the mesh. Invalid until then.
     ScratchArray<HalfedgeId> known_;

@@ -118,8 +118,11 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
 
     // The shares are those that the steps have of the time, about.
     progress.at(0.0);
-    const auto boundary =
-        static_cast<std::size_t>(std::count(adjacency.opposite.begin(), adjacency.opposite.end(), kNone));
+    // Of a closed mesh it is known without asking every half-edge.
+    const std::size_t boundary =
+        proven.is_closed()
+            ? 0
+            : static_cast<std::size_t>(std::count(adjacency.opposite.begin(), adjacency.opposite.end(), kNone));
     u.has_boundary = boundary > 0;
     UniverseSize size{mesh.point_count, (3 * n + boundary) / 2, n, mesh.vertices.size(), 0};
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
@@ -137,9 +140,9 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     for (const Run& run : runs) size.nodes += TriangleTree::nodes_of_full_leaves(run.count) + 1;
     reserve_nodes(u, size, crossings);
 
-    numbering.begin(in_order, u.slots);
+    numbering.begin(in_order, u);
     NumberedChunks chunks(numbering, two_threads);
-    MeshWriter writer(mesh, in_order, numbering, u);
+    MeshWriter writer(mesh, numbering, u);
     SlotId written(0);
     std::vector<ShellRoot> roots = plant_trees(runs, adjacency.shell_count, u, [&](SlotId end) {
         while (written < end) {
