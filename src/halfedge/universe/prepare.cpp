@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <future>
+#include <optional>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "common/mesh/mass_moments.h"
@@ -12,6 +11,7 @@
 #include "halfedge/universe/mesh_writer.h"
 #include "halfedge/universe/numbered_chunks.h"
 #include "halfedge/universe/numbering.h"
+#include "halfedge/universe/side_by_side.h"
 #include "halfedge/universe/spatial_order.h"
 #include "halfedge/universe/universe.h"
 
@@ -88,19 +88,6 @@ void set_sizes(Universe& u, const UniverseSize& size)
 /// With fewer triangles a second thread costs more than it saves.
 constexpr std::size_t kWorthAThread = 20'000;
 
-/// Does a job on another thread if it is asked to and there is one to be had, otherwise when the future is asked. (A
-/// future of one of the library's types would show that type's name to whoever loads a plugin with the library inside.)
-template <class Job>
-std::future<void> beside(bool on_another_thread, Job job)
-{
-    if (on_another_thread) try {
-            return std::async(std::launch::async, job);
-        } catch (const std::system_error&) {
-            // Then without.
-        }
-    return std::async(std::launch::deferred, job);
-}
-
 }  // namespace
 
 std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, const PrepareOptions& options)
@@ -126,14 +113,17 @@ std::vector<ShellRoot> prepare_universe(const ProvenMesh& proven, Universe& u, c
     u.has_boundary = boundary > 0;
     UniverseSize size{mesh.point_count, (3 * n + boundary) / 2, n, mesh.vertices.size(), 0};
     const std::vector<Index> group_of = sort_groups(mesh, u.groups);
-    ScratchArray<Index> order;
-    std::future<void> order_is_made =
-        beside(two_threads, [&] { order = spatial_order(proven, group_of, u.groups.size()); });
+    const ScratchArray<Index> order = spatial_order(proven, group_of, u.groups.size(), two_threads);
     const std::size_t crossings = crossings_of_one_cut(n) * std::max<std::size_t>(options.cuts_with_room, 1);
-    reserve(u, size, crossings);
-    set_sizes(u, size);
-    Numbering numbering(proven, boundary);
-    order_is_made.get();
+    std::optional<Numbering> made;
+    side_by_side(
+        two_threads,
+        [&] {
+            reserve(u, size, crossings);
+            set_sizes(u, size);
+        },
+        [&] { made.emplace(proven, boundary); });
+    Numbering& numbering = *made;
     const std::span<const Index> in_order(order.data(), order.size());
     const std::vector<Run> runs = find_runs(in_order, group_of, adjacency);
     progress.at(0.25);

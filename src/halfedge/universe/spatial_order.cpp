@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "halfedge/universe/side_by_side.h"
+
 namespace kerf::core::halfedge {
 
 namespace {
@@ -54,7 +56,8 @@ std::uint64_t spread(std::uint32_t v)
     return kSpread[v & kMask] | std::uint64_t(kSpread[v >> kBitsAtOnce & kMask]) << 3 * kBitsAtOnce;
 }
 
-ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout)
+/// Of the triangles from `first` on, up to `end`.
+ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout, std::size_t first, std::size_t end)
 {
     const IndexedMesh& mesh = proven;
     const Box& box = proven.bounds();
@@ -62,8 +65,8 @@ ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout)
     const double longest = std::max({size.x, size.y, size.z});
     const double cells = double((1u << layout.bits_of_axis) - 1);
     const double scale = longest > 0.0 ? cells / (3.0 * longest) : 0.0;
-    ScratchArray<Item> items(mesh.triangles.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
+    ScratchArray<Item> items(end - first);
+    for (std::size_t i = first; i < end; ++i) {
         const Triangle& t = mesh.triangles[i];
         const glm::dvec3 centre = (glm::dvec3(mesh.vertices[t[0]].position) - lo) +
                                   (glm::dvec3(mesh.vertices[t[1]].position) - lo) +
@@ -71,7 +74,7 @@ ScratchArray<Item> items_of(const ProvenMesh& proven, const Layout& layout)
         const glm::dvec3 cell = centre * scale;
         const std::uint64_t code =
             spread(std::uint32_t(cell.x)) | (spread(std::uint32_t(cell.y)) << 1) | (spread(std::uint32_t(cell.z)) << 2);
-        items[i] = (code << layout.bits_of_number) | i;
+        items[i - first] = (code << layout.bits_of_number) | i;
     }
     return items;
 }
@@ -104,6 +107,61 @@ void sort_by_cell(ScratchArray<Item>& items, const Layout& layout)
     }
 }
 
+using Run = std::span<const Item>;
+
+/// How many of the first `count` items of two sorted runs together are of the first run.
+std::size_t share_of_first(Run a, Run b, std::size_t count)
+{
+    std::size_t least = count - std::min(count, b.size()), most = std::min(count, a.size());
+    while (least < most) {
+        const std::size_t middle = (least + most) / 2;
+        if (a[middle] < b[count - middle - 1])
+            least = middle + 1;
+        else
+            most = middle;
+    }
+    return least;
+}
+
+/// The triangles of two sorted runs in the order of both.
+void merge_numbers(Run a, Run b, const Layout& layout, Index* to)
+{
+    auto x = a.begin(), y = b.begin();
+    while (x != a.end() && y != b.end()) *to++ = layout.number(*x < *y ? *x++ : *y++);
+    for (; x != a.end(); ++x) *to++ = layout.number(*x);
+    for (; y != b.end(); ++y) *to++ = layout.number(*y);
+}
+
+/// By cell and number, half of them on another thread: each half is sorted, and each half of the result is merged.
+ScratchArray<Index> order_by_cell_on_two_threads(const ProvenMesh& proven, const Layout& layout)
+{
+    const std::size_t n = proven->triangles.size(), half = n / 2;
+    ScratchArray<Item> lower, upper;
+    const auto sorted = [&](std::size_t first, std::size_t end) {
+        ScratchArray<Item> items = items_of(proven, layout, first, end);
+        sort_by_cell(items, layout);
+        return items;
+    };
+    side_by_side(
+        true, [&] { lower = sorted(0, half); }, [&] { upper = sorted(half, n); });
+    const Run a(lower.data(), lower.size()), b(upper.data(), upper.size());
+    const std::size_t of_a = share_of_first(a, b, half), of_b = half - of_a;
+    ScratchArray<Index> order(n);
+    side_by_side(
+        true, [&] { merge_numbers(a.first(of_a), b.first(of_b), layout, order.data()); },
+        [&] { merge_numbers(a.subspan(of_a), b.subspan(of_b), layout, order.data() + half); });
+    return order;
+}
+
+ScratchArray<Index> order_by_cell(const ProvenMesh& proven, const Layout& layout)
+{
+    ScratchArray<Item> items = items_of(proven, layout, 0, proven->triangles.size());
+    sort_by_cell(items, layout);
+    ScratchArray<Index> order(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) order[i] = layout.number(items[i]);
+    return order;
+}
+
 /// A stable sort of triangles by key(triangle) < keys.
 template <class Key>
 void sort_by(ScratchArray<Index>& order, std::size_t keys, Key key)
@@ -118,14 +176,12 @@ void sort_by(ScratchArray<Index>& order, std::size_t keys, Key key)
 
 }  // namespace
 
-ScratchArray<Index> spatial_order(const ProvenMesh& proven, std::span<const Index> group_of, std::size_t groups)
+ScratchArray<Index> spatial_order(const ProvenMesh& proven, std::span<const Index> group_of, std::size_t groups,
+                                  bool on_two_threads)
 {
     const Layout layout(proven->triangles.size());
-    ScratchArray<Item> items = items_of(proven, layout);
-    sort_by_cell(items, layout);
-    ScratchArray<Index> order(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) order[i] = layout.number(items[i]);
-
+    ScratchArray<Index> order =
+        on_two_threads ? order_by_cell_on_two_threads(proven, layout) : order_by_cell(proven, layout);
     const Adjacency& adjacency = proven.adjacency();
     if (adjacency.shell_count > 1)
         sort_by(order, adjacency.shell_count, [&](Index triangle) { return adjacency.shell[triangle]; });

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <random>
 #include <string>
 #include <thread>
 #include <utility>
@@ -83,7 +85,13 @@ std::vector<std::pair<std::string, IndexedMesh>> large_meshes()
     using namespace shapes;
     TriangleSoup bowl = icosphere(1.0f, 60);
     std::erase_if(bowl.triangles, [&](const Triangle& t) { return bowl.vertices[t[0]].position.z > 0.3f; });
+    // An odd number of triangles, in any order: halves of them lie all over the same cells.
+    TriangleSoup shuffled = asteroid(40'000, 1);
+    shuffled.triangles.pop_back();
+    std::mt19937 random(20);
+    std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), random);
     return {{"asteroid", test::repaired(asteroid(40'000, 1))},
+            {"shuffled", test::repaired(shuffled)},
             {"bowl", test::repaired(bowl)},
             {"sphere with colours", test::repaired(test::with_colours(uv_sphere(1.0f, 300, 100)))},
             {"two shells, two materials",
