@@ -42,6 +42,12 @@ class Preparing(unittest.TestCase):
                                                                     value in counters.items()}
         row, = chain_balance_table(found).rows
         self.assertEqual((row["balance_ms"], row["cutting_balance_ms"]), (10.0, -40.0))
+        self.assertNotIn("balance_on_two_ms", row)
+        found.bench["PrepareThreads/2/halfedge/asteroid/100000"] = {"real_time": (50.0,) * 3}
+        row, = chain_balance_table(found).rows
+        self.assertEqual((row["extra_on_two_ms"], row["balance_on_two_ms"], row["cutting_balance_on_two_ms"]),
+                         (40.0, 60.0, 10.0))
+        self.assertEqual((row["balance_ms"], row["cutting_balance_ms"]), (10.0, -40.0))
 
     def test_a_choice_is_judged_for_each_number_of_cuts(self):
         found = self.measured()

@@ -67,11 +67,19 @@ def paid_back_in_chains(balance: Table, facts: Facts) -> str:
     size = max(row["triangles"] for row in balance.rows)
     rows = [row for row in balance.rows if row["triangles"] == size]
     text = f"Of {facts.say('chain size', size, count_short)} triangles, always the largest piece cut, "
-    turns = {key: chain_turn(rows, key) for key in ("balance_ms", "cutting_balance_ms")}
-    whole, cutting = (turn_text(f"{key}, cuts", turn, rows[-1]["cuts"], facts) for key, turn in turns.items())
+    text += f"preparing is {turns_text(rows, '', facts)}."
+    if "extra_on_two_ms" in rows[-1]:
+        text += f" By two threads it is {turns_text(rows, 'on_two_', facts)}."
+    return text
+
+
+def turns_text(rows: list[dict], how: str, facts: Facts) -> str:
+    """When it is paid back, with everything and counting cut() alone; `how` is part of the columns' names."""
+    whole, cutting = (turn_text(f"{key}, cuts", chain_turn(rows, key), rows[-1]["cuts"], facts)
+                      for key in (f"balance_{how}ms", f"cutting_balance_{how}ms"))
     if whole == cutting:
-        return text + f"preparing is {whole}, with everything a game needs as for cut() alone."
-    return text + f"preparing is {whole} with everything a game needs, and {cutting} counting cut() alone."
+        return f"{whole}, with everything a game needs as for cut() alone"
+    return f"{whole} with everything a game needs, and {cutting} counting cut() alone"
 
 
 def turn_text(name: str, turn: tuple[float, float] | None, most: float, facts: Facts) -> str:

@@ -74,7 +74,11 @@ def chain_balance_table(found: Measurements) -> Table:
                                     Column("halfedge_whole_ms", "halfedge, whole chain ms", timed),
                                     Column("extra_prepare_ms", "extra preparing ms", timed),
                                     Column("cutting_balance_ms", "balance of cut(), ms", signed_milliseconds),
-                                    Column("balance_ms", "balance of the whole chain, ms", signed_milliseconds)])
+                                    Column("balance_ms", "balance of the whole chain, ms", signed_milliseconds),
+                                    Column("extra_on_two_ms", "extra preparing on two threads, ms", timed),
+                                    Column("cutting_balance_on_two_ms", "balance of cut() then, ms", signed_milliseconds),
+                                    Column("balance_on_two_ms", "balance of the whole chain then, ms", signed_milliseconds)])
+    on_two = {size: c["real_time"][0] for variant, size, c in found.sized("PrepareThreads") if variant == "2/halfedge"}
     chains = {(variant, size): c for variant, size, c in found.sized("Chain")}
     prepared = {(backend, size): c for backend, size, c in found.sized("Prepare")}
     for variant, size in chains:
@@ -83,12 +87,17 @@ def chain_balance_table(found: Measurements) -> Table:
         if variant != "kept/halfedge" or any(key not in cells for cells, key in needed):
             continue
         half, linear = chains[(variant, size)], chains[("kept/baseline/remap", size)]
-        extra = prepared[("halfedge", size)]["real_time"][0] - prepared[("baseline/remap", size)]["real_time"][0]
+        linear_ms = prepared[("baseline/remap", size)]["real_time"][0]
+        extra = prepared[("halfedge", size)]["real_time"][0] - linear_ms
         for mark in sorted(int(key.removeprefix("whole_ms_")) for key in half if key.startswith("whole_ms_")):
             row: dict[str, Value] = {"triangles": half["triangles"][0], "cuts": mark, "extra_prepare_ms": extra}
             for kind, balance in (("cutting", "cutting_balance_ms"), ("whole", "balance_ms")):
                 ours, theirs = half[f"{kind}_ms_{mark}"][0], linear[f"{kind}_ms_{mark}"][0]
                 row |= {f"remap_{kind}_ms": theirs, f"halfedge_{kind}_ms": ours, balance: theirs - ours - extra}
+                if size in on_two:
+                    extra_on_two = on_two[size] - linear_ms
+                    row |= {"extra_on_two_ms": extra_on_two,
+                            balance.replace("_ms", "_on_two_ms"): theirs - ours - extra_on_two}
             table.rows.append(row)
     return table
 
