@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "halfedge/cut/crossing_numbers.h"
+#include "halfedge/cut/edges_in_plane.h"
 #include "halfedge/cut/leaf_distances.h"
 #include "halfedge/cut/leaf_prefetch.h"
 #include "halfedge/cut/visit_tree.h"
@@ -10,21 +11,6 @@
 namespace kerf::core::halfedge {
 
 namespace {
-
-/// The side that a face which does not cross is kept on.
-Side kept_side(const Plane& plane, const std::array<glm::vec3, 3>& p, const std::array<double, 3>& d)
-{
-    switch (classify(d[0], d[1], d[2])) {
-        case TriangleClass::negative:
-            return Side::negative;
-        case TriangleClass::in_plane:
-            return coplanar_side(plane, p[0], p[1], p[2]);
-        case TriangleClass::positive:
-        case TriangleClass::crossing:
-            break;
-    }
-    return Side::positive;
-}
 
 /// FIND for one shell: appends its program, crossing triangles and edges in the plane.
 template <class Numbers>
@@ -104,7 +90,7 @@ private:
                 continue;
             }
             const bool on = distances_.is_on(i);
-            const Side side = on ? side_on_plane(slot, distances_.of(i)) : static_cast<Side>(above);
+            const Side side = on ? kept_side(u_, plane_, slot, distances_.of(i)) : static_cast<Side>(above);
             ++kept[side];
             entries[i] = LeafEntry::to_target(target(side));
             if (on) add_in_plane_edges(slot, side, distances_.of(i), node.group);
@@ -120,13 +106,6 @@ private:
         for (const Side side : kSides) counts.kept[side] = static_cast<std::uint8_t>(kept[side]);
         counts.sides_are_targets = true;
         return {TreeOp::Kind::leaf, n, static_cast<Index>(first_entry), counts};
-    }
-
-    Side side_on_plane(SlotId slot, const std::array<double, 3>& d) const
-    {
-        const Triangle& t = u_.slots[slot];
-        const auto corner = [&](std::size_t i) { return u_.vertices[t[i]].position; };
-        return kept_side(plane_, {corner(0), corner(1), corner(2)}, d);
     }
 
     void add_crossing(SlotId slot, GroupId group, const Triangle& t, const std::array<double, 3>& d)
@@ -147,39 +126,23 @@ private:
     /// sides, by the one of the smaller half-edge otherwise.
     void add_in_plane_edges(SlotId slot, Side side, const std::array<double, 3>& d, GroupId group)
     {
-        if ((d[0] == 0.0) + (d[1] == 0.0) + (d[2] == 0.0) < 2) return;
-        const FaceId face = u_.face_of_slot[slot];
-        const Triangle& t = u_.slots[slot];
-        HalfedgeId h = u_.mesh.halfedge_of(face);
-        for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
-            if (d[i] != 0.0 || d[(i + 1) % 3] != 0.0) continue;
-            const FaceId neighbour = u_.mesh.face(opposite(h));
-            const bool is_flush = !neighbour.is_valid() || side_of_face(neighbour) == side;
-            if (is_flush && (!neighbour.is_valid() || h < opposite(h)))
+        for_each_edge_in_plane(u_, plane_, slot, side, d, [&](const EdgeInPlane& e) {
+            const HalfedgeId h = e.halfedge;
+            const FaceId face = u_.face_of_slot[slot];
+            if (e.is_flush && (!e.across.is_valid() || h < opposite(h)))
                 found_.flush.push_back({h, face, side, target(side)});
-            if (is_flush || side == Side::positive) continue;
+            if (e.is_flush || side == Side::positive) return;
+            const Triangle& t = u_.slots[slot];
             found_.in_plane.push_back({h,
                                        opposite(h),
                                        face,
-                                       neighbour,
+                                       e.across,
                                        group,
                                        shell_,
-                                       VertexId(t[(i + 1) % 3]),
-                                       VertexId(t[i]),
+                                       VertexId(t[(e.corner + 1) % 3]),
+                                       VertexId(t[e.corner]),
                                        {target(Side::negative), target(Side::positive)}});
-        }
-    }
-
-    Side side_of_face(FaceId face) const
-    {
-        std::array<glm::vec3, 3> p;
-        std::array<double, 3> d;
-        HalfedgeId h = u_.mesh.halfedge_of(face);
-        for (std::size_t i = 0; i < 3; ++i, h = u_.mesh.next(h)) {
-            p[i] = u_.mesh.position(u_.mesh.from(h));
-            d[i] = plane_.signed_distance(p[i]);
-        }
-        return kept_side(plane_, p, d);
+        });
     }
 
     const Universe& u_;
