@@ -55,10 +55,11 @@ LeafDistances::Masks LeafDistances::masks(std::size_t count) const
             below |= std::uint64_t{below_[i + byte]} << 8 * byte;
         }
         masks.crossing |= gathered(is_set(above) & is_set(below)) << i;
+        masks.above |= gathered(is_set(above)) << i;
         masks.on |= gathered(is_set((above | below) ^ kAllCorners * kOnes)) << i;
     }
     const std::uint64_t asked_for = (std::uint64_t(1) << count) - 1;
-    return {masks.crossing & asked_for, masks.on & asked_for};
+    return {masks.crossing & asked_for, masks.on & asked_for, masks.above & asked_for};
 }
 
 #ifdef KERF_AVX2

@@ -35,6 +35,7 @@ public:
     {
         std::uint64_t crossing = 0;  ///< it has corners above the plane and below it
         std::uint64_t on = 0;        ///< a corner lies on the plane
+        std::uint64_t above = 0;     ///< a corner lies above it
     };
     /// Of the first `count` triangles. O(kMaxLeafTriangles / 8).
     Masks masks(std::size_t count) const;

@@ -68,10 +68,16 @@ void copy_paths(const Universe& u, const Found& found, const Section& from, Plan
 void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const Plane& plane, CutWorkspace& w,
                   PlaneSection& section)
 {
-    const auto misses = [&](Side side) { section.side_of_object = side; };
-    if (const std::optional<Side> side = missed_side(u, shells, plane, w.waiting_nodes, section.nodes_visited))
-        return misses(*side);
-    if (w.quick_outline.find(u, shells, plane, section)) return;
+    if (const std::optional<Side> side = missed_side(u, shells, plane, w.waiting_nodes, section.nodes_visited)) {
+        section.side_of_object = *side;
+        return;
+    }
+    if (!w.quick_outline.find(u, shells, plane, section)) find_outline_as_a_cut(u, shells, plane, w, section);
+}
+
+void find_outline_as_a_cut(const Universe& u, const std::vector<ShellRoot>& shells, const Plane& plane, CutWorkspace& w,
+                           PlaneSection& section)
+{
     const Emptied emptied(w);
     w.finder.run(u, shells, plane, w.section_numbers, w.found);
     const Coincidences coincidences = split_crossings(u, w.section_numbers, w.found);
@@ -79,7 +85,10 @@ void find_outline(const Universe& u, const std::vector<ShellRoot>& shells, const
     section.triangles_touched = w.found.entries.size() + w.found.triangles_read;
     // All of a side can vanish: a spike so thin that its cut points are one.
     for (const Side side : kSides)
-        if (!w.found.keeps_triangles(side)) return misses(opposite(side));
+        if (!w.found.keeps_triangles(side)) {
+            section.side_of_object = opposite(side);
+            return;
+        }
     w.walker.run_outline(u, plane, coincidences, w.outline_linker, w.found, w.section);
     copy_paths(u, w.found, w.section, section);
     if (section.wants_ends) add_ends(u, plane, w.found, w.section, section);

@@ -55,8 +55,9 @@ void expect_distances(bool with_avx2)
             ASSERT_EQ(distances.is_on(i), on);
             ASSERT_EQ(masks.crossing >> i & 1, above && below ? 1u : 0u);
             ASSERT_EQ(masks.on >> i & 1, on ? 1u : 0u);
+            ASSERT_EQ(masks.above >> i & 1, above ? 1u : 0u);
         }
-        ASSERT_EQ((masks.crossing | masks.on) >> triangles.size(), 0u);
+        ASSERT_EQ((masks.crossing | masks.on | masks.above) >> triangles.size(), 0u);
     });
     EXPECT_GT(corners_on_a_plane, 100u);
 }
