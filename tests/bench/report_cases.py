@@ -92,7 +92,8 @@ def add_sections(found):
                   "nodes_visited": 10 * root, "sections_each": 5}
         for way, backend, ms in (("loops", "halfedge", root / 1000), ("nested", "halfedge", 2 * root / 1000),
                                  ("filled", "halfedge", 3 * root / 1000), ("by_cut", "halfedge", root / 10),
-                                 ("loops", "baseline/remap", size / 1000)):
+                                 ("through_vertices", "halfedge", root / 900), ("along_edges", "halfedge", root / 800),
+                                 ("in_faces", "halfedge", root / 700), ("loops", "baseline/remap", size / 1000)):
             found.bench[f"Section/{way}/{backend}/asteroid/{size}"] = repeated(real_time=5 * ms, **shared)
         for heights in (10, 1000):
             for name, ms in (("Stack/halfedge", root), ("StackThreads/2/halfedge", root / 2),

@@ -19,6 +19,7 @@ class SectionTables(unittest.TestCase):
         for row in rows:
             self.assertAlmostEqual(row["loops_ms"], row["triangles"]**0.5 / 1000)
             self.assertAlmostEqual(row["to_cut"], 100)
+            self.assertAlmostEqual(row["through_vertices_ms"], row["triangles"]**0.5 / 900)
             self.assertAlmostEqual(row["remap_ms"], row["triangles"] / 1000)
 
     def test_stacks_stand_beside_two_threads_and_the_loop_where_those_were_timed(self):
@@ -48,6 +49,7 @@ class SectionTables(unittest.TestCase):
         text = "\n".join(part for part in section.parts if isinstance(part, str))
         self.assertIn("power 0.50", text)
         self.assertIn("100 times as long", text)
+        self.assertIn("through three vertices it is 1.11 ms, along an edge 1.25, in a face 1.43.", text)
 
     def test_without_sections_there_is_no_chapter(self):
         self.assertEqual(looking.write(Measurements(), {}, Facts()), [])

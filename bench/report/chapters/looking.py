@@ -19,7 +19,7 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         "loops are those of a cut, bit for bit.",
         one_section(table, facts), growth(table, facts), of_stacks(stacks, facts), of_libraries(slicers, facts),
         ShownTable(table, "One section: ms, mean of five seeded planes through the middle; preparing, once, in a column "
-                   "of its own.", published=True)]
+                   "of its own. The last three: means of twenty planes, which may be anywhere.", published=True)]
     if stacks.rows:
         parts.append(ShownTable(stacks, "Stacks: ms for all heights, loops in order, nesting and areas among it. `remap` "
                                 "sweeps over all triangles once.",
@@ -41,9 +41,14 @@ def one_section(table: Table, facts: Facts) -> str:
     row = table.rows[-1]
     if not row.get("to_cut"):
         return ""
-    return (f"At {facts.say('size', row['triangles'], count_short)} triangles a section takes "
+    text = (f"At {facts.say('size', row['triangles'], count_short)} triangles a section takes "
             f"{facts.say('section ms', row['loops_ms'], timed)} ms, and a cut of a copy "
             f"{facts.say('cut / section', row['to_cut'], rounded)} times as long.")
+    if row.get("through_vertices_ms") and row.get("along_edges_ms") and row.get("in_faces_ms"):
+        text += (f" By planes through three vertices it is {facts.say('vertices ms', row['through_vertices_ms'], timed)} "
+                 f"ms, along an edge {facts.say('edges ms', row['along_edges_ms'], timed)}, in a face "
+                 f"{facts.say('faces ms', row['in_faces_ms'], timed)}.")
+    return text
 
 
 def growth(table: Table, facts: Facts) -> str:

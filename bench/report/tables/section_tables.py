@@ -5,7 +5,7 @@ from report.repetitions import Counters, median
 from report.tables.numbers import count, digits, percent, timed
 from report.tables.table import Column, Table, Value
 
-WAYS = ("loops", "nested", "filled", "by_cut")
+WAYS = ("loops", "nested", "filled", "by_cut", "through_vertices", "along_edges", "in_faces")
 BACKENDS = ("halfedge", "baseline/remap")
 
 
@@ -26,7 +26,9 @@ def sections_table(found: Measurements) -> Table:
                Column("filled_ms", "and triangles", timed), Column("by_cut_ms", "cut of a copy", timed),
                Column("to_cut", "cut / loops", timed), Column("touched", "triangles touched", count),
                Column("nodes", "nodes", count), Column("remap_ms", "remap, loops", timed),
-               Column("prepare_ms", "preparing", timed)]
+               Column("prepare_ms", "preparing", timed),
+               Column("through_vertices_ms", "loops, through three vertices", timed),
+               Column("along_edges_ms", "along an edge", timed), Column("in_faces_ms", "in a face", timed)]
     table = Table("sections", columns)
     for (variant, size), c in sorted(found.growth("Section", "asteroid").items(), key=lambda cell: cell[0][1]):
         if variant != "loops/halfedge":
