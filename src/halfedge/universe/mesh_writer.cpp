@@ -8,7 +8,7 @@ namespace {
 
 /// How many vertices or triangles ahead that is read which another thread may have written: its cache gives a line away
 /// in the time of some dozen triangles.
-constexpr Index kReadAhead = 64;
+constexpr Index kNumberedAhead = 64;
 
 }  // namespace
 
@@ -18,9 +18,9 @@ void MeshWriter::write(const NumberedChunk& chunk)
     write_points(chunk.vertices);
     for (Index i = 0; i < chunk.count; ++i) {
         const SlotId slot(chunk.first + i);
-        if (i + kReadAhead < chunk.count) {
-            __builtin_prefetch(&halfedges_[slot.number() + kReadAhead]);
-            __builtin_prefetch(&u_.slots[slot + kReadAhead]);
+        if (i + kNumberedAhead < chunk.count) {
+            __builtin_prefetch(&halfedges_[slot.number() + kNumberedAhead]);
+            __builtin_prefetch(&u_.slots[slot + kNumberedAhead]);
         }
         const FaceId face(static_cast<int>(slot.number()));
         const std::array<HalfedgeId, 3>& h = halfedges_[slot.number()];
@@ -36,7 +36,7 @@ void MeshWriter::write(const NumberedChunk& chunk)
 void MeshWriter::write_points(Index vertices)
 {
     for (; vertices_ < vertices; ++vertices_) {
-        __builtin_prefetch(&u_.vertices[std::min(vertices_ + kReadAhead, vertices - 1)]);
+        __builtin_prefetch(&u_.vertices[std::min(vertices_ + kNumberedAhead, vertices - 1)]);
         if (point_[vertices_] != points_) continue;
         u_.mesh.set_position(point(vertices_), u_.vertices[vertices_].position);
         ++points_;

@@ -107,10 +107,10 @@ void sort_by_cell(ScratchArray<Item>& items, const Layout& layout)
     }
 }
 
-using Run = std::span<const Item>;
+using SortedItems = std::span<const Item>;
 
 /// How many of the first `count` items of two sorted runs together are of the first run.
-std::size_t share_of_first(Run a, Run b, std::size_t count)
+std::size_t share_of_first(SortedItems a, SortedItems b, std::size_t count)
 {
     std::size_t least = count - std::min(count, b.size()), most = std::min(count, a.size());
     while (least < most) {
@@ -124,7 +124,7 @@ std::size_t share_of_first(Run a, Run b, std::size_t count)
 }
 
 /// The triangles of two sorted runs in the order of both.
-void merge_numbers(Run a, Run b, const Layout& layout, Index* to)
+void merge_numbers(SortedItems a, SortedItems b, const Layout& layout, Index* to)
 {
     auto x = a.begin(), y = b.begin();
     while (x != a.end() && y != b.end()) *to++ = layout.number(*x < *y ? *x++ : *y++);
@@ -144,7 +144,7 @@ ScratchArray<Index> order_by_cell_on_two_threads(const ProvenMesh& proven, const
     };
     side_by_side(
         true, [&] { lower = sorted(0, half); }, [&] { upper = sorted(half, n); });
-    const Run a(lower.data(), lower.size()), b(upper.data(), upper.size());
+    const SortedItems a(lower.data(), lower.size()), b(upper.data(), upper.size());
     const std::size_t of_a = share_of_first(a, b, half), of_b = half - of_a;
     ScratchArray<Index> order(n);
     side_by_side(
