@@ -75,8 +75,9 @@ void SectionFinder::find(const IndexedMesh& mesh, Crossings& crossings,
     section.clear();
     section.points.reserve(crossings.cut_points.size());
     section.edges.reserve(crossings.triangles.size());
-    // Room for all points that may be there already: a table that grows takes memory.
-    of_existing_.reset(crossings.triangles.size() + in_plane_of_positive.size());
+    // Room for all points that may be there already, both ends of each edge of chains that do not meet: a table that grows
+    // takes memory.
+    of_existing_.reset(2 * (crossings.triangles.size() + in_plane_of_positive.size()));
     PointNumbers numbers(mesh, crossings, of_cut_point_, of_existing_, section);
 
     for (std::uint32_t i = 0; i < crossings.triangles.size(); ++i) {

@@ -260,6 +260,39 @@ TEST_P(ObjectOutOfMemory, ASectionThatIsFilledAgainTakesNoMemory)
     }
 }
 
+/// Pairs of triangles that do not meet, each with its common edge in the plane z = 0: chains of one edge, whose points are
+/// all vertices.
+Mesh roofs(std::uint32_t count)
+{
+    std::vector<Vec3f> positions;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto x = static_cast<float>(3 * i);
+        const auto first = static_cast<std::uint32_t>(positions.size());
+        positions.insert(positions.end(), {{x, 0.0f, 0.0f}, {x + 1, 0.0f, 0.0f}, {x, 0.1f, 1.0f}, {x, 0.2f, -1.0f}});
+        for (const std::uint32_t corner : {0u, 1u, 2u, 1u, 0u, 3u}) indices.push_back(first + corner);
+    }
+    MeshInput input;
+    input.positions = &positions[0].x;
+    input.vertex_count = positions.size();
+    input.indices = indices.data();
+    input.triangle_count = indices.size() / 3;
+    return *Mesh::make(input);
+}
+
+TEST_P(ObjectOutOfMemory, ASectionOfManyChainsThatIsFilledAgainTakesNoMemory)
+{
+    for (const std::uint32_t count : {3u, 100u, 10'000u}) {
+        const Object whole = test::object_of(roofs(count), GetParam());
+        Section found;
+        EXPECT_EQ(section(whole, *Plane::z(0.0), found), Status::open_section);
+        EXPECT_EQ(found.path_count(), count);
+        const std::uint64_t before = test::allocations();
+        EXPECT_EQ(section(whole, *Plane::z(0.0), found), Status::open_section);
+        EXPECT_EQ(test::allocations(), before) << count;
+    }
+}
+
 /// Calls `change` for a fresh object and each allocation that may fail: the object that is left must be what it was, if
 /// one is left.
 void fail_each_change(const std::function<Object()>& fresh, const std::function<Status(Object&)>& change)
