@@ -9,6 +9,7 @@
 # | halfedge           | kerf_halfedge | OpenMesh                |
 # | caps_cgal          | kerf_caps_cgal| GMP, MPFR; it is GPL    |
 # | io                 | kerf_io       | the C++ library         |
+# | c                  | kerf_c        | the C++ library         |
 # | shapes             | kerf_shapes   | the C++ library         |
 # | proxy              | kerf_proxy    | Bullet's LinearMath     |
 
@@ -63,6 +64,8 @@ kerf_component(linear BASE ROOMS
   kerf_core_support kerf_core_mesh kerf_core_geometry kerf_core_repair kerf_core_caps kerf_core_section_closer
   kerf_core_cutting kerf_core_sections kerf_core_linear kerf_core_back_ends kerf_api)
 kerf_component(io ROOMS kerf_core_files kerf_core_io kerf_core_drawings kerf_io)
+kerf_component(c ROOMS kerf_c)
+target_link_libraries(kerf_component_c PUBLIC kerf_component_io)
 kerf_component(shapes ROOMS kerf_core_shapes kerf_shapes)
 if(TARGET kerf::core::halfedge)
   kerf_component(halfedge ROOMS
@@ -102,7 +105,7 @@ else()
     string(APPEND KERF_PC_LIBS "-Wl,-u,kerf_component_halfedge ")
   endif()
 endif()
-foreach(component io shapes halfedge proxy)
+foreach(component c io shapes halfedge proxy)
   if(TARGET kerf_component_${component})
     string(APPEND KERF_PC_LIBS "-lkerf_${component} ")
   endif()

@@ -6,13 +6,13 @@ from users import Failed, run, say
 
 # What each library may need at run time, besides other parts of Kerf.
 PLAIN = {"libstdc++.so.6", "libm.so.6", "libgcc_s.so.1", "libc.so.6", "ld-linux-x86-64.so.2"}
-NEEDS = {"kerf": set(), "kerf_io": set(), "kerf_shapes": set(), "kerf_halfedge": {"libOpenMeshCore.so"},
+NEEDS = {"kerf": set(), "kerf_io": set(), "kerf_c": set(), "kerf_shapes": set(), "kerf_halfedge": {"libOpenMeshCore.so"},
          "kerf_proxy": {"libLinearMath.so"}, "kerf_caps_cgal": {"libgmp.so", "libmpfr.so"}}
 
 
 def check_shared(folder):
     """Names and needs of those in a folder."""
-    allowed = re.compile(r"(kerf::|kerf_component_"
+    allowed = re.compile(r"(kerf::|kerf_[a-z_]+$"
                          r"|(typeinfo|typeinfo name|vtable|guard variable|non-virtual thunk) (for|to) kerf::)")
     for name, needs in NEEDS.items():
         library = next(folder.glob(f"lib{name}.so.*"))
