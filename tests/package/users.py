@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 COMPILERS = ("g++", "clang++-14")
 MODEL = ROOT / "data/models/rook.obj"
-EXAMPLES = ("ten_lines", "arrays", "thousand_cuts", "game_loop", "bullet_bodies", "draw_ranges", "plugin")
+EXAMPLES = ("ten_lines", "arrays", "thousand_cuts", "game_loop", "bullet_bodies", "draw_ranges", "plugin", "c")
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 VARIANTS = {
     "plain": [],
@@ -105,9 +105,9 @@ def check_examples(prefix, folder, compiler):
         build = folder / f"{name}-{compiler}"
         run("cmake", "-S", ROOT / "examples" / name, "-B", build, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
             "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={prefix}",
-            "-DCMAKE_CXX_FLAGS=" + " ".join(WARNINGS))
+            "-DCMAKE_CXX_FLAGS=" + " ".join(WARNINGS), "-DCMAKE_C_FLAGS=" + " ".join(WARNINGS))
         run("ninja", "-C", build)
-        command = [build / name] + ([ROOT / "data/models/rook.obj"] if name == "ten_lines" else [])
+        command = [build / name] + ([ROOT / "data/models/rook.obj"] if name in ("ten_lines", "c") else [])
         if name == "draw_ranges":
             command = ["xvfb-run", "-a"] + command
         say(f"    {name}: " + run(*command, cwd=build).strip().splitlines()[-1])
