@@ -41,6 +41,10 @@ class Limits(unittest.TestCase):
         said = limits.long_sections(found, Facts())
         self.assertIn("wall, cut(): 2.0 against 1.00 ms", said)
         self.assertNotIn("whole chain", said)
+        self.assertNotIn("fans", said)
+        found.bench["Real/baseline/remap/wall"] = repeated(real_time=0.5, triangles=100.0, ns_per_crossing=1.0, crossing=10.0,
+                                                           cuts_each=1.0)
+        self.assertIn("`remap` is faster in cut() of wall, by fans", limits.long_sections(found, Facts()))
         self.assertEqual(limits.long_sections(some_measurements(), Facts()), "")
 
     def test_a_crossover_that_there_is_not_is_said(self):
@@ -63,6 +67,10 @@ class Chapters(unittest.TestCase):
         table = chains.long_chains_table(found)
         self.assertEqual([(row["worst_cut_ms"], row["worst_at"]) for row in table.rows], [(3.0, 7)])
         self.assertIn("none costs more than 1.75 times", chains.smooth(table, Facts()))
+        self.assertNotIn("small meshes", chains.smooth(table, Facts()))
+        table.rows.append({"backend": "halfedge", "mode": "kept", "triangles": 100.0, "worst_cut_ms": 1.25,
+                           "worst_to_predicted": 30.0})
+        self.assertIn("at 100 triangles one cut costs 30 times that, 1.25 ms", chains.smooth(table, Facts()))
         self.assertEqual(chains.smooth(chains.long_chains_table(some_measurements()), Facts()), "")
 
     def test_a_compacted_chain_says_what_compacting_cost(self):

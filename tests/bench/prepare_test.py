@@ -3,7 +3,7 @@
 import unittest
 
 from report_cases import some_measurements
-from report.chapters.prepare import chain_turn, turn_text
+from report.chapters.prepare import against_fans, chain_turn, turn_text
 from report.chapters.section import Facts
 from report.tables.prepare_tables import (chain_balance_table, choice_table, from_arrays_table, prepare_table,
                                            prepare_threads_table, signed_milliseconds)
@@ -55,6 +55,9 @@ class Preparing(unittest.TestCase):
             counters = {"triangles": triangles, "to_better_1": ratios[0], "to_better_20": ratios[1],
                         "worst_to_better": max(ratios)}
             found.bench[f"Automatic/{name}"] = {key: (value,) * 3 for key, value in counters.items()}
+        self.assertEqual(against_fans(choice_table(found), Facts()), "")
+        found.bench["Automatic/model/cube"]["worst_to_best"] = (1.75,) * 3
+        self.assertIn("would be 1.75 at most (cube)", against_fans(choice_table(found), Facts()))
         cube, asteroid = choice_table(found).rows
         self.assertEqual((cube["mesh"], cube["cuts_1"], cube["cuts_20"], cube["worst"]), ("cube", 1.5, 1.0, 1.5))
         self.assertEqual((asteroid["mesh"], asteroid["triangles"], asteroid["worst"]), ("asteroid", 1_012, 1.25))

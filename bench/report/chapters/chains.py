@@ -55,9 +55,15 @@ def smooth(long: Table, facts: Facts) -> str:
     if not rows:
         return ""
     row = max(rows, key=lambda row: row["triangles"])
-    return (f"Of a thousand cuts of {facts.say('size of the long chain', row['triangles'], count_short)} triangles none costs "
+    text = (f"Of a thousand cuts of {facts.say('size of the long chain', row['triangles'], count_short)} triangles none costs "
             f"more than {facts.say('worst of a thousand to predicted', row['worst_to_predicted'], digits(2))} times what its "
             "crossing triangles predict: what a cut adds to the buffers comes in small pages, and large buffers never move.")
+    other = max(rows, key=lambda row: row["worst_to_predicted"])
+    if other["worst_to_predicted"] > 2 * row["worst_to_predicted"]:
+        text += (f" Those of small meshes do: at {facts.say('size of the worst chain', other['triangles'], count_short)} triangles "
+                 f"one cut costs {facts.say('worst to predicted, any size', other['worst_to_predicted'], rounded)} times that, "
+                 f"{facts.say('worst, any size, ms', other['worst_cut_ms'], timed)} ms, unless pieces are compacted.")
+    return text
 
 
 def compacted(decades: Table, facts: Facts) -> str:

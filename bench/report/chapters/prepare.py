@@ -41,11 +41,22 @@ def write(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Se
         parts.append("**The choice.** `prepare()` chooses a back end by the number of cuts that the program announces. "
                      f"With everything that a game needs, preparing among it, the choice between `linear` and `halfedge` costs at most "
                      f"{facts.say('choice, worst', worst['worst'], digits(2))} times what the better one costs "
-                     f"({worst['mesh']}, {facts.say('choice, worst size', worst['triangles'], count_short)} triangles).")
+                     f"({worst['mesh']}, {facts.say('choice, worst size', worst['triangles'], count_short)} triangles)."
+                     f"{against_fans(choice, facts)}")
         parts.append(ShownTable(choice, "The back end that is chosen, against the better of both: the time of so many "
                                 "cuts of copies, preparing among it. Fans, the caps of `remap`, are never chosen: they are wrong "
                                 "where a section is not star-shaped. The last column counts them as a third choice.", folded=True))
     return [Section("prepare", "Preparing, and the memory it takes", parts)]
+
+
+def against_fans(choice: Table, facts: Facts) -> str:
+    """What the choice costs whom wrong caps are right for."""
+    rows = [row for row in choice.rows if row.get("worst_to_best")]
+    if not rows:
+        return ""
+    row = max(rows, key=lambda row: row["worst_to_best"])
+    return (f" If the fans of `remap` counted as a third choice it would be "
+            f"{facts.say('choice with fans, worst', row['worst_to_best'], digits(2))} at most ({row['mesh']}).")
 
 
 def threads_and_arrays(found: Measurements, facts: Facts) -> list[Part]:
