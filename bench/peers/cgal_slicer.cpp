@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "bench/peers/cgal_mesh.h"
@@ -35,26 +36,37 @@ Problem problem_of(const std::vector<Polyline>& lines, const SectionInput::Expec
 
 }  // namespace
 
-SlicerRow time_cgal_slicer(const SectionInput& input, double budget_seconds)
+std::vector<SlicerRow> time_cgal_slicer(const SectionInput& input, double budget_seconds)
 {
     const CgalMesh mesh = to_cgal(input);
     core::CpuStopwatch watch;
     Tree tree(edges(mesh).first, edges(mesh).second, mesh);
     tree.build();
-    SlicerRow result;
-    result.prepare_ms = watch.lap() * 1e3;
+    const double prepare_ms = watch.lap() * 1e3;
     const CGAL::Polygon_mesh_slicer<CgalMesh, CgalKernel> slicer(mesh, tree);
-    result.row = time_planes(input.planes.size(), budget_seconds, [&](std::size_t i) -> std::pair<double, Problem> {
-        std::vector<Polyline> lines;
-        core::CpuStopwatch of_plane;
-        slicer(to_cgal(input.planes[i]), std::back_inserter(lines));
-        const double seconds = of_plane.lap();
-        return {seconds, problem_of(lines, input.expected[i])};
-    });
-    result.row.peer = "cgal_slicer";
-    result.row.mesh = input.name;
-    result.row.triangles = input.triangles.size();
-    return result;
+    std::vector<SlicerRow> rows;
+    const auto add = [&](std::size_t heights, PeerRow row) {
+        row.peer = "cgal_slicer";
+        row.mesh = input.name;
+        row.triangles = input.triangles.size();
+        rows.push_back({std::move(row), heights, prepare_ms});
+    };
+    add(1, time_planes(input.planes.size(), budget_seconds, [&](std::size_t i) -> std::pair<double, Problem> {
+            std::vector<Polyline> lines;
+            core::CpuStopwatch of_plane;
+            slicer(to_cgal(input.planes[i]), std::back_inserter(lines));
+            const double seconds = of_plane.lap();
+            return {seconds, problem_of(lines, input.expected[i])};
+        }));
+    for (const SectionInput::Stack& stack : input.stacks)
+        add(stack.heights.size(), time_planes(1, budget_seconds, [&](std::size_t) -> std::pair<double, Problem> {
+                std::vector<Polyline> lines;
+                core::CpuStopwatch of_stack;
+                for (const double height : stack.heights) slicer(to_cgal(*Plane::z(height)), std::back_inserter(lines));
+                const double seconds = of_stack.lap();
+                return {seconds, problem_of(lines, stack.expected)};
+            }));
+    return rows;
 }
 
 }  // namespace kerf::bench

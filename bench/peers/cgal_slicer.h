@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "bench/peers/peer_inputs.h"
 #include "bench/peers/peer_row.h"
 
@@ -9,10 +12,12 @@ namespace kerf::bench {
 struct SlicerRow
 {
     PeerRow row;
+    std::size_t heights = 1;  ///< of a stack, for all of which the times are
     double prepare_ms = 0.0;  ///< for the tree; processor time
 };
 
-/// CGAL's Polygon_mesh_slicer: closed polylines of each plane, by an AABB tree that is made once.
-SlicerRow time_cgal_slicer(const SectionInput& input, double budget_seconds);
+/// CGAL's Polygon_mesh_slicer: closed polylines of each plane, by an AABB tree that is made once. A row for planes, and one
+/// for each stack.
+std::vector<SlicerRow> time_cgal_slicer(const SectionInput& input, double budget_seconds);
 
 }  // namespace kerf::bench

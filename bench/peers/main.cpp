@@ -1,7 +1,8 @@
 // kerf_peers: other libraries on the meshes and planes of kerf_bench. Prints JSON.
 //   kerf_peers cgal SECONDS TRIANGLES...      asteroids of these sizes and the fifteen models, each within a budget
 //   kerf_peers export FOLDER TRIANGLES...     the same inputs as files, for peers that are no C++ (vtk_peer.py)
-//   kerf_peers sections SECONDS TRIANGLES...  sections of asteroids that stay whole, each within a budget
+//   kerf_peers sections SECONDS TRIANGLES...  sections of asteroids and of meshes that are not round, which stay
+//                                             whole, each within a budget
 //   kerf_peers export-sections FOLDER TRIANGLES...  the same inputs as files (vtk_sections.py)
 
 #include <exception>
@@ -45,16 +46,25 @@ Json cgal(double budget, const std::vector<std::string>& sizes)
     return {{"peers", std::move(rows)}};
 }
 
+/// As for_each_input(): asteroids, and the meshes that are not round.
+template <class Take>
+void for_each_section_input(const std::vector<std::string>& sizes, Take take)
+{
+    for (const std::string& size : sizes) take(asteroid_section_input(std::stoull(size)));
+    for (std::size_t i = 0; i < real_section_input_count(); ++i) take(real_section_input(i));
+}
+
 Json sections(double budget, const std::vector<std::string>& sizes)
 {
     Json rows = Json::array();
-    for (const std::string& size : sizes) {
-        const SlicerRow sliced = time_cgal_slicer(asteroid_section_input(std::stoull(size)), budget);
-        Json row = to_json(sliced.row);
-        row["heights"] = 1;
-        row["prepare_ms"] = sliced.prepare_ms;
-        rows.push_back(std::move(row));
-    }
+    for_each_section_input(sizes, [&](const SectionInput& input) {
+        for (const SlicerRow& sliced : time_cgal_slicer(input, budget)) {
+            Json row = to_json(sliced.row);
+            row["heights"] = sliced.heights;
+            row["prepare_ms"] = sliced.prepare_ms;
+            rows.push_back(std::move(row));
+        }
+    });
     return {{"sections", std::move(rows)}};
 }
 
@@ -80,9 +90,8 @@ std::string write_mesh(const std::filesystem::path& folder, const BareMesh& mesh
 Json export_sections(const std::filesystem::path& folder, const std::vector<std::string>& sizes)
 {
     Json inputs = Json::array();
-    for (const std::string& size : sizes) {
-        const SectionInput input = asteroid_section_input(std::stoull(size));
-        Json planes = Json::array();
+    for_each_section_input(sizes, [&](const SectionInput& input) {
+        Json planes = Json::array(), stacks = Json::array();
         for (std::size_t i = 0; i < input.planes.size(); ++i) {
             const Normal normal = input.planes[i].normal();
             planes.push_back({{"normal", {normal.x, normal.y, normal.z}},
@@ -90,12 +99,14 @@ Json export_sections(const std::filesystem::path& folder, const std::vector<std:
                               {"length", input.expected[i].length},
                               {"loops", input.expected[i].loops}});
         }
+        for (const SectionInput::Stack& stack : input.stacks)
+            stacks.push_back(
+                {{"heights", stack.heights}, {"length", stack.expected.length}, {"loops", stack.expected.loops}});
         inputs.push_back({{"mesh", input.name},
                           {"file", write_mesh(folder, input)},
-                          {"lowest", input.lowest},
-                          {"highest", input.highest},
-                          {"planes", std::move(planes)}});
-    }
+                          {"planes", std::move(planes)},
+                          {"stacks", std::move(stacks)}});
+    });
     return {{"length_share", kLengthShare}, {"inputs", std::move(inputs)}};
 }
 

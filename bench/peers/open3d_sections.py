@@ -43,6 +43,11 @@ def by_plane(mesh, plane):
     return seconds, length_of(lines)
 
 
+def by_heights(mesh, heights):
+    seconds, lines = by_slice(mesh, [0.0, 0.0, 1.0], 0.0, heights)
+    return seconds, length_of(lines)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("inputs", type=Path, help="what kerf_peers export-sections printed, beside its files")
@@ -55,7 +60,7 @@ def main():
         mesh, triangles = read_mesh(arguments.inputs.parent, entry["file"])
         rows += rows_of_segments(PEER, entry, triangles, inputs["length_share"], arguments.seconds,
                                  lambda plane, mesh=mesh: by_plane(mesh, plane),
-                                 lambda heights, mesh=mesh: by_slice(mesh, [0.0, 0.0, 1.0], 0.0, heights)[0])
+                                 lambda heights, mesh=mesh: by_heights(mesh, heights))
     json.dump({"sections": rows}, sys.stdout, indent=1)
     print()
 

@@ -3,12 +3,15 @@
 #include <kerf/cut.h>
 #include <kerf/section.h>
 
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "baseline/report_back_ends.h"
 #include "bench/models.h"
 #include "bench/objects.h"
+#include "bench/real_meshes.h"
 #include "bench/timed_shapes.h"
 
 namespace kerf::bench {
@@ -53,6 +56,29 @@ PeerInput input_of(const std::string& name, const Mesh& mesh, std::vector<Plane>
     return input;
 }
 
+SectionInput section_input_of(const std::string& name, const Mesh& mesh, std::span<const std::size_t> stacks)
+{
+    SectionInput input{bare(name, mesh), planes_of_shape(mesh), {}, {}};
+    const Object prepared = prepared_linear(name, mesh);
+    for (const Plane& plane : input.planes) {
+        const Section found = section(prepared, plane);
+        if (!ok(found.status)) throw std::runtime_error(name + ": a plane gives " + text(found.status));
+        input.expected.push_back({found.length, found.path_count()});
+    }
+    for (const std::size_t count : stacks) {
+        SectionInput::Stack& stack = input.stacks.emplace_back();
+        const double lowest = mesh.bounds().lo.z, step = (mesh.bounds().hi.z - lowest) / double(count);
+        for (std::size_t i = 0; i < count; ++i) stack.heights.push_back(lowest + (double(i) + 0.5) * step);
+        const SectionStack found = sections(prepared, Normal(0, 0, 1), stack.heights);
+        if (found.status() != Status::done) throw std::runtime_error(name + ": " + found.reason());
+        for (const Section& one : found.all()) {
+            stack.expected.length += one.length;
+            stack.expected.loops += one.path_count();
+        }
+    }
+    return input;
+}
+
 }  // namespace
 
 PeerInput asteroid_input(std::uint64_t triangles)
@@ -70,15 +96,20 @@ std::vector<PeerInput> model_inputs()
 
 SectionInput asteroid_section_input(std::uint64_t triangles)
 {
-    const Mesh& mesh = timed_shape("asteroid", triangles);
-    SectionInput input{bare("asteroid", mesh), planes_of_shape(mesh), {}, mesh.bounds().lo.z, mesh.bounds().hi.z};
-    const Object prepared = prepared_linear(input.name, mesh);
-    for (const Plane& plane : input.planes) {
-        const Section found = section(prepared, plane);
-        if (found.status != Status::done) throw std::runtime_error(std::string("a plane gives ") + text(found.status));
-        input.expected.push_back({found.length, found.path_count()});
-    }
-    return input;
+    constexpr std::array<std::size_t, 3> kStacks{10, 100, 1000};
+    return section_input_of("asteroid", timed_shape("asteroid", triangles), kStacks);
+}
+
+std::size_t real_section_input_count()
+{
+    return real_meshes().size();
+}
+
+SectionInput real_section_input(std::size_t number)
+{
+    constexpr std::array<std::size_t, 1> kStacks{100};
+    const RealMesh real = real_meshes()[number];
+    return section_input_of(real.name, mesh_of(real), kStacks);
 }
 
 }  // namespace kerf::bench

@@ -45,9 +45,15 @@ struct SectionInput : BareMesh
         double length = 0.0;  ///< of all loops
         std::size_t loops = 0;
     };
+    /// Sections by level planes, each in the middle of one of as many layers.
+    struct Stack
+    {
+        std::vector<double> heights;
+        Expected expected;  ///< of all of them together
+    };
     std::vector<Plane> planes;
-    std::vector<Expected> expected;      ///< of each plane, by the linear back end
-    double lowest = 0.0, highest = 0.0;  ///< z, between which stacks of sections lie
+    std::vector<Expected> expected;  ///< of each plane, by the linear back end
+    std::vector<Stack> stacks;       ///< by the linear back end, too
 };
 
 /// The loops of a section must be as long to this share: what rounding their points to float may change.
@@ -55,5 +61,11 @@ inline constexpr double kLengthShare = 1e-5;
 
 /// The asteroid of about so many triangles.
 SectionInput asteroid_section_input(std::uint64_t triangles);
+
+/// The meshes that are not round, of which there are some (bench/real_meshes.h); one at a time is made.
+/// @{
+std::size_t real_section_input_count();
+SectionInput real_section_input(std::size_t number);
+/// @}
 
 }  // namespace kerf::bench

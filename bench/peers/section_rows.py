@@ -3,9 +3,6 @@
 import time
 from collections import Counter
 
-STACKS = (10, 100, 1000)
-
-
 def row_of(peer, entry, triangles, times, problems, heights=1, prepare_ms=0.0):
     """`problems`: how many of the sections had which."""
     verdict = "; ".join(problem if count == len(times) else f"{problem} in {count}"
@@ -20,12 +17,6 @@ def has_length(length, expected, share):
     return abs(length - expected["length"]) <= share * expected["length"]
 
 
-def middles_of_layers(entry, heights):
-    """Where the planes of a stack are: each in the middle of one of as many layers."""
-    step = (entry["highest"] - entry["lowest"]) / heights
-    return [entry["lowest"] + (i + 0.5) * step for i in range(heights)]
-
-
 def timed(function):
     """Seconds of processor time, of all threads of the process, and what the function gives."""
     start = time.process_time()
@@ -34,14 +25,21 @@ def timed(function):
 
 
 def rows_of_segments(peer, entry, triangles, share, budget, one, stack):
-    """Rows of a library that gives segments in no order. one(plane) gives seconds and a length, stack(heights) seconds."""
+    """Rows of a library that gives segments in no order. one(plane) gives seconds and a length, stack(heights), too."""
     times, problems = [], Counter()
     for plane in entry["planes"]:
         if times and sum(times) >= budget:
             break
         seconds, length = one(plane)
         times.append(seconds)
-        problems["segments in no order" if has_length(length, plane, share) else "wrong length"] += 1
+        problems[segments_or_wrong(length, plane, share)] += 1
     rows = [row_of(peer, entry, triangles, times, problems)]
-    return rows + [row_of(peer, entry, triangles, [stack(middles_of_layers(entry, heights))],
-                          Counter(["segments in no order"]), heights) for heights in STACKS]
+    for expected in entry["stacks"]:
+        seconds, length = stack(expected["heights"])
+        rows.append(row_of(peer, entry, triangles, [seconds], Counter([segments_or_wrong(length, expected, share)]),
+                           len(expected["heights"])))
+    return rows
+
+
+def segments_or_wrong(length, expected, share):
+    return "segments in no order" if has_length(length, expected, share) else "wrong length"

@@ -4,8 +4,9 @@
 Needs Debian's python3-vtk9. `vtk_cutter` is vtkCutter: every triangle is looked at, and segments come out in no order.
 `vtk_cutter_loops` is the same and vtkStripper, which joins them to loops. `vtk_plane_cutter` is vtkPlaneCutter, whose
 sphere tree is made by the first plane, timed apart; its segments share no points, so that `vtk_plane_cutter_loops` is
-the same, vtkCleanPolyData and vtkStripper. Stacks are vtkCutter with many values at once. Only Update() is timed, as
-processor time of the process. The length of the lines is checked, and of planes the number of loops where there are any.
+the same, vtkCleanPolyData and vtkStripper. Stacks are vtkCutter with many values at once, and vtkPlaneCutter one plane
+after another. Only Update() is timed, as processor time of the process. The length of the lines is checked, and the
+number of loops where there are any.
 """
 
 import argparse
@@ -15,7 +16,7 @@ from collections import Counter
 from pathlib import Path
 
 import numpy
-from section_rows import STACKS, has_length, middles_of_layers, row_of, timed
+from section_rows import has_length, row_of, timed
 from vtk_peer import read_surface
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -123,14 +124,43 @@ def planes_by_plane_cutter(surface, entry, triangles, share, budget):
                    prepare_ms=prepare_ms)]
 
 
-def stack_by_cutter(surface, entry, triangles, heights):
+def stack_by_cutter(surface, entry, triangles, share, stack):
     """All heights in one go; segments in no order, as of one plane."""
     cutter = vtkCutter()
     cutter.SetInputData(surface)
     cutter.SetCutFunction(plane_of((0.0, 0.0, 1.0), 0.0))
-    for i, height in enumerate(middles_of_layers(entry, heights)):
+    for i, height in enumerate(stack["heights"]):
         cutter.SetValue(i, height)
-    return row_of("vtk_cutter", entry, triangles, [seconds_of(cutter)], Counter(["segments in no order"]), heights)
+    seconds = seconds_of(cutter)
+    problems = Counter([problem_of(cutter.GetOutput(), stack, share, False)])
+    return row_of("vtk_cutter", entry, triangles, [seconds], problems, len(stack["heights"]))
+
+
+def stack_by_plane_cutter(surface, entry, triangles, share, stack):
+    """One height after another, by the tree that the first plane has made; segments, and loops."""
+    cutter = vtkPlaneCutter()
+    cutter.SetInputData(surface)
+    cutter.BuildTreeOn()
+    heights = stack["heights"]
+    cutter.SetPlane(plane_of((0.0, 0.0, 1.0), heights[0]))
+    first = seconds_of(cutter)
+    cutting, joining, length, loops, open_ones = [], [], 0.0, 0, 0
+    for height in heights:
+        cutter.SetPlane(plane_of((0.0, 0.0, 1.0), height))
+        cutter.Modified()
+        cutting.append(seconds_of(cutter))
+        joins, lines = joined_parts(cutter.GetOutputDataObject(0))
+        joining.append(joins)
+        if lines.GetNumberOfLines() > 0:
+            own_length, own_open = length_of(lines)
+            length, open_ones, loops = length + own_length, open_ones + own_open, loops + lines.GetNumberOfLines()
+    problem = ("wrong length" if not has_length(length, stack, share) else "loops not closed" if open_ones else
+               "other loops" if loops != stack["loops"] else "")
+    prepare_ms = max(first - cutting[0], 0.0) * 1e3
+    return [row_of("vtk_plane_cutter", entry, triangles, [sum(cutting)], Counter(["segments in no order"]), len(heights),
+                   prepare_ms),
+            row_of("vtk_plane_cutter_loops", entry, triangles, [sum(cutting) + sum(joining)],
+                   Counter([problem] if problem else []), len(heights), prepare_ms)]
 
 
 def main():
@@ -147,7 +177,9 @@ def main():
         for peer, joins in (("vtk_cutter", False), ("vtk_cutter_loops", True)):
             rows.append(planes_by_cutter(peer, surface, entry, triangles, share, arguments.seconds, joins))
         rows += planes_by_plane_cutter(surface, entry, triangles, share, arguments.seconds)
-        rows += [stack_by_cutter(surface, entry, triangles, heights) for heights in STACKS]
+        for stack in entry["stacks"]:
+            rows.append(stack_by_cutter(surface, entry, triangles, share, stack))
+            rows += stack_by_plane_cutter(surface, entry, triangles, share, stack)
     json.dump({"sections": rows}, sys.stdout, indent=1)
     print()
 

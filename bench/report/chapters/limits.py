@@ -104,8 +104,9 @@ def memory(found: Measurements, facts: Facts) -> str:
 
 def preparing(found: Measurements, facts: Facts) -> str:
     prepared = {(row["backend"], row["triangles"]): row for row in prepare_table(found).rows}
-    size = max((size for backend, size in prepared if backend == "halfedge"), default=None)
-    if size is None or ("baseline/remap", size) not in prepared:
+    size = max((size for backend, size in prepared if backend == "halfedge" and ("baseline/remap", size) in prepared),
+               default=None)
+    if size is None:
         return ""
     half, linear = prepared[("halfedge", size)], prepared[("baseline/remap", size)]
     return (f"**Preparing.** It takes {facts.say('prepare ms', half['prepare_ms'], rounded)} ms for "

@@ -79,7 +79,7 @@ def of_stacks(stacks: Table, facts: Facts) -> str:
 
 
 def of_libraries(slicers: Table, facts: Facts) -> str:
-    rows = [row for row in slicers.rows if row["heights"] == 1 and row["to_halfedge"]
+    rows = [row for row in slicers.rows if row["mesh"] == "asteroid" and row["heights"] == 1 and row["to_halfedge"]
             and str(row["by"]).startswith(("cgal", "vtk", "open3d"))]
     if not rows:
         return ""

@@ -19,7 +19,7 @@ def sections(tables: dict[str, Table]) -> Drawing | None:
         if rows:
             series(axes, name, label, [row["triangles"] for row in rows], [row[key] for row in rows])
     for name in ("cgal_slicer", "vtk_cutter_loops", "vtk_plane_cutter_loops"):
-        rows = [row for row in slicers.rows if row["by"] == name and row["heights"] == 1] if slicers else []
+        rows = [row for row in slicers.rows if row["by"] == name and row["heights"] == 1 and row["mesh"] == "asteroid"] if slicers else []
         if rows:
             series(axes, name, short(name).replace("_", " "), [row["triangles"] for row in rows],
                    [row["ms"] for row in rows])

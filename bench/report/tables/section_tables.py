@@ -82,27 +82,38 @@ def real_sections_table(found: Measurements) -> Table:
 
 def slicers_table(found: Measurements) -> Table:
     """Other libraries beside the back ends on the same planes: one row a mesh, number of heights and way."""
-    table = Table("slicers", [Column("triangles", "triangles", count), Column("heights", "heights", count),
-                              Column("by", "by"), Column("prepare_ms", "preparing, ms", timed),
-                              Column("ms", "ms", timed), Column("to_halfedge", "to halfedge", timed),
-                              Column("verdict", "answer")])
+    table = Table("slicers", [Column("mesh", "mesh"), Column("triangles", "triangles", count),
+                              Column("heights", "heights", count), Column("by", "by"),
+                              Column("prepare_ms", "preparing, ms", timed), Column("ms", "ms", timed),
+                              Column("to_halfedge", "to halfedge", timed), Column("verdict", "answer")])
     if not found.slicers:
         return table
+    rows = own_sections(found)
+    asked = {(row["mesh"], row["triangles"], row["heights"]) for row in found.slicers}
+    rows = [row for row in rows if (row["mesh"], row["triangles"], row["heights"]) in asked]
+    rows += [{"mesh": row["mesh"], "triangles": row["triangles"], "heights": row["heights"], "by": row["peer"],
+              "ms": row["ms"], "prepare_ms": row["prepare_ms"], "verdict": row["verdict"]} for row in found.slicers]
+    ours = {(row["mesh"], row["triangles"], row["heights"]): row["ms"] for row in rows if row["by"] == "halfedge"}
+    for row in rows:
+        own = ours.get((row["mesh"], row["triangles"], row["heights"]))
+        row["to_halfedge"] = row["ms"] / own if own and row["ms"] and row["by"] != "halfedge" else None
+    table.rows = sorted((row for row in rows if row["ms"]),
+                        key=lambda row: (row["mesh"] != "asteroid", row["mesh"], row["heights"], row["triangles"]))
+    return table
+
+
+def own_sections(found: Measurements) -> list[dict[str, Value]]:
+    """What the back ends took for what other libraries are asked for."""
     rows: list[dict[str, Value]] = []
     for row in sections_table(found).rows:
         for name, ms in (("halfedge", row["loops_ms"]), ("baseline/remap", row["remap_ms"])):
-            prepared = row["prepare_ms"] if name == "halfedge" else 0.0
-            rows.append({"triangles": row["triangles"], "heights": 1, "by": name, "ms": ms, "prepare_ms": prepared,
-                         "verdict": "right"})
+            rows.append({"mesh": "asteroid", "triangles": row["triangles"], "heights": 1, "by": name, "ms": ms,
+                         "prepare_ms": row["prepare_ms"] if name == "halfedge" else 0.0})
+    for row in real_sections_table(found).rows:
+        for name, ms in (("halfedge", row["halfedge_ms"]), ("baseline/remap", row["remap_ms"])):
+            rows.append({"mesh": row["mesh"], "triangles": row["triangles"], "heights": 1, "by": name, "ms": ms})
     for row in stacks_table(found).rows:
-        if row["shape"] == "asteroid":
-            rows.append({"triangles": row["triangles"], "heights": row["heights"], "by": "halfedge",
-                         "ms": row["halfedge_ms"], "verdict": "right"})
-    rows += [{"triangles": row["triangles"], "heights": row["heights"], "by": row["peer"], "ms": row["ms"],
-              "prepare_ms": row["prepare_ms"], "verdict": row["verdict"]} for row in found.slicers]
-    ours = {(row["triangles"], row["heights"]): row["ms"] for row in rows if row["by"] == "halfedge"}
-    for row in rows:
-        own = ours.get((row["triangles"], row["heights"]))
-        row["to_halfedge"] = row["ms"] / own if own and row["ms"] and row["by"] != "halfedge" else None
-    table.rows = sorted((row for row in rows if row["ms"]), key=lambda row: (row["heights"], row["triangles"]))
-    return table
+        for name, ms in (("halfedge", row["halfedge_ms"]), ("baseline/remap", row["remap_ms"])):
+            rows.append({"mesh": row["shape"], "triangles": row["triangles"], "heights": row["heights"], "by": name,
+                         "ms": ms})
+    return [row | {"verdict": "right"} for row in rows]
