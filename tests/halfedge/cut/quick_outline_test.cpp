@@ -1,5 +1,5 @@
-// The quick way to an outline and that of a cut are one, bit for bit, and of a closed surface all planes go the quick way:
-// also those through vertices, along edges and in faces.
+// The quick way to an outline and that of a cut are one, bit for bit, and of a large closed mesh all planes that are tried
+// go the quick way: also those through vertices, along edges and in faces.
 
 #include <gtest/gtest.h>
 
