@@ -5,6 +5,12 @@ include(GNUInstallDirs)
 
 if(TARGET kerf)
   install(TARGETS kerf RUNTIME COMPONENT kerf)
+  # Of what the program says of itself, so that they can't differ.
+  set(completion ${PROJECT_BINARY_DIR}/completion/kerf)
+  add_custom_command(OUTPUT ${completion} COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/completion
+    COMMAND kerf completion bash > ${completion} DEPENDS kerf VERBATIM)
+  add_custom_target(kerf_completion ALL DEPENDS ${completion})
+  install(FILES ${completion} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT kerf)
 endif()
 if(TARGET kerf-viewer)
   install(TARGETS kerf-viewer RUNTIME COMPONENT viewer)

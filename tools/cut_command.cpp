@@ -1,6 +1,5 @@
 #include <kerf/cut.h>
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,10 +8,17 @@
 #include <utility>
 #include <vector>
 
+#include "command_line/whole_number.h"
 #include "common/support/stopwatch.h"
 #include "tools/commands.h"
-#include "tools/fragment_facts.h"
+#include "tools/cut_batch.h"
+#include "tools/cut_jobs.h"
+#include "tools/cut_output.h"
+#include "tools/cut_report.h"
+#include "tools/cut_settings.h"
 #include "tools/heights.h"
+#include "tools/in_order.h"
+#include "tools/input.h"
 #include "tools/mesh_info.h"
 #include "tools/registry.h"
 #include "tools/text.h"
@@ -23,220 +29,75 @@ namespace {
 
 struct CutCommandOptions
 {
-    std::string file;
-    std::optional<glm::dvec3> point;   ///< default: centre of the bounds
-    std::optional<glm::dvec3> normal;  ///< this or the plane
-    std::optional<Plane> plane;
+    InputOptions input;
+    CutSettings cut;
     std::string backend = backend_families().front().name;
     std::string lookup;
-    bool no_cap = false;
-    double gap = 0.0;
-    std::optional<OnlyNear> only;
-    CapQuality cap_quality = CapQuality::fast;
-    bool components = false;
     std::string prefix;
     std::string format = writable_formats().front();
+    std::optional<Side> keep;
+    BatchOptions batch;
+    bool must_cut = false;
     bool json = false;
+
+    CutOutput output() const { return {prefix, format, keep}; }
 };
 
-/// One fragment that was written.
-struct Piece
+/// What is said of a mesh that was read, before it is cut.
+CutReport report_of(const LoadedFile& loaded, const CutCommandOptions& options)
 {
-    std::string file;
-    FragmentFacts facts;
-};
-
-struct SideReport
-{
-    std::vector<Piece> pieces;
-
-    FragmentFacts total() const
-    {
-        FragmentFacts sum;
-        for (const Piece& piece : pieces) sum.add(piece.facts);
-        return sum;
-    }
-};
-
-struct CutReport
-{
-    std::string file, backend;
-    Plane plane = Plane::z(0.0).value();
-    bool capped = true;
-    bool closes_with_fan = false;
-    Status status = Status::missed;
-    FileReport read;
-    bool has_coarse_coordinates = false;
-    CutStatistics statistics;
-    double section_area = 0.0;
-    bool caps_exceed_section = false;
-    double prepare_ms = 0.0, cut_ms = 0.0;
-    SideReport positive, negative;
-};
-
-/// PREFIX.positive.obj, or PREFIX.positive.0.obj for one of several components.
-std::string file_name(const CutCommandOptions& options, const char* side, std::size_t component)
-{
-    std::string name = options.prefix + "." + side;
-    if (options.components) name += "." + std::to_string(component);
-    return name + "." + options.format;
-}
-
-SideReport add_side(MeshFileSet& files, const CutCommandOptions& options, Cut& cut, Side side)
-{
-    SideReport report;
-    for (std::size_t i = 0; const Object* piece = cut.piece(side, i); ++i) {
-        const Mesh mesh = mesh_of(*piece);
-        const std::string name = file_name(options, side == Side::positive ? "positive" : "negative", i);
-        check(files.add(name.c_str(), mesh));
-        report.pieces.push_back({name, measure_fragment(flat(mesh), piece->mass_properties())});
-    }
+    CutReport report;
+    report.file = options.input.file;
+    report.backend = full_name(options.backend, options.lookup);
+    for (const BackendFamily& entry : backend_families())
+        if (entry.name == family_of(options.backend)) report.closes_with_fan = entry.closes_with_fan;
+    report.repairs = describe(loaded.repairs()).c_str();
+    report.notes = notes_json(loaded.report);
+    report.note_texts = notes_text(loaded.report);
+    report.has_coarse_coordinates = loaded.mesh.has_coarse_coordinates();
     return report;
 }
 
-glm::dvec3 centre_of(const Box& box)
+Object prepared(Mesh mesh, const CutReport& report)
 {
-    return 0.5 * (glm::dvec3(to_glm(box.lo)) + glm::dvec3(to_glm(box.hi)));
+    PrepareOptions options;
+    options.back_end_name = report.backend.c_str();
+    Result<Object> object = prepare(std::move(mesh), options);
+    if (!object) throw std::runtime_error(report.file + ": " + object.reason());
+    return *std::move(object);
+}
+
+/// The side that is kept, to the standard output.
+void print_side(Cut& cut, const CutCommandOptions& options)
+{
+    const Object* const piece = cut.one(*options.keep);
+    if (piece == nullptr) throw std::runtime_error(options.input.file + ": nothing is left on the side that is kept");
+    print_mesh(mesh_of(*piece), options.format);
 }
 
 CutReport perform(const CutCommandOptions& options)
 {
-    LoadedFile loaded = load(options.file);
-    const std::optional<Plane> plane =
-        options.plane
-            ? options.plane
-            : Plane::at(Point(options.point.value_or(centre_of(loaded.mesh.bounds()))), Normal(*options.normal));
-    if (!plane) throw std::runtime_error("the plane's numbers are too large to calculate with");
-
-    CutReport report;
-    report.file = options.file;
-    report.backend = full_name(options.backend, options.lookup);
-    report.plane = *plane;
-    report.capped = !options.no_cap;
-    for (const BackendFamily& entry : backend_families())
-        if (entry.name == family_of(options.backend)) report.closes_with_fan = entry.closes_with_fan;
-    report.has_coarse_coordinates = loaded.mesh.has_coarse_coordinates();
+    LoadedFile loaded = load_input(options.input);
+    CutReport report = report_of(loaded, options);
+    report.plane = options.cut.plane_in(loaded.mesh.bounds());
 
     core::Stopwatch watch;
-    PrepareOptions prepare_options;
-    prepare_options.back_end_name = report.backend.c_str();
-    Result<Object> prepared = prepare(std::move(loaded.mesh), prepare_options);
+    Object object = prepared(std::move(loaded.mesh), report);
     report.prepare_ms = watch.lap();
-    if (!prepared) throw std::runtime_error(options.file + ": " + prepared.reason());
-
-    CutOptions cut_options;
-    cut_options.cap = !options.no_cap;
-    cut_options.gap = options.gap;
-    cut_options.only = options.only;
-    cut_options.cap_quality = options.cap_quality;
-    cut_options.components = options.components;
-    watch.lap();
-    Cut result = cut(*std::move(prepared), *plane, cut_options);
+    Cut result = cut(std::move(object), report.plane, options.cut.options());
     report.cut_ms = watch.lap();
-    report.status = result.status;
-    report.statistics = result.statistics();
-    report.section_area = result.section_area;
-    report.caps_exceed_section = result.caps_exceed_section;
-    report.read = std::move(loaded.report);
+    report.take(result);
     if (result.status == Status::missed) return report;
-    if (result.status != Status::done && result.status != Status::open_section)
-        throw std::runtime_error(options.file + ": " + result.reason());
+    if (!ok(result.status)) throw std::runtime_error(report.file + ": " + result.reason());
 
-    MeshFileSet files(report.read);
-    report.positive = add_side(files, options, result, Side::positive);
-    report.negative = add_side(files, options, result, Side::negative);
+    if (options.prefix == "-") {
+        print_side(result, options);
+        return report;
+    }
+    MeshFileSet files(loaded.report);
+    add_pieces(files, options.output(), options.cut.components, result, report);
     check(files.commit());
     return report;
-}
-
-Json side_json(const SideReport& side)
-{
-    Json json = facts_json(side.total());
-    json["pieces"] = Json::array();
-    for (const Piece& piece : side.pieces) {
-        Json entry{{"file", piece.file}};
-        entry.update(facts_json(piece.facts));
-        json["pieces"].push_back(std::move(entry));
-    }
-    return json;
-}
-
-Json report_json(const CutReport& report)
-{
-    const CutStatistics& statistics = report.statistics;
-    Json phases = Json::object();
-    for (std::size_t i = 0; i < kPhaseCount; ++i) phases[text(static_cast<Phase>(i))] = statistics.phase_ms[i];
-    phases["pivot"] = 0.0;  // the report's loop over new pivots: only benchmarks run it, but the field is published
-    Json warnings = Json::array();
-    if (report.has_coarse_coordinates) warnings.push_back("coarse_coordinates");
-    if (report.caps_exceed_section) warnings.push_back("caps_exceed_section");
-    Json json{{"file", report.file},
-              {"backend", report.backend},
-              {"status", outcome_name(report.status)},
-              {"plane", {{"normal", vector_json(to_glm(report.plane.normal()))}, {"offset", report.plane.offset()}}},
-              {"repairs", describe(report.read.mesh().repairs).c_str()},
-              {"warnings", std::move(warnings)},
-              {"notes", notes_json(report.read)},
-              {"counts",
-               {{"triangles", statistics.triangles},
-                {"crossing", statistics.crossing_triangles},
-                {"loops", statistics.section_loops},
-                {"open_chains", statistics.open_chains},
-                {"triangles_touched", statistics.triangles_touched},
-                {"nodes_visited", statistics.nodes_visited},
-                {"cap_steps", statistics.cap_steps},
-                {"bytes_to_upload", statistics.bytes_to_upload}}},
-              {"section_area", report.section_area}};
-    if (report.status != Status::missed) {
-        json["positive"] = side_json(report.positive);
-        json["negative"] = side_json(report.negative);
-    }
-    json["time_ms"] = {{"prepare", report.prepare_ms}, {"cut", report.cut_ms}, {"phases", std::move(phases)}};
-    return json;
-}
-
-std::string side_text(const char* name, const SideReport& side)
-{
-    std::string text = std::string(name) + ": " + facts_text(side.total()) + "\n";
-    for (const Piece& piece : side.pieces) {
-        text += "  " + piece.file;
-        if (side.pieces.size() > 1) text += ": " + facts_text(piece.facts);
-        text += "\n";
-    }
-    return text;
-}
-
-std::string report_text(const CutReport& report)
-{
-    const CutStatistics& statistics = report.statistics;
-    std::string text;
-    for (const std::string& note : notes_text(report.read)) text += "note: " + note + "\n";
-    if (const Sentence repairs = describe(report.read.mesh().repairs); !repairs.is_empty())
-        text += std::string("repaired: ") + repairs.c_str() + "\n";
-    if (report.has_coarse_coordinates) text += std::string("warning: ") + kCoarseCoordinatesText + "\n";
-    if (report.status == Status::missed)
-        return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
-
-    text += std::string(outcome_name(report.status)) + ": " + grouped(statistics.crossing_triangles) + " of " +
-            counted(statistics.triangles, "triangle") + " crossing, " +
-            counted(statistics.section_loops, "section loop") + ", section area " + rounded(report.section_area) + "\n";
-    if (report.status == Status::open_section)
-        text += "the mesh is open: " + counted(statistics.open_chains, "part") +
-                " of the section ended at its boundary, without a cap\n";
-    for (const auto& [name, side] : {std::pair{"positive", &report.positive}, {"negative", &report.negative}}) {
-        text += side_text(name, *side);
-        if (report.caps_exceed_section)
-            text += "  its cap has area " + rounded(side->total().cap_area) + ", which is not the section's" +
-                    (report.closes_with_fan ? ": the fan does not fit\n"
-                                            : ": the section may wind backwards or cross itself too often\n");
-    }
-    text += report.backend + ": prepare " + rounded(report.prepare_ms) + " ms, cut " + rounded(report.cut_ms) + " ms";
-    std::string phases;
-    for (std::size_t i = 0; i < kPhaseCount; ++i)
-        if (statistics.phase_ms[i] > 0.0)
-            phases += (phases.empty() ? " (" : ", ") + std::string(kerf::text(static_cast<Phase>(i))) + " " +
-                      rounded(statistics.phase_ms[i]);
-    return text + phases + (phases.empty() ? "\n" : ")\n");
 }
 
 std::string list_of_backends()
@@ -259,13 +120,41 @@ std::string backend_with_lookups()
     return backend_families().front().name;
 }
 
+void run_batch(const CutCommandOptions& options)
+{
+    const std::vector<CutJob> jobs = read_jobs(options.batch.jobs, options.cut);
+    LoadedFile loaded = load_input(options.input);
+    const CutReport report = report_of(loaded, options);
+    const std::uint64_t key = key_of(loaded.mesh);
+    const Box bounds = loaded.mesh.bounds();
+    const Object object = prepared(std::move(loaded.mesh), report);
+    run_jobs({jobs, object, bounds, key, loaded.report, report, options.output()}, options.batch, options.must_cut);
+}
+
 void run(const CutCommandOptions& options)
 {
     const CutReport report = perform(options);
-    if (options.json)
-        print(report_json(report));
-    else
-        print(report_text(report));
+    if (options.json) {
+        Json json = cut_json(report);
+        json["time_ms"] = times_json(report);
+        print(json);
+    } else if (options.prefix != "-") {
+        print(cut_text(report));
+    }
+    if (options.must_cut && report.status == Status::missed)
+        throw NothingToCut(report.file + ": the plane does not divide it");
+}
+
+/// What the standard streams can't do.
+void check_output(const CutCommandOptions& options)
+{
+    if (options.batch.jobs == "-" && options.input.file == "-")
+        throw CLI::ValidationError("--batch", "the standard input is the mesh, or the jobs");
+    if (options.prefix != "-") return;
+    if (!options.keep)
+        throw CLI::ValidationError("--out", "the standard output takes one mesh: say --keep positive or negative");
+    if (options.cut.components || options.json || !options.batch.jobs.empty())
+        throw CLI::ValidationError("--out", "the standard output takes one mesh, and nothing besides");
 }
 
 }  // namespace
@@ -274,11 +163,11 @@ void add_cut_command(CLI::App& program)
 {
     auto options = std::make_shared<CutCommandOptions>();
     CLI::App* command = program.add_subcommand("cut", "Cut a mesh by a plane and write both sides");
-    command->add_option("FILE", options->file, "Mesh: obj, ply, stl, off, gltf or glb")->required();
+    add_input_options(*command, options->input);
     CLI::Option* point =
         command
             ->add_option_function<std::string>(
-                "--point", [options](const std::string& text) { options->point = parse_point("--point", text); },
+                "--point", [options](const std::string& text) { options->cut.point = parse_point("--point", text); },
                 "A point of the plane, each coordinate rounded to float as in the mesh; default: the centre of the "
                 "mesh's bounds")
             ->type_name("X,Y,Z");
@@ -286,15 +175,15 @@ void add_cut_command(CLI::App& program)
                               ->add_option_function<std::string>(
                                   "--normal",
                                   [options](const std::string& text) {
-                                      options->normal = parse_vector("--normal", text);
-                                      if (!Plane::at(Point(0, 0, 0), Normal(*options->normal)))
+                                      options->cut.normal = parse_vector("--normal", text);
+                                      if (!Plane::at(Point(0, 0, 0), Normal(*options->cut.normal)))
                                           throw CLI::ValidationError("--normal", "'" + text + "' has no direction");
                                   },
                                   "The plane's normal, of any length; it points to the positive side")
                               ->type_name("X,Y,Z");
     command
         ->add_option_function<std::string>(
-            "--plane", [options](const std::string& text) { options->plane = parse_axis_plane("--plane", text); },
+            "--plane", [options](const std::string& text) { options->cut.plane = parse_axis_plane("--plane", text); },
             "A plane across an axis instead, such as x=0.5; its normal points along the axis, with --plane=-x=0.5 "
             "against it")
         ->type_name("AXIS=NUMBER")
@@ -305,7 +194,7 @@ void add_cut_command(CLI::App& program)
         ->add_option_function<std::vector<std::string>>(
             "--through",
             [options](const std::vector<std::string>& points) {
-                options->plane = parse_plane_through("--through", points);
+                options->cut.plane = parse_plane_through("--through", points);
             },
             "A plane through three points instead; they run counter-clockwise if they are seen from its positive side")
         ->type_name("X,Y,Z X,Y,Z X,Y,Z")
@@ -315,7 +204,7 @@ void add_cut_command(CLI::App& program)
         ->excludes(plane);
     command
         ->add_option_function<std::string>(
-            "--gap", [options](const std::string& text) { options->gap = parse_width("--gap", text); },
+            "--gap", [options](const std::string& text) { options->cut.gap = parse_width("--gap", text); },
             "Width of the blade, in the mesh's unit: what lies within half of it is taken away")
         ->type_name("NUMBER");
     CLI::Option* gap = command->get_option("--gap");
@@ -325,7 +214,7 @@ void add_cut_command(CLI::App& program)
                 name,
                 [options, name, extent](const std::string& text) {
                     const glm::dvec3 p = parse_point(name, text);
-                    options->only = OnlyNear{{p.x, p.y, p.z}, extent};
+                    options->cut.only = OnlyNear{{p.x, p.y, p.z}, extent};
                 },
                 description)
             ->type_name("X,Y,Z")
@@ -341,21 +230,24 @@ void add_cut_command(CLI::App& program)
                                ->capture_default_str();
     CLI::Option* lookup = command->add_option("--lookup", options->lookup,
                                               "How the baseline, which this implies, looks up vertices; see below");
-    command->add_flag("--no-cap", options->no_cap, "Leave the section open");
+    command->add_flag_callback(
+        "--no-cap", [options] { options->cut.cap = false; }, "Leave the section open");
     command
         ->add_option_function<std::string>(
             "--cap-quality",
             [options](const std::string& text) {
-                options->cap_quality = text == "delaunay" ? CapQuality::delaunay : CapQuality::fast;
-                if (!has_cap_quality(options->cap_quality))
+                options->cut.cap_quality = text == "delaunay" ? CapQuality::delaunay : CapQuality::fast;
+                if (!has_cap_quality(options->cut.cap_quality))
                     throw CLI::ValidationError("--cap-quality",
                                                "this kerf was built without CGAL, which delaunay needs");
             },
             "Triangles of the caps: fast, or delaunay, which has no needles but where the outline forces them")
         ->check(CLI::IsMember({"fast", "delaunay"}).description(""))
         ->default_str("fast");
-    command->add_flag("--components", options->components, "Write the connected pieces of each side one by one");
-    command->add_option("--out", options->prefix, "Beginning of the names of the files to write")
+    command->add_flag("--components", options->cut.components, "Write the connected pieces of each side one by one");
+    command
+        ->add_option("--out", options->prefix,
+                     "Beginning of the names of the files to write; with --keep, - is the standard output")
         ->type_name("PREFIX")
         ->check(CLI::Validator(
             [](const std::string& prefix) {
@@ -365,29 +257,71 @@ void add_cut_command(CLI::App& program)
             },
             ""))
         ->required();
-    command->add_option("--format", options->format, "Format of the files: obj, ply, stl, off or glb")
-        ->check(CLI::IsMember(writable_formats()).description(""))
-        ->capture_default_str();
+    CLI::Option* format =
+        command->add_option("--format", options->format, "Format of the files: obj, ply, stl, off or glb")
+            ->check(CLI::IsMember(writable_formats()).description(""))
+            ->capture_default_str();
+    command
+        ->add_option_function<std::string>(
+            "--keep",
+            [options](const std::string& side) {
+                options->keep = side == "positive" ? Side::positive : Side::negative;
+            },
+            "Write one side alone: positive or negative")
+        ->check(CLI::IsMember({"positive", "negative"}).description(""))
+        ->type_name("SIDE");
+    CLI::Option* batch = command->add_option(
+        "--batch", options->batch.jobs, "Make many cuts of the mesh, a job a line; see below. - is the standard input");
+    batch->type_name("JOBS")->excludes(point)->excludes(normal)->excludes(plane)->excludes(
+        command->get_option("--through"));
+    command
+        ->add_option(
+            "--results", options->batch.results,
+            "File of the batch's lines; if it is there, the batch goes on behind them. Default: standard output")
+        ->type_name("FILE")
+        ->needs(batch);
+    command
+        ->add_option("-j,--jobs", options->batch.threads,
+                     "How many cuts of a batch at once; 0: as many as the processor has")
+        ->transform(command_line::whole_number(0, kMostThreads))
+        ->capture_default_str()
+        ->needs(batch);
+    command->add_flag("--require-cut", options->must_cut, "Exit status 3 if a plane misses");
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer(
         "Writes PREFIX.positive.obj and PREFIX.negative.obj, with --components PREFIX.positive.0.obj and so on:\n"
         "all of them or, when something goes wrong, none. A plane that misses writes nothing.\n\n"
         "Back ends:\n" +
         list_of_backends() +
+        "\nA batch reads the mesh once. Each line of JOBS is a JSON object: one of \"plane\": \"z=0.5\", \"normal\":\n"
+        "[0, 0, 1] with \"point\": [0, 0, 0.5], and \"through\": three points; and, if it differs from the options "
+        "here,\n"
+        "\"gap\", \"cap\", \"components\", \"only\", \"only_solid\". Its files are PREFIX.NAME.positive.obj and so on; "
+        "NAME is\n"
+        "\"name\", or the number of the job. A line of JSON is printed for each, in order.\n"
         "\nExamples:\n"
         "  kerf cut rook.obj --normal 0,1,0 --out /tmp/rook\n"
         "  kerf cut rook.obj --plane y=0.5 --out /tmp/rook\n"
         "  kerf cut rook.obj --through 0,0,0 1,0,0 0,1,1 --gap 0.1 --out /tmp/rook\n"
-        "  kerf cut knot.off --point 0.1,0,0 --normal 1,0.5,0 --components --format ply --out knot --json");
-    command->callback([options, backend, lookup] {
-        if (!options->normal && !options->plane) throw CLI::RequiredError("--normal, --plane or --through");
+        "  kerf cut knot.off --point 0.1,0,0 --normal 1,0.5,0 --components --format ply --out knot --json\n"
+        "  kerf cut - --from stl --plane z=10 --keep negative --out - --format stl < part.stl > lower.stl\n"
+        "  kerf cut part.stl --batch jobs.jsonl --results done.jsonl -j 0 --format ply --out cuts/part");
+    command->callback([options, backend, lookup, batch, format] {
+        if (!options->cut.has_plane() && batch->empty())
+            throw CLI::RequiredError("--normal, --plane, --through or --batch");
+        if (!format->empty()) take_format(options->input, options->format);
+        check_input(options->input);
+        check_output(*options);
         if (backend->empty() && !lookup->empty()) options->backend = backend_with_lookups();
         try {
             static_cast<void>(full_name(options->backend, options->lookup));
         } catch (const std::invalid_argument& error) {
             throw CLI::ValidationError("--lookup", error.what());
         }
-        run(*options);
+        if (batch->empty())
+            run(*options);
+        else
+            run_batch(*options);
     });
 }
 

@@ -1,10 +1,15 @@
-#include <filesystem>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "command_line/whole_number.h"
 #include "tools/commands.h"
 #include "tools/flat_mesh.h"
+#include "tools/in_order.h"
+#include "tools/input.h"
 #include "tools/mesh_info.h"
+#include "tools/progress_line.h"
 #include "tools/text.h"
 
 namespace kerf::tools {
@@ -13,8 +18,10 @@ namespace {
 
 struct InfoOptions
 {
-    std::string file;
-    bool json = false;
+    std::vector<std::string> files;
+    std::string format;  ///< of the standard input
+    bool json = false, jsonl = false;
+    unsigned threads = 1;
 };
 
 Json info_json(const LoadedFile& loaded, const std::string& file)
@@ -95,13 +102,46 @@ std::string info_text(const LoadedFile& loaded, const std::string& file)
     return text;
 }
 
+/// What is printed of a file, or why it is none.
+struct Said
+{
+    std::string text, failure;
+};
+
+Said said_of(const std::string& file, const InfoOptions& options)
+{
+    Said said;
+    try {
+        const LoadedFile loaded = load_input({file, options.format});
+        if (options.jsonl)
+            said.text = line_text(info_json(loaded, file));
+        else if (options.json)
+            said.text = document_text(info_json(loaded, file));
+        else
+            said.text = info_text(loaded, file);
+    } catch (const FileError& error) {
+        said.failure = error.what();
+        if (options.jsonl) said.text = line_text({{"file", file}, {"error", said.failure}});
+    }
+    return said;
+}
+
+/// One file: a failure is that of the program. Several: the others are looked at all the same.
 void run(const InfoOptions& options)
 {
-    const LoadedFile loaded = load(options.file);
-    if (options.json)
-        print(info_json(loaded, options.file));
-    else
-        print(info_text(loaded, options.file));
+    const std::size_t count = options.files.size();
+    std::size_t failed = 0;
+    ProgressLine progress("files");
+    in_order(
+        count, thread_count(options.threads), [&](std::size_t i) { return said_of(options.files[i], options); },
+        [&](std::size_t i, const Said& said) {
+            if (!said.failure.empty() && count == 1 && !options.jsonl) throw FileError(said.failure);
+            if (!said.failure.empty() && !options.jsonl) complain(said.failure);
+            failed += !said.failure.empty();
+            print(said.text);
+            progress.show(double(i + 1) / double(count));
+        });
+    if (failed > 0) throw FileError(grouped(failed) + " of " + counted(count, "file") + " can't be used");
 }
 
 }  // namespace
@@ -110,15 +150,32 @@ void add_info_command(CLI::App& program)
 {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand("info", "Say what a mesh file is like, and what would be repaired");
-    command->add_option("FILE", options->file, "Mesh: obj, ply, stl, off, gltf or glb")->required();
-    command->add_flag("--json", options->json, "Print JSON instead of text");
+    command->add_option("FILE", options->files, "Meshes: obj, ply, stl, off, gltf or glb; - reads the standard input")
+        ->required();
+    command->add_option("--from,--format", options->format, "Format of the standard input");
+    CLI::Option* json = command->add_flag("--json", options->json, "Print JSON instead of text");
+    command
+        ->add_flag("--jsonl", options->jsonl, "Print a line of JSON for each file; what can't be used has an \"error\"")
+        ->excludes(json);
+    command->add_option("-j,--jobs", options->threads, "How many files at once; 0: as many as the processor has")
+        ->transform(command_line::whole_number(0, kMostThreads))
+        ->capture_default_str();
     command->footer(
         "Facts are those of the file, before anything is repaired; vertices are welded where their positions are "
         "equal. Closed is what has no boundary once it is repaired.\n\n"
         "Examples:\n"
         "  kerf info rook.obj\n"
-        "  kerf info scan.ply --json | jq .volume");
-    command->callback([options] { run(*options); });
+        "  kerf info scan.ply --json | jq .volume\n"
+        "  kerf info parts/*.stl --jsonl -j 0 > parts.jsonl\n"
+        "  curl -s https://example.org/part.stl | kerf info - --format stl");
+    command->callback([options] {
+        for (const std::string& file : options->files) check_input({file, options->format});
+        if (std::count(options->files.begin(), options->files.end(), "-") > 1)
+            throw CLI::ValidationError("FILE", "the standard input is one mesh");
+        if (options->json && options->files.size() > 1)
+            throw CLI::ValidationError("--json", "one document for each file: say --jsonl");
+        run(*options);
+    });
 }
 
 }  // namespace kerf::tools

@@ -3,7 +3,10 @@
 #include <iostream>
 #include <iterator>
 #include <span>
+#include <string>
 #include <utility>
+
+#include "tools/text.h"
 
 namespace kerf::tools {
 
@@ -20,6 +23,12 @@ void check_input(const InputOptions& options)
         throw CLI::ValidationError("--from", "the standard input needs a format, such as --from stl");
 }
 
+void check_standard_output(const std::string& out, const std::string& format)
+{
+    if (out == "-" && format.empty())
+        throw CLI::ValidationError("--format", "the standard output needs a format, such as --format stl");
+}
+
 LoadedFile load_input(const InputOptions& options)
 {
     if (options.file != "-") return load(options.file);
@@ -29,6 +38,14 @@ LoadedFile load_input(const InputOptions& options)
     if (!mesh) throw FileError("standard input: " + std::string(mesh.reason()));
     file.mesh = *std::move(mesh);
     return file;
+}
+
+void print_mesh(const Mesh& mesh, const std::string& format)
+{
+    const Result<FileBytes> file = mesh_file_bytes(mesh, format.c_str());
+    if (!file) throw FileError(std::string("standard output: ") + file.reason());
+    const std::span<const std::byte> bytes = file->bytes();
+    print(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 }  // namespace kerf::tools

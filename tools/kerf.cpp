@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kUnusable = 1;  ///< a file or a mesh cannot be used, or a comparison failed
 constexpr int kWrongUse = 2;
+constexpr int kNothingToCut = 3;
 
 /// One line: "kerf cut FILE --normal X,Y,Z --out PREFIX [OPTIONS]".
 std::string usage_of(const CLI::App& app, const CLI::App& program)
@@ -61,7 +62,7 @@ int run(int argc, char** argv)
     program.footer(
         "Exit status: 0 done (a plane that misses is no error), 1 a file or mesh cannot be used or a comparison "
         "failed,\n"
-        "2 wrong use.\n"
+        "2 wrong use, 3 a plane that misses with --require-cut.\n"
         "Run kerf COMMAND --help for the options of a command.");
     kerf::tools::add_info_command(program);
     kerf::tools::add_cut_command(program);
@@ -71,6 +72,7 @@ int run(int argc, char** argv)
     kerf::tools::add_repair_command(program);
     kerf::tools::add_convert_command(program);
     kerf::tools::add_shape_command(program);
+    kerf::tools::add_completion_command(program);
 
     try {
         program.parse(argc, argv);
@@ -90,6 +92,9 @@ int main(int argc, char** argv)
         return run(argc, argv);
     } catch (const std::bad_alloc&) {
         std::cerr << "kerf: there is not enough memory; give it a smaller mesh, or free some\n";
+    } catch (const kerf::tools::NothingToCut& miss) {
+        std::cerr << "kerf: " << miss.what() << "\n";
+        return kNothingToCut;
     } catch (const std::exception& error) {
         std::cerr << "kerf: " << error.what() << "\n";
     }

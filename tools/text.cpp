@@ -139,7 +139,22 @@ void print(const std::string& text)
 
 void print(const Json& document)
 {
-    print(document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    print(document_text(document));
+}
+
+std::string document_text(const Json& document)
+{
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string line_text(const Json& document)
+{
+    return document.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void complain(const std::string& sentence)
+{
+    std::cerr << "kerf: " << sentence << "\n";
 }
 
 }  // namespace kerf::tools

@@ -48,6 +48,12 @@ Plane parse_plane_through(const std::string& option, const std::vector<std::stri
 /// @throws CLI::ValidationError
 Plane parse_axis_plane(const std::string& option, const std::string& text);
 
+/// JSON for people, over many lines, and as one line.
+/// @{
+std::string document_text(const Json& document);
+std::string line_text(const Json& document);
+/// @}
+
 /// Standard output cannot be written. what() is one sentence.
 class OutputError : public std::runtime_error
 {
@@ -59,5 +65,7 @@ public:
 /// @throws OutputError
 void print(const std::string& text);
 void print(const Json& document);
+/// A sentence on the standard error, as the program's own.
+void complain(const std::string& sentence);
 
 }  // namespace kerf::tools

@@ -1,0 +1,201 @@
+#include <map>
+#include <sstream>
+
+#include "tools/program.h"
+
+namespace kerf::tools {
+namespace {
+
+class KerfBatch : public ProgramTest
+{
+protected:
+    void SetUp() override
+    {
+        ProgramTest::SetUp();
+        ASSERT_EQ(kerf("shape asteroid -n 2000 -o rock.ply").status, 0);
+    }
+
+    /// So many planes across z, the last of which misses.
+    void write_planes(std::size_t count) const
+    {
+        std::string jobs;
+        for (std::size_t i = 0; i + 1 < count; ++i)
+            jobs += R"({"plane": "z=)" + std::to_string(-0.8 + 1.6 * double(i) / double(count)) + "\"}\n";
+        write("jobs.jsonl", jobs + "{\"plane\": \"z=9\"}\n");
+    }
+
+    static std::vector<Json> lines_of(const std::string& text)
+    {
+        std::vector<Json> lines;
+        std::istringstream stream(text);
+        for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+        return lines;
+    }
+
+    /// What is in the files that a batch has written.
+    std::map<std::string, std::string> written(const std::string& folder) const
+    {
+        std::map<std::string, std::string> contents;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_ / folder))
+            contents[entry.path().filename().string()] = read_text(entry.path());
+        return contents;
+    }
+};
+
+TEST_F(KerfBatch, WritesWhatSingleCutsWriteInTheOrderOfTheJobs)
+{
+    write("jobs.jsonl",
+          "{\"plane\": \"z=0.1\"}\n\n"
+          "{\"normal\": [1, 2, 3], \"point\": [0.1, 0, 0], \"name\": \"slanted\", \"gap\": 0.1}\n"
+          "{\"through\": [[0,0,0],[1,0,0],[0,1,1]], \"cap\": false}\n"
+          "{\"plane\": \"x=0\", \"components\": true}\n");
+    std::filesystem::create_directory(folder_ / "b");
+    const Outcome outcome = kerf("cut rock.ply --batch jobs.jsonl --format ply --out b/rock -j 3");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::vector<Json> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 4u);
+    const std::vector<std::string> names{"0001", "slanted", "0003", "0004"};
+    const std::vector<std::string> commands{"--plane z=0.1", "--normal 1,2,3 --point 0.1,0,0 --gap 0.1",
+                                            "--through 0,0,0 1,0,0 0,1,1 --no-cap", "--plane x=0 --components"};
+    std::filesystem::create_directory(folder_ / "s");
+    for (std::size_t i = 0; i < 4; ++i) {
+        Json line = lines[i];
+        EXPECT_EQ(line["job"], i + 1);
+        EXPECT_EQ(line["name"], names[i]);
+        const std::string prefix = "s/rock." + names[i];
+        Json single = kerf_json("cut rock.ply --format ply --out " + prefix + " " + commands[i]);
+        for (const char* key : {"job", "name", "key"}) line.erase(key);
+        single.erase("time_ms");
+        for (const char* side : {"positive", "negative"})
+            for (Json& piece : single[side]["pieces"]) piece["file"] = "b" + piece["file"].get<std::string>().substr(1);
+        EXPECT_EQ(line, single);
+    }
+    EXPECT_EQ(written("b"), written("s"));
+}
+
+TEST_F(KerfBatch, ReadsTheMeshOnce)
+{
+    write_planes(50);
+    std::filesystem::create_directory(folder_ / "b");
+    // A pipe can be read once.
+    const Outcome piped = kerf("cut - --from ply --batch jobs.jsonl --format ply --out b/rock", "cat rock.ply |");
+    EXPECT_EQ(piped.status, 0) << piped.err;
+    EXPECT_EQ(lines_of(piped.out).size(), 50u);
+    EXPECT_EQ(written("b").size(), 98u);
+}
+
+TEST_F(KerfBatch, GoesOnWhereItWasInterruptedAndTheFilesAreTheSame)
+{
+    write_planes(300);
+    const auto batch = [](const std::string& folder) {
+        return "cut rock.ply --batch jobs.jsonl --format ply -j 2 --out " + folder + "/rock --results " + folder +
+               ".jsonl";
+    };
+    for (const char* folder : {"whole", "parts"}) std::filesystem::create_directory(folder_ / folder);
+    ASSERT_EQ(kerf(batch("whole")).status, 0);
+
+    std::size_t interruptions = 0, lines = 0;
+    const char* const signals[] = {"INT", "TERM", "KILL"};
+    for (int round = 0; round < 100; ++round) {
+        // Longer each time: where programs are slow (sanitizers), short ones may not get to the first line.
+        const std::string seconds = std::to_string(0.03 * (1 + round));
+        const Outcome outcome =
+            kerf(batch("parts"), std::string("timeout --preserve-status -s ") + signals[round % 3] + " " + seconds);
+        const std::size_t now = lines_of(read_text(folder_ / "parts.jsonl")).size();
+        EXPECT_GE(now, lines);
+        lines = now;
+        if (outcome.status == 0) break;
+        ++interruptions;
+        // As an interruption in the middle of a line leaves it.
+        if (round % 2 == 0) write("parts.jsonl", read_text(folder_ / "parts.jsonl") + R"({"job": 7, "na)");
+    }
+    EXPECT_EQ(lines, 300u);
+    EXPECT_GT(interruptions, 0u);
+    // (A process that was killed may leave a file under its temporary name.)
+    std::map<std::string, std::string> parts = written("parts");
+    std::erase_if(parts, [](const auto& file) { return !file.first.ends_with(".ply"); });
+    EXPECT_EQ(parts, written("whole"));
+
+    // What was taken away is made again.
+    std::filesystem::remove(folder_ / "parts/rock.0123.negative.ply");
+    ASSERT_EQ(kerf(batch("parts")).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "parts/rock.0123.negative.ply"));
+    EXPECT_EQ(lines_of(read_text(folder_ / "parts.jsonl")).size(), 300u);
+}
+
+TEST_F(KerfBatch, DoesNotMixUpResultsOfOtherJobs)
+{
+    write_planes(5);
+    const std::string batch = "cut rock.ply --batch jobs.jsonl --out r --results r.jsonl";
+    ASSERT_EQ(kerf(batch).status, 0);
+    const std::string before = read_text(folder_ / "r.jsonl");
+    expect_unusable(kerf(batch + " --gap 0.1"), "line 1 is no result of this job");
+    expect_unusable(kerf(batch + " --format stl"), "line 1 is no result of this job");
+    ASSERT_EQ(kerf("shape asteroid -n 2000 --seed 5 -o rock.ply").status, 0);
+    expect_unusable(kerf(batch), "line 1 is no result of this job");
+    expect_unusable(kerf("cut rock.ply --batch jobs.jsonl --out r --results rock.ply"), "line 1");
+    EXPECT_EQ(read_text(folder_ / "r.jsonl"), before);
+}
+
+TEST_F(KerfBatch, SaysWhichLineIsNoJobAndDoesNothing)
+{
+    const std::pair<const char*, const char*> faults[] = {
+        {"{\"plane\": \"z=0\"}\nnonsense\n", "line 2: no JSON object"},
+        {"[1]\n", "line 1: no JSON object"},
+        {"{}\n", "one of 'plane', 'normal' and 'through'"},
+        {"{\"plane\": \"z=0\", \"normal\": [0,0,1]}\n", "one of 'plane', 'normal' and 'through'"},
+        {"{\"plane\": \"w=0\"}\n", "is no axis"},
+        {"{\"plane\": 3}\n", "'plane' is no text"},
+        {"{\"normal\": [0,0,0]}\n", "'normal' has no direction"},
+        {"{\"normal\": [0,0]}\n", "'normal' is no list of three numbers"},
+        {"{\"normal\": [0,0,\"1\"]}\n", "'normal' is no number"},
+        {"{\"plane\": \"z=0\", \"point\": [0,0,0]}\n", "'point' goes with 'normal'"},
+        {"{\"through\": [[0,0,0],[1,1,1],[2,2,2]]}\n", "lie on one line"},
+        {"{\"plane\": \"z=0\", \"gap\": -1}\n", "'gap' is below 0"},
+        {"{\"plane\": \"z=0\", \"cap\": 1}\n", "'cap' is neither true nor false"},
+        {"{\"plane\": \"z=0\", \"colour\": 1}\n", "'colour' is none of"},
+        {"{\"plane\": \"z=0\", \"name\": \"a/b\"}\n", "'name' has a /"},
+        {"{\"plane\": \"z=0\", \"name\": \"\"}\n", "'name' is no text"},
+        {"{\"plane\": \"z=0\", \"name\": \"a\"}\n{\"plane\": \"z=1\", \"name\": \"a\"}\n", "another job has the name"},
+        {"{\"plane\": \"z=0\", \"name\": \"0002\"}\n{\"plane\": \"z=1\"}\n", "has its number for one"},
+        {"\n \n", "no job"},
+    };
+    const std::vector<std::string> before = names_in_folder();
+    for (const auto& [jobs, fault] : faults) {
+        write("jobs.jsonl", jobs);
+        expect_unusable(kerf("cut rock.ply --batch jobs.jsonl --out r"), fault);
+        std::filesystem::remove(folder_ / "jobs.jsonl");
+        EXPECT_EQ(names_in_folder(), before);
+    }
+    expect_unusable(kerf("cut rock.ply --batch nowhere.jsonl --out r"), "nowhere.jsonl");
+}
+
+TEST_F(KerfBatch, AJobThatFailsIsALineAndTheRestIsDone)
+{
+    ASSERT_EQ(kerf("shape torus -n 2000 -o ring.ply").status, 0);
+    write("jobs.jsonl", "{\"plane\": \"x=0\", \"only\": [0, 0.7, 0]}\n{\"plane\": \"x=0\"}\n");
+    const Outcome outcome = kerf("cut ring.ply --batch jobs.jsonl --out r");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("1 of 2 jobs failed"), std::string::npos) << outcome.err;
+    const std::vector<Json> lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0]["status"], "not_separated");
+    EXPECT_NE(lines[0]["error"], "");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "r.0002.positive.obj"));
+}
+
+TEST_F(KerfBatch, RequireCutIsExitStatus3)
+{
+    write_planes(5);
+    EXPECT_EQ(kerf("cut rock.ply --batch jobs.jsonl --out r").status, 0);
+    const Outcome outcome = kerf("cut rock.ply --batch jobs.jsonl --out r --require-cut");
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_EQ(lines_of(outcome.out).back()["status"], "missed");
+    EXPECT_NE(outcome.err.find("1 of 5 planes did not divide rock.ply"), std::string::npos) << outcome.err;
+    EXPECT_EQ(kerf("cut rock.ply --plane z=9 --out r").status, 0);
+    EXPECT_EQ(kerf("cut rock.ply --plane z=9 --out r --require-cut").status, 3);
+    EXPECT_EQ(kerf("cut rock.ply --plane z=0 --out r --require-cut").status, 0);
+}
+
+}  // namespace
+}  // namespace kerf::tools
