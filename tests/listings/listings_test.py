@@ -7,8 +7,10 @@ programs and projects of their own: CMakeLists.txt.)
 
 import functools
 import json
+import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,7 +26,7 @@ from debs import PACKAGES
 PROGRAMS = {Path(path).name: Path(path) for path in sys.argv[1:] if Path(path).exists()}
 # Languages, and who tests their listings. Drawings are `text`, and so is what a program prints.
 TESTED = {"cpp": "CMakeLists.txt", "cmake": "configure_project.py", "sh": "Commands", "json": "Json",
-          "text": "Languages"}
+          "text": "Languages", "bash": "Scripts", "python": "../python/test_listings.py"}
 # Who takes the options of a task of ./run, if `./run help` does not name them.
 SCRIPTS = {"soak": "tests/soak/soak.py", "world": "tests/world/world.py", "fuzz": "tests/fuzz/run_fuzz.py",
            "compare-speed": "bench/compare", "package-matrix": "tests/package/package_matrix.py"}
@@ -185,11 +187,11 @@ class Commands(unittest.TestCase):
         elif words[:2] == ["apt-get", "install"]:
             for word in words[2:]:
                 self.assertIn(word, [f"./build/debs/{package}_*.deb" for package in PACKAGES], where)
-        elif (ROOT / words[0]).is_file():
+        elif not words[0].startswith("/") and (ROOT / words[0]).is_file():
             self.check_options(words[1:], output_of(ROOT / words[0], "--help"), where)
         else:
-            # Programs that the page has shown how to make, and the compiler (tests/package runs it).
-            self.assertRegex(words[0], r"^(g\+\+|build[\w-]*/\w+)$", f"{where}: nobody tests this command")
+            # Programs that the page has shown how to make, the compiler (tests/package runs it), and what ./run python does.
+            self.assertRegex(words[0], r"^(g\+\+|build[\w-]*/\w+|/usr/bin/python3|venv/bin/pip)$", f"{where}: nobody tests this command")
 
     def test_commands_exist_and_have_these_options(self):
         checked = 0
@@ -217,6 +219,39 @@ class Commands(unittest.TestCase):
                 if option not in BUILD_OPTIONS:
                     wrong.append(f"{page.name}: {option}")
         self.assertEqual([], wrong)
+
+
+class Scripts(unittest.TestCase):
+    """Listings for bash are run as a whole, in a folder that has what they speak of; twice, because they say that this is
+    harmless."""
+
+    @unittest.skipUnless("kerf" in PROGRAMS, "kerf is not built")
+    def test_they_run_twice(self):
+        scripts = [listing for listing in all_listings() if listing.language == "bash"]
+        self.assertGreater(len(scripts), 3)
+        kerf = PROGRAMS["kerf"].resolve()
+        for script in scripts:
+            missing = [name for name in ("parallel", "jq") if name in script.text and not shutil.which(name)]
+            if missing:
+                print(f"{script}: {', '.join(missing)} is not here", file=sys.stderr)
+                continue
+            with self.subTest(str(script)), tempfile.TemporaryDirectory() as folder:
+                for name in ("parts", "cuts", "sections", "out"):
+                    (Path(folder) / name).mkdir()
+                for i, shape in enumerate(("box", "torus", "asteroid", "icosphere")):
+                    for path in [f"parts/{shape} {i}.stl"] + ["part.stl"] * (i == 0):
+                        subprocess.run([kerf, "shape", shape, "-o", path], cwd=folder, check=True, capture_output=True)
+                environment = dict(os.environ, PATH=f"{kerf.parent}:{os.environ['PATH']}", SLURM_ARRAY_TASK_ID="1",
+                                   HOME=folder)
+                seen = []
+                for _ in range(2):
+                    done = subprocess.run(["bash", "-euo", "pipefail", "-c", script.text], cwd=folder, env=environment,
+                                          capture_output=True, text=True, timeout=100)
+                    self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+                    seen.append({str(path.relative_to(folder)): path.read_bytes()
+                                 for path in Path(folder).rglob("*") if path.suffix in (".ply", ".svg", ".jsonl")})
+                    self.assertTrue(seen[0])
+                self.assertEqual(seen[0], seen[1])
 
 
 class Json(unittest.TestCase):
