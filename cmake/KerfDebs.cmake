@@ -94,6 +94,15 @@ This is Kerf's component caps_cgal for CMake. Programs that link it are under
 the GPL.]]
     DEPENDS "libkerf-dev ${this_version}" "libkerf-caps-cgal${abi} ${this_version}")
 endif()
+if(TARGET kerf_python)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  set(python ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})
+  kerf_deb(python python3-kerf python "cuts triangle meshes by planes, from Python" [[
+This is the Python package, for meshes that are NumPy arrays.]]
+    PROGRAM NOTICES ${KERF_NOTICES_LIBRARY} pybind11
+    DEPENDS "libkerf${abi} ${this_version}" "python3 (>= ${python})" "python3 (<< ${Python_VERSION_MAJOR}.${next_python})" "python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/python/prerm)
+endif()
 if(TARGET kerf)
   kerf_deb(kerf kerf utils "program that cuts, repairs and converts triangle meshes" [[
 This is the command line program, for OBJ, PLY, STL, OFF, glTF and GLB files.]]

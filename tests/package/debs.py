@@ -22,8 +22,8 @@ from users import COMPILERS, ROOT, VARIANTS, Failed, check_consumer, check_pkg_c
 BUILD = ROOT / "build/debs"
 ABI = ".".join(re.findall(r"define KERF_VERSION_M\w+ (\d+)", (ROOT / "include/kerf/version.h").read_text()))
 LIBRARY, CAPS, PROGRAMS = f"libkerf{ABI}", f"libkerf-caps-cgal{ABI}", ("kerf", "kerf-viewer")
-PACKAGES = {LIBRARY, "libkerf-dev", CAPS, "libkerf-caps-cgal-dev", *PROGRAMS, "kerf-data"}
-COMMANDS = ("info", "cut", "compare", "repair", "convert", "shape", "section", "dice")
+PACKAGES = {LIBRARY, "libkerf-dev", CAPS, "libkerf-caps-cgal-dev", *PROGRAMS, "kerf-data", "python3-kerf"}
+COMMANDS = ("info", "cut", "compare", "repair", "convert", "shape", "section", "dice", "completion")
 # What compilers leave in a program of the code of others: in the names of types, or of a library that is linked.
 TRACES = {"CGAL": ("cgal", rb"libgmp\.so|Delaunay_triangulation_2"), "OpenMesh": ("OpenMesh", rb"N8OpenMesh|libOpenMeshCore"),
           "Bullet": ("bullet", rb"libLinearMath|libBullet"), "JSON": ("nlohmann", rb"8nlohmann"),
@@ -223,6 +223,11 @@ def check_installed_programs(folder, data):
         if json.loads(run("kerf", "info", folder / f"rook.{side}.obj", "--json"))["open_edges"] != 0:
             raise Failed(f"kerf cut: the {side} side of the rook is open")
     say("  kerf info, kerf cut: two closed halves of an installed rook")
+    halves = run("/usr/bin/python3", "-c", "import kerf, sys; rook = kerf.read(sys.argv[1]).prepare(); "
+                 "print(*(half.mesh().is_closed for half in kerf.cut(rook, origin=(0, 0, 0), normal='y')))", model, cwd=folder)
+    if halves.split() != ["True", "True"]:
+        raise Failed(f"python3-kerf: the halves of the rook are closed: {halves}")
+    say("  python3-kerf: the same")
     play = ["--frames", "30", "--size", "320x180", "--seed", "3", "--autopilot"]
     report = json.loads(run("kerf-viewer", "--headless", "--scene", "classic", *play, cwd=folder))
     if report["gl_errors"] != 0 or report["messages"]:
