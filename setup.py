@@ -29,7 +29,6 @@ class CMakeBuild(build_ext):
             "Python_EXECUTABLE": sys.executable,
             "KERF_BUILD_PYTHON": "ON",
             "KERF_PRECOMPILE": "ON",
-            "KERF_UNITY_LIBRARY": "ON",
             # What it links beyond OpenMesh would decide its licence: KERF_CMAKE_OPTIONS=-DKERF_BUILD_CGAL=ON is a choice.
             "KERF_BUILD_CGAL": "OFF",
         }

@@ -86,6 +86,7 @@ class Mesh:
     _inside: _core.Mesh
     _origin: _arrays.Doubles
     _report: Optional[Report]
+    _make_report: Optional[Callable[[], Report]]
     _input: Callable[[], _Input]
     _linear: Optional[_core.Object]
 
@@ -106,24 +107,29 @@ class Mesh:
         positions, rounding = _arrays.positions(vertices, moved)
         count = len(positions)
         indices = _arrays.indices(faces, count)
-        core, report = _core.Mesh.make(
+        normal_rows = None if normals is None else _arrays.rows("normals", normals, count, 3)
+        uv_rows = None if uv is None else _arrays.rows("uv", uv, count, 2)
+        core = _core.Mesh.make(
             positions,
             indices,
-            None if normals is None else _arrays.rows("normals", normals, count, 3),
-            None if uv is None else _arrays.rows("uv", uv, count, 2),
+            normal_rows,
+            uv_rows,
             None if face_material is None else _face_material(face_material, len(indices)),
             [_look(material) for material in materials],
             [(name, _arrays.attribute(name, values, count)) for name, values in (attributes or {}).items()],
             crease_degrees,
         )
         self._set(core, np.zeros(3) if moved is None else np.array(moved), lambda: (positions, indices))
-        self._report = Report(*report, rounding=rounding)
+        self._make_report = lambda: Report(
+            *_core.Mesh.report(positions, indices, normal_rows, uv_rows), rounding=rounding
+        )
 
     def _set(self, core: _core.Mesh, origin: _arrays.Doubles, input_: Callable[[], _Input]) -> None:
         origin.flags.writeable = False
         self._inside = core
         self._origin = origin
         self._report = None
+        self._make_report = None
         self._input = input_
         self._linear = None
 
@@ -224,7 +230,10 @@ class Mesh:
 
     @property
     def report(self) -> Optional[Report]:
-        """What the mesh was like as it was given. None of a piece."""
+        """What the mesh was like as it was given, measured at the first call: as long as it takes to make the mesh. None of
+        a piece."""
+        if self._report is None and self._make_report is not None:
+            self._report = self._make_report()
         return self._report
 
     @property
