@@ -28,7 +28,7 @@ std::vector<T> read_numbers(const char* path)
     std::exit(1);
 }
 
-/// The triangles of both halves, so that nothing can be left out.
+/// The triangles of both halves, so that nothing can be left out. Both are there at the end, as in Python.
 std::size_t round_trip(const kerf::MeshInput& input, const kerf::Plane& plane)
 {
     const kerf::Result<kerf::Mesh> mesh = kerf::Mesh::make(input);
@@ -40,13 +40,15 @@ std::size_t round_trip(const kerf::MeshInput& input, const kerf::Plane& plane)
     kerf::Result<kerf::Object> object = kerf::prepare(kerf::Mesh(*mesh), options);
     if (!object) fail(object.reason());
     kerf::Cut cut = kerf::cut(*std::move(object), plane);
+    std::vector<kerf::Mesh> halves;
     std::size_t triangles = 0;
     for (const kerf::Side side : {kerf::Side::positive, kerf::Side::negative}) {
         const kerf::Object* const half = cut.one(side);
         if (half == nullptr) fail("the plane misses");
-        const kerf::Result<kerf::Mesh> piece = half->mesh();
+        kerf::Result<kerf::Mesh> piece = half->mesh();
         if (!piece) fail(piece.reason());
-        triangles += piece->arrays().indices.size() / 3;
+        halves.push_back(*std::move(piece));
+        triangles += halves.back().arrays().indices.size() / 3;
     }
     return triangles;
 }
