@@ -80,6 +80,7 @@ CutReport perform(const CutCommandOptions& options)
     LoadedFile loaded = load_input(options.input);
     CutReport report = report_of(loaded, options);
     report.plane = options.cut.plane_in(loaded.mesh.bounds());
+    report.has_gap = options.cut.gap > 0.0;
 
     core::Stopwatch watch;
     Object object = prepared(std::move(loaded.mesh), report);

@@ -37,6 +37,7 @@ struct CutReport
     std::string file, backend;
     Plane plane = Plane::z(0.0).value();
     bool closes_with_fan = false;
+    bool has_gap = false;  ///< two cuts, and their counters together
     Status status = Status::missed;
     std::string repairs;
     Json notes = Json::array();

@@ -1,8 +1,10 @@
 #include <kerf/drawing.h>
 #include <kerf/section.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -104,11 +106,27 @@ SectionStack find(const Object& object, const Plane& level, const std::vector<do
     return stack;
 }
 
+const std::vector<std::string> kFormats{"svg", "dxf", "obj", "json"};
+
+/// @throws FileError  the extension is none of a drawing
 std::string format_of(const SectionCommandOptions& options)
 {
     if (!options.format.empty()) return options.format;
-    std::string extension = std::filesystem::path(options.out).extension().string();
-    return extension.empty() ? "svg" : extension.substr(1);
+    const std::string extension = std::filesystem::path(options.out).extension().string();
+    if (extension.empty()) return "svg";
+    if (std::ranges::find(kFormats, extension.substr(1)) == kFormats.end())
+        throw FileError(options.out + ": the extension is not one of svg, dxf, obj, json; say --format, or another name");
+    return extension.substr(1);
+}
+
+/// A direction along the normal points nowhere in the plane.
+void check_up(const SectionCommandOptions& options)
+{
+    if (!options.up) return;
+    const Vec3d n = options.plane ? Vec3d(options.plane->normal()) : Vec3d(options.normal);
+    const glm::dvec3 across = glm::cross(glm::dvec3(n.x, n.y, n.z), glm::dvec3(options.up->x, options.up->y, options.up->z));
+    if (across == glm::dvec3(0.0))
+        throw CLI::ValidationError("--up", "it points along the normal, and nowhere in the plane");
 }
 
 /// PREFIX.0001.svg: the number of a section in the name of its file.
@@ -251,7 +269,7 @@ void add_section_command(CLI::App& program)
         ->default_str("mm");
     CLI::Option* out = command->add_option("-o,--out", options->out, "File to write; - is the standard output");
     command->add_option("--format", options->format, "Format of it: svg, dxf, obj or json; default: by its extension")
-        ->check(CLI::IsMember({"svg", "dxf", "obj", "json"}).description(""));
+        ->check(CLI::IsMember(kFormats).description(""));
     command
         ->add_flag("--each", options->each, "A file for each plane: OUT.0001.svg and so on, where there is something")
         ->needs(out);
@@ -275,6 +293,7 @@ void add_section_command(CLI::App& program)
         if (options->out == "-" && (options->each || !json->empty()))
             throw CLI::ValidationError("--out", "the standard output takes one drawing, and nothing besides");
         if (!options->backend.empty()) options->backend = full_name(options->backend);
+        check_up(*options);
         run(*options);
     });
 }

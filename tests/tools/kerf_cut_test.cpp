@@ -490,5 +490,13 @@ TEST_F(KerfCut, SaysWhenTheFanDoesNotFitTheSection)
     EXPECT_NE(outcome.out.find("the fan does not fit"), std::string::npos) << outcome.out;
 }
 
+TEST_F(KerfCut, SaysOfAGapThatItCutsTwice)
+{
+    ASSERT_EQ(kerf("shape box -n 12 -o box.obj").status, 0);
+    const Outcome outcome = kerf("cut box.obj --plane z=0 --gap 0.1 --out half");
+    EXPECT_NE(outcome.out.find("crossing triangles in both cuts together"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find(" of 12 triangles crossing"), std::string::npos) << outcome.out;
+}
+
 }  // namespace
 }  // namespace kerf::tools
