@@ -40,7 +40,7 @@ struct CutCommandOptions
     bool must_cut = false;
     bool json = false;
 
-    CutOutput output() const { return {prefix, format, keep}; }
+    CutOutput output() const { return {prefix, format, keep, {}}; }
 };
 
 /// What is said of a mesh that was read, before it is cut.
@@ -129,7 +129,10 @@ void run_batch(const CutCommandOptions& options)
     const std::uint64_t key = key_of(loaded.mesh);
     const Box bounds = loaded.mesh.bounds();
     const Object object = prepared(std::move(loaded.mesh), report);
-    run_jobs({jobs, object, bounds, key, loaded.report, report, options.output()}, options.batch, options.must_cut);
+    CutOutput output = options.output();
+    output.kept_files = {options.batch.jobs, options.batch.results};
+    std::erase(output.kept_files, "");
+    run_jobs({jobs, object, bounds, key, loaded.report, report, output}, options.batch, options.must_cut);
 }
 
 void run(const CutCommandOptions& options)

@@ -81,9 +81,9 @@ std::string cut_text(const CutReport& report)
         return text + "missed: the plane does not divide " + report.file + "; nothing was written\n";
 
     const std::string crossing =
-        report.has_gap ? counted(statistics.crossing_triangles, "crossing triangle") + " in both cuts together"
-                       : grouped(statistics.crossing_triangles) + " of " + counted(statistics.triangles, "triangle") +
-                             " crossing";
+        report.has_gap
+            ? counted(statistics.crossing_triangles, "crossing triangle") + " in both cuts together"
+            : grouped(statistics.crossing_triangles) + " of " + counted(statistics.triangles, "triangle") + " crossing";
     text += std::string(outcome_name(report.status)) + ": " + crossing + ", " +
             counted(statistics.section_loops, "section loop") + ", section area " + rounded(report.section_area) + "\n";
     if (report.status == Status::open_section)

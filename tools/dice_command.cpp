@@ -36,6 +36,7 @@ struct DiceCommandOptions
     std::string prefix;
     std::string format = writable_formats().front();
     std::string backend;
+    bool must_cut = false;
     bool json = false;
 };
 
@@ -201,6 +202,8 @@ void run(const DiceCommandOptions& options)
         print(report_json(report));
     else
         print(report_text(report));
+    if (options.must_cut && dice.statistics().crossing_triangles == 0)
+        throw NothingToCut(report.file + ": no plane goes through it");
 }
 
 }  // namespace
@@ -244,6 +247,7 @@ void add_dice_command(CLI::App& program)
     command
         ->add_option("--backend", options->backend, "Which way to cut; default: the one that pays for so many planes")
         ->check(CLI::IsMember(backend_choices()).description(""));
+    command->add_flag("--require-cut", options->must_cut, "Exit status 3 if no plane goes through the mesh");
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer(
         "Writes PREFIX.0-2-1.obj and so on, by the layers of the cell along x, y and z; PREFIX.0.obj and so on for "

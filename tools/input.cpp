@@ -35,7 +35,13 @@ LoadedFile load_input(const InputOptions& options)
     const std::string bytes{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
     LoadedFile file;
     Result<Mesh> mesh = read_mesh(std::as_bytes(std::span(bytes)), options.format.c_str(), &file.report);
-    if (!mesh) throw FileError("standard input: " + std::string(mesh.reason()));
+    if (!mesh) {
+        // The library calls a file in memory by its format.
+        std::string reason = mesh.reason();
+        if (const std::string name = "memory." + options.format + ": "; reason.starts_with(name))
+            reason.erase(0, name.size());
+        throw FileError("standard input: " + reason);
+    }
     file.mesh = *std::move(mesh);
     return file;
 }

@@ -42,6 +42,7 @@ struct SectionCommandOptions
     std::string out, format;
     bool each = false;
     bool json = false;
+    bool must_meet = false;
     std::string backend;
     std::uint32_t threads = 0;
 
@@ -115,7 +116,8 @@ std::string format_of(const SectionCommandOptions& options)
     const std::string extension = std::filesystem::path(options.out).extension().string();
     if (extension.empty()) return "svg";
     if (std::ranges::find(kFormats, extension.substr(1)) == kFormats.end())
-        throw FileError(options.out + ": the extension is not one of svg, dxf, obj, json; say --format, or another name");
+        throw FileError(options.out +
+                        ": the extension is not one of svg, dxf, obj, json; say --format, or another name");
     return extension.substr(1);
 }
 
@@ -124,7 +126,8 @@ void check_up(const SectionCommandOptions& options)
 {
     if (!options.up) return;
     const Vec3d n = options.plane ? Vec3d(options.plane->normal()) : Vec3d(options.normal);
-    const glm::dvec3 across = glm::cross(glm::dvec3(n.x, n.y, n.z), glm::dvec3(options.up->x, options.up->y, options.up->z));
+    const glm::dvec3 across =
+        glm::cross(glm::dvec3(n.x, n.y, n.z), glm::dvec3(options.up->x, options.up->y, options.up->z));
     if (across == glm::dvec3(0.0))
         throw CLI::ValidationError("--up", "it points along the normal, and nowhere in the plane");
 }
@@ -192,6 +195,7 @@ void run(const SectionCommandOptions& options)
         print(report_json(report));
     else if (options.out != "-")
         print(report_text(report));
+    if (options.must_meet && !report.has_paths()) throw NothingToCut(report.file + ": no plane meets it");
 }
 
 }  // namespace
@@ -273,6 +277,7 @@ void add_section_command(CLI::App& program)
     command
         ->add_flag("--each", options->each, "A file for each plane: OUT.0001.svg and so on, where there is something")
         ->needs(out);
+    command->add_flag("--require-cut", options->must_meet, "Exit status 3 if no plane meets the mesh");
     CLI::Option* json = command->add_flag(
         "--json", options->json, "Print JSON instead of text, without the points: a file of --format json has them");
     command

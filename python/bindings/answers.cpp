@@ -19,7 +19,7 @@ void raise(Status status, const char* reason)
 {
     switch (status) {
         case Status::out_of_memory:
-            PyErr_NoMemory();
+            PyErr_SetString(PyExc_MemoryError, "there is not enough memory");
             break;
         case Status::unusable_file:
             PyErr_SetString(file_error, reason);

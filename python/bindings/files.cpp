@@ -35,6 +35,13 @@ py::tuple read_file(const std::string& path)
     return with_report(std::move(*mesh), report);
 }
 
+/// The library calls a file in memory by its format: "memory.stl: ".
+std::string without_name(const char* reason, const std::string& format)
+{
+    const std::string name = "memory." + format + ": ", text = reason;
+    return text.starts_with(name) ? text.substr(name.size()) : text;
+}
+
 py::tuple read_bytes(const py::bytes& file, const std::string& format)
 {
     const std::string_view bytes = file;
@@ -44,6 +51,7 @@ py::tuple read_bytes(const py::bytes& file, const std::string& format)
         const py::gil_scoped_release unlocked;
         mesh.emplace(read_mesh(std::as_bytes(std::span(bytes.data(), bytes.size())), format.c_str(), &report));
     }
+    if (!*mesh) raise(mesh->status(), without_name(mesh->reason(), format).c_str());
     return with_report(std::move(*mesh), report);
 }
 

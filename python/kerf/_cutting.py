@@ -139,6 +139,22 @@ def cut(
     only: Optional[npt.ArrayLike] = ...,
     only_extent: Literal["region", "solid"] = ...,
 ) -> Cut[List[Object]]: ...
+@overload
+def cut(
+    mesh: Union[Mesh, Object],
+    *,
+    origin: npt.ArrayLike,
+    normal: Direction,
+    transform: Optional[npt.ArrayLike] = ...,
+    cap: bool = ...,
+    components: bool,
+    gap: float = ...,
+    cap_material: Optional[int] = ...,
+    cap_uv_scale: float = ...,
+    cap_quality: Literal["fast", "delaunay"] = ...,
+    only: Optional[npt.ArrayLike] = ...,
+    only_extent: Literal["region", "solid"] = ...,
+) -> Cut[Any]: ...
 def cut(
     mesh: Union[Mesh, Object],
     *,
@@ -180,7 +196,9 @@ def cut(
     True
     """
     mesh_origin = origin_of(mesh)
-    options = cut_options(cap, components, gap, cap_material, cap_uv_scale, cap_quality, only, only_extent, mesh_origin)
+    options = cut_options(
+        cap, components, gap, cap_material, cap_uv_scale, cap_quality, only, only_extent, mesh_origin, materials_of(mesh)
+    )
     where = plane(origin, normal, transform, mesh_origin)
     # The mesh stays, and what is made of it is cut.
     core = mesh._inside if isinstance(mesh, Object) else _core.prepare(mesh._inside, "linear", 1, 1, 1)
@@ -204,7 +222,12 @@ def origin_of(mesh: Union[Mesh, Object]) -> _arrays.Doubles:
     return mesh._origin
 
 
-def wrapped(mesh: Union[Mesh, Object], piece: _core.Object) -> Union[Mesh, Object]:
+def materials_of(mesh: Union[Mesh, Object]) -> int:
+    """How many there are."""
+    return len(mesh._inside.materials)
+
+
+def wrapped(mesh: Union[Mesh, Object], piece: _core.Object) -> Any:
     """A piece as what was cut."""
     if isinstance(mesh, Object):
         return Object(piece, mesh._origin, mesh._input)
@@ -221,20 +244,21 @@ def cut_options(
     only: Optional[npt.ArrayLike],
     only_extent: str,
     mesh_origin: _arrays.Doubles,
+    materials: int,
 ) -> _core.CutOptions:
     if cap_quality not in ("fast", "delaunay"):
         raise ValueError(f"cap_quality: 'fast' or 'delaunay' expected, got {cap_quality!r}")
     if only_extent not in ("region", "solid"):
         raise ValueError(f"only_extent: 'region' or 'solid' expected, got {only_extent!r}")
-    if cap_material is not None and not 0 <= cap_material < _core.NONE:
-        raise ValueError(f"cap_material: a number of a material expected, got {cap_material}")
+    if cap_material is not None:
+        _arrays.count("cap_material", cap_material, materials - 1)
     near = None if only is None else tuple(_arrays.point("only", only) - mesh_origin)
     return _core.CutOptions(
         bool(cap),
         bool(components),
         _core.NONE if cap_material is None else int(cap_material),
-        float(cap_uv_scale),
-        float(gap),
+        _arrays.real("cap_uv_scale", cap_uv_scale),
+        _arrays.real("gap", gap),
         cap_quality == "delaunay",
         near,
         only_extent == "solid",

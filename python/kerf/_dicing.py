@@ -2,31 +2,43 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Dict, Generic, Iterable, Iterator, List, Literal, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _core
-from ._cutting import cut_options, origin_of, wrapped
+from ._cutting import cut_options, materials_of, origin_of, wrapped
 from ._mesh import Mesh
 from ._object import Object
 from ._planes import Direction, unit
 from ._status import Status, status_of
 
 
-class Piece(NamedTuple):
-    """A piece, and where it lies: for each direction of planes the number of its layer, 0 below the lowest."""
-
-    #: As what was diced.
-    mesh: Any
-    cell: Tuple[int, ...]
+_Whole = TypeVar("_Whole", bound=Union[Mesh, Object])
 
 
-class Dice(Sequence[Piece]):
+class Piece(Generic[_Whole]):
+    """A piece, and where it lies. Unpacks to the two."""
+
+    def __init__(self, mesh: _Whole, cell: Tuple[int, ...]) -> None:
+        #: A mesh or an object, as what was diced.
+        self.mesh = mesh
+        #: For each direction of planes the number of its layer, 0 below the lowest.
+        self.cell = cell
+
+    def __iter__(self) -> Iterator[Any]:
+        yield self.mesh
+        yield self.cell
+
+    def __repr__(self) -> str:
+        return f"<kerf.Piece {self.cell}: {self.mesh!r}>"
+
+
+class Dice(Sequence[Piece[_Whole]]):
     """The pieces of a mesh or an object, in the order of their cells."""
 
-    def __init__(self, pieces: List[Piece], facts: Dict[str, Any]) -> None:
+    def __init__(self, pieces: List[Piece[_Whole]], facts: Dict[str, Any]) -> None:
         self._pieces = pieces
         self._facts = facts
 
@@ -51,10 +63,10 @@ class Dice(Sequence[Piece]):
         return dict(self._facts["statistics"])
 
     @overload
-    def __getitem__(self, i: int) -> Piece: ...
+    def __getitem__(self, i: int) -> Piece[_Whole]: ...
     @overload
-    def __getitem__(self, i: slice) -> List[Piece]: ...
-    def __getitem__(self, i: Union[int, slice]) -> Union[Piece, List[Piece]]:
+    def __getitem__(self, i: slice) -> List[Piece[_Whole]]: ...
+    def __getitem__(self, i: Union[int, slice]) -> Union[Piece[_Whole], List[Piece[_Whole]]]:
         return self._pieces[i]
 
     def __len__(self) -> int:
@@ -65,7 +77,7 @@ class Dice(Sequence[Piece]):
 
 
 def dice(
-    mesh: Union[Mesh, Object],
+    mesh: _Whole,
     *,
     x: npt.ArrayLike = (),
     y: npt.ArrayLike = (),
@@ -77,7 +89,7 @@ def dice(
     cap_material: Optional[int] = None,
     cap_uv_scale: float = 1.0,
     cap_quality: Literal["fast", "delaunay"] = "fast",
-) -> Dice:
+) -> Dice[_Whole]:
     """Cuts a mesh, or an object, which is gone then, by many planes.
 
     :param x: where planes across the x axis lie; in any order
@@ -94,15 +106,21 @@ def dice(
     1.0
     """
     mesh_origin = origin_of(mesh)
-    options = cut_options(cap, components, gap, cap_material, cap_uv_scale, cap_quality, None, "region", mesh_origin)
+    options = cut_options(
+        cap, components, gap, cap_material, cap_uv_scale, cap_quality, None, "region", mesh_origin, materials_of(mesh)
+    )
     layers = []
-    wanted = [(axis, heights) for axis, heights in (("x", x), ("y", y), ("z", z)) if np.size(heights) > 0]
-    for normal, heights in (*wanted, *planes):
+    wanted: List[Tuple[Direction, npt.ArrayLike]] = [(axis, heights) for axis, heights in (("x", x), ("y", y), ("z", z)) if np.size(heights) > 0]
+    try:
+        wanted += [(normal, heights) for normal, heights in planes]
+    except TypeError:
+        raise ValueError("planes: pairs of a direction and heights expected") from None
+    for normal, heights in wanted:
         direction = unit("planes", normal)
         layers.append((tuple(direction), list(heights_of(heights) - direction @ mesh_origin)))
     if isinstance(mesh, Object):
         core = mesh._inside
-    else:
+    elif isinstance(mesh, Mesh):
         core = _core.prepare(mesh._inside, None, _core.cuts_expected(layers), 1, 0)
     facts = _core.dice(core, layers, options)
     return Dice([Piece(wrapped(mesh, piece), cell) for piece, cell in facts["pieces"]], facts)

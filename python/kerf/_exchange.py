@@ -36,7 +36,7 @@ def from_pyvista(mesh: Any) -> Dict[str, Any]:
 def _numbers(attributes: Any, count: int) -> Dict[str, Any]:
     """Those that a cut can interpolate."""
     kept = {}
-    for name in attributes.keys():
+    for name in attributes.keys() if attributes is not None else ():
         values = np.asarray(attributes[name])
         if values.dtype.kind in "fiub" and values.ndim in (1, 2) and len(values) == count:
             if values.ndim == 1 or 1 <= values.shape[1] <= 16:

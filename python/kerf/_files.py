@@ -29,12 +29,15 @@ def read(file: File, *, format: Optional[str] = None) -> Mesh:
     """
     if not hasattr(file, "read"):
         path = os.fspath(file)
-        if format is not None and Path(path).suffix.lower() != f".{format}":
-            return _read(_core.read_bytes(Path(path).read_bytes(), format))
+        if format is not None and Path(path).suffix.lower() != f".{_known(format)}":
+            return _read(_core.read_bytes(Path(path).read_bytes(), _known(format)))
         if not os.path.exists(path):
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
         return _read(_core.read_file(path))
-    return _read(_core.read_bytes(file.read(), _known(format)))
+    content = file.read()
+    if not isinstance(content, bytes):
+        raise ValueError("file: one that is open for bytes expected, as by open(name, 'rb')")
+    return _read(_core.read_bytes(content, _known(format)))
 
 
 def _read(answer: Tuple[_core.Mesh, Tuple[Dict[str, Any], Dict[str, int], str], List[Tuple[str, int]]]) -> Mesh:
@@ -61,7 +64,7 @@ def write(file: File, mesh: Mesh, *, format: Optional[str] = None) -> None:
         raise ValueError(f"a kerf.Mesh expected, got {type(mesh).__name__}")
     if not hasattr(file, "write"):
         path = os.fspath(file)
-        if format is not None and Path(path).suffix.lower() != f".{format}":
+        if format is not None and Path(path).suffix.lower() != f".{_known(format)}":
             raise ValueError(f"format: '{format}' expected as the extension of {path}")
         _core.write_file(mesh._inside, path)
     else:
@@ -69,7 +72,7 @@ def write(file: File, mesh: Mesh, *, format: Optional[str] = None) -> None:
 
 
 def _known(format: Optional[str]) -> str:
-    if format is None:
+    if not isinstance(format, str):
         raise ValueError("format: one of 'obj', 'ply', 'stl', ... expected, for an open file")
     return format.lower().lstrip(".")
 

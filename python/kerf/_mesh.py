@@ -36,6 +36,8 @@ class Report(NamedTuple):
     rounding: float = 0.0
     #: What was put right in a file besides, and how often.
     notes: Tuple[Tuple[str, int], ...] = ()
+    #: How many numbers of attributes are none in single precision (NaN, infinite, too large), and are 0 in the mesh.
+    zeroed_attributes: Mapping[str, int] = {}
 
 
 class VertexOrigin(NamedTuple):
@@ -70,7 +72,8 @@ class Mesh:
     :param normals: (n, 3), of about length 1; without them smooth ones are made, and edges that turn by more than
         `crease_degrees` stay sharp
     :param uv: (n, 2)
-    :param attributes: further numbers of each vertex by their names, (n,) or (n, 1 to 16); a cut interpolates them
+    :param attributes: further numbers of each vertex by their names, (n,) or (n, 1 to 16); a cut interpolates them. They
+        are stored in single precision, and what is no number is 0 (`report.zeroed_attributes`)
     :param face_material: (m,) numbers of `materials`
     :param materials: names, or `Material`
     :param origin: three numbers, subtracted from all vertices
@@ -109,19 +112,27 @@ class Mesh:
         indices = _arrays.indices(faces, count)
         normal_rows = None if normals is None else _arrays.rows("normals", normals, count, 3)
         uv_rows = None if uv is None else _arrays.rows("uv", uv, count, 2)
+        streams, zeroed = [], {}
+        if not hasattr(attributes or {}, "items"):
+            raise ValueError(f"attributes: names and arrays expected, got {type(attributes).__name__}")
+        for name, values in (attributes or {}).items():
+            floats, zeroed[name] = _arrays.attribute(_arrays.text("attributes", name), values, count)
+            streams.append((name, floats))
         core = _core.Mesh.make(
             positions,
             indices,
             normal_rows,
             uv_rows,
             None if face_material is None else _face_material(face_material, len(indices)),
-            [_look(material) for material in materials],
-            [(name, _arrays.attribute(name, values, count)) for name, values in (attributes or {}).items()],
-            crease_degrees,
+            [look(material) for material in materials or ()],
+            streams,
+            _arrays.real("crease_degrees", crease_degrees),
         )
         self._set(core, np.zeros(3) if moved is None else np.array(moved), lambda: (positions, indices))
         self._make_report = lambda: Report(
-            *_core.Mesh.report(positions, indices, normal_rows, uv_rows), rounding=rounding
+            *_core.Mesh.report(positions, indices, normal_rows, uv_rows),
+            rounding=rounding,
+            zeroed_attributes={name: number for name, number in zeroed.items() if number > 0},
         )
 
     def _set(self, core: _core.Mesh, origin: _arrays.Doubles, input_: Callable[[], _Input]) -> None:
@@ -143,7 +154,7 @@ class Mesh:
     @property
     def origin(self) -> _arrays.Doubles:
         """What was subtracted from all vertices: (3,)."""
-        return self._origin
+        return self._origin.copy()
 
     @property
     def vertices(self) -> _arrays.Floats:
@@ -335,22 +346,25 @@ class Mesh:
         core = _core.prepare(
             self._inside,
             back_end,
-            _count("cuts_expected", cuts_expected),
-            _count("cuts_with_room", cuts_with_room),
-            _count("threads", threads),
+            _arrays.count("cuts_expected", cuts_expected),
+            _arrays.count("cuts_with_room", cuts_with_room, 1_000_000),
+            _arrays.count("threads", threads),
         )
         return Object(core, self._origin, self._input)
 
 
-def _count(name: str, value: int) -> int:
-    number = int(value)
-    if number != value or not 0 <= number < 2**32:
-        raise ValueError(f"{name}: a whole number from 0 on expected, got {value}")
-    return number
-
-
-def _look(material: Union[str, Material]) -> Tuple[str, Tuple[float, float, float, float], str]:
-    return tuple(Material(material) if isinstance(material, str) else Material(*material))  # type: ignore[return-value]
+def look(material: Any) -> Tuple[str, Tuple[float, float, float, float], str]:
+    """A name, or a Material."""
+    if isinstance(material, str):
+        material = Material(material)
+    if not isinstance(material, tuple) or not 1 <= len(material) <= 3:
+        raise ValueError(f"materials: names or kerf.Material expected, got {material!r}")
+    name, colour, image = Material(*material)
+    numbers = _arrays.numbers("base_colour", colour, "red, green, blue and alpha")
+    if numbers.shape != (4,):
+        _arrays.refuse("base_colour", "red, green, blue and alpha", numbers)
+    red, green, blue, alpha = (float(number) for number in numbers)
+    return _arrays.text("materials", name), (red, green, blue, alpha), _arrays.text("base_colour_image", image)
 
 
 def _face_material(values: npt.ArrayLike, count: int) -> _arrays.Indices:

@@ -7,7 +7,7 @@ from typing import Any, Callable, List, Tuple, Union
 import numpy as np
 
 from . import _arrays, _core
-from ._mesh import Material, Mesh
+from ._mesh import Material, Mesh, look
 
 _Input = Tuple[_arrays.Floats, _arrays.Indices]
 
@@ -27,7 +27,7 @@ class Object:
     @property
     def origin(self) -> _arrays.Doubles:
         """That of the mesh: (3,)."""
-        return self._origin
+        return self._origin.copy()
 
     @property
     def is_gone(self) -> bool:
@@ -71,8 +71,7 @@ class Object:
 
     def add_material(self, material: Union[str, Material]) -> int:
         """Adds a material and returns its number: a `cap_material` of later cuts."""
-        look = Material(material) if isinstance(material, str) else material
-        return self._inside.add_material(look.name, look.base_colour, look.base_colour_image)
+        return self._inside.add_material(*look(material))
 
     def mesh(self) -> Mesh:
         """A compact copy of the triangles. O(n)."""

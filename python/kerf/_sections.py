@@ -95,7 +95,7 @@ class Section:
     @property
     def origin(self) -> _arrays.Doubles:
         """That of the mesh, (3,): points are relative to it."""
-        return self._origin
+        return self._origin.copy()
 
     @property
     def paths(self) -> List[Path]:
@@ -189,7 +189,7 @@ class Section:
         :param unit: of the mesh: 'mm', 'cm', 'm', 'in' or 'ft'
         :raises kerf.FileError: it can't be written
         """
-        self._inside.write(os.fspath(file), unit)
+        self._inside.write(os.fspath(file), _arrays.text("unit", unit))
 
     def to_svg(self, *, unit: str = "mm") -> str:
         """The same as a text.
@@ -197,7 +197,7 @@ class Section:
         >>> kerf.section(kerf.shape("box", 12), origin=(0, 0, 0), normal="z").to_svg()[:5]
         '<?xml'
         """
-        return self._inside.bytes("svg", unit).decode()
+        return self._inside.bytes("svg", _arrays.text("unit", unit)).decode()
 
     def _repr_svg_(self) -> Optional[str]:
         """For notebooks."""
@@ -254,11 +254,11 @@ class SectionStack(Sequence[Section]):
 
     def write(self, file: Union[str, "os.PathLike[str]"], *, unit: str = "mm") -> None:
         """Writes all outlines into one drawing: SVG with a group for each, DXF with each at its height, or OBJ."""
-        self._inside.write(os.fspath(file), unit)
+        self._inside.write(os.fspath(file), _arrays.text("unit", unit))
 
     def to_svg(self, *, unit: str = "mm") -> str:
         """The same as a text."""
-        return self._inside.bytes("svg", unit).decode()
+        return self._inside.bytes("svg", _arrays.text("unit", unit)).decode()
 
     def __repr__(self) -> str:
         return f"<kerf.SectionStack: {len(self)} sections>"
@@ -332,7 +332,8 @@ def sections(
         core = _core.prepare(mesh._inside, "halfedge", len(distances), 1, 0)
     else:
         core = mesh._object()
-    return SectionStack(_core.sections(core, tuple(along), distances, options, int(threads)), mesh_origin)
+    threads = _arrays.count("threads", threads)
+    return SectionStack(_core.sections(core, tuple(along), distances, options, threads), mesh_origin)
 
 
 def _asked(mesh: Union[Mesh, Object]) -> _core.Object:

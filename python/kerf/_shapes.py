@@ -6,7 +6,7 @@ from typing import List
 
 import numpy as np
 
-from . import _core
+from . import _arrays, _core
 from ._mesh import Mesh
 
 
@@ -18,9 +18,8 @@ def shape(name: str, triangles: int = 1000, *, seed: int = 1) -> Mesh:
     """
     if name not in shape_names():
         raise ValueError(f"there is no shape '{name}': it is one of {', '.join(shape_names())}")
-    if triangles < 0:
-        raise ValueError(f"triangles: a number from 0 on expected, got {triangles}")
-    return Mesh._of(_core.shape(name, int(triangles), int(seed)), np.zeros(3), None)
+    triangles = _arrays.count("triangles", triangles, 16_000_000)
+    return Mesh._of(_core.shape(name, triangles, _arrays.count("seed", seed)), np.zeros(3), None)
 
 
 def shape_names() -> List[str]:

@@ -1,6 +1,7 @@
 """What comes in, and what comes out: arrays."""
 
 import gc
+import io
 
 import kerf
 import numpy as np
@@ -111,6 +112,27 @@ def test_what_was_given_may_change_afterwards(box):
     assert (mesh.vertex_origin.weights.sum(axis=1) == 1).all()
 
 
+def test_attributes_that_are_no_numbers_are_counted(box):
+    heat = np.arange(24.0)
+    heat[:3] = np.nan, np.inf, 1e39
+    mesh = kerf.Mesh(box.vertices, box.faces, attributes={"heat": heat, "fine": np.arange(24)})
+    assert mesh.report.zeroed_attributes == {"heat": 3}
+    assert not mesh.attributes["heat"][:3].any()
+
+
+def test_the_report_is_of_what_was_given(box):
+    uv, normals = np.full((24, 2), np.nan, dtype=np.float32), np.array(box.normals)
+    mesh = kerf.Mesh(box.vertices, box.faces, uv=uv, normals=normals)
+    uv[:], normals[:] = 0, np.nan
+    assert mesh.report.repairs["replaced_attributes"] == 24
+
+
+def test_the_origin_stays(box):
+    mesh = kerf.Mesh(box.vertices, box.faces, origin=(0, 0, 0.5))
+    mesh.origin[:] = 100
+    assert mesh.bounds[1, 2] == 1 and kerf.cut(mesh, origin=(0, 0, 0), normal="z").positive.origin[2] == 0.5
+
+
 def test_repairs_are_reported(box):
     faces = np.concatenate([box.faces, box.faces[:1], [[0, 0, 1]]])
     report = kerf.Mesh(box.vertices, faces).report
@@ -160,6 +182,30 @@ BOX = make_box()
         (lambda: BOX.prepare(back_end="magic"), r"magic"),
         (lambda: BOX.prepare(threads=-1), r"threads"),
         (lambda: kerf.section(BOX, origin=(0, 0, 0), normal="z", up=(0, 0, 0)), r"up"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, attributes={1: BOX.normals}), r"attributes: a text"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, attributes={"\ud800": BOX.normals}), r"attributes: a text"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, attributes={"a\0b": BOX.normals}), r"attributes: a text"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, attributes=[1, 2]), r"attributes: names and arrays"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, materials=[3]), r"materials: names"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, materials=[kerf.Material("a", (1, 2))]), r"base_colour"),
+        (lambda: kerf.Mesh(BOX.vertices, BOX.faces, crease_degrees="a"), r"crease_degrees: a number"),
+        (lambda: kerf.Mesh(np.ma.masked_greater(BOX.vertices, 0), BOX.faces), r"masked"),
+        (lambda: kerf.Mesh(np.full((3, 3), 2**62 + 1), [[0, 1, 2]]), r"2\^53"),
+        (lambda: kerf.Mesh([[0, 0], [1]], BOX.faces), r"vertices"),
+        (lambda: kerf.cut(BOX, origin=(0, 0, 0), normal="z", cap_material=5), r"cap_material"),
+        (lambda: kerf.cut(BOX, origin=(0, 0, 0), normal="z", cap_material="a"), r"cap_material"),
+        (lambda: kerf.cut(BOX, origin=(0, 0, 0), normal="z", gap="1"), r"gap: a number"),
+        (lambda: kerf.sections(BOX, normal="z", heights=[0], threads=-1), r"threads"),
+        (lambda: kerf.sections(BOX, normal="z", heights=[0], threads=1.5), r"threads"),
+        (lambda: kerf.dice(BOX, planes=3), r"planes"),
+        (lambda: kerf.dice(BOX, planes=[1]), r"planes"),
+        (lambda: kerf.shape("torus", "a"), r"triangles"),
+        (lambda: kerf.shape("torus", 10**12), r"triangles"),
+        (lambda: kerf.section(BOX, origin=(0, 0, 0), normal="z").to_svg(unit=None), r"unit"),
+        (lambda: BOX.prepare(cuts_with_room=2**31), r"cuts_with_room"),
+        (lambda: BOX.prepare().add_material(3), r"materials: names"),
+        (lambda: kerf.read(io.StringIO("solid"), format="stl"), r"open for bytes"),
+        (lambda: kerf.read(io.BytesIO(b""), format=3), r"format"),
     ],
 )
 def test_misuse_raises_value_error_with_a_sentence(make, sentence):

@@ -34,13 +34,18 @@ def test_users_see_the_types(tmp_path):
         "many, _ = kerf.cut(mesh.prepare(), origin=(0, 0, 0), normal='x', components=True)\n"
         "reveal_type(many)\n"
         "reveal_type(kerf.section(mesh, origin=(0, 0, 0), normal='x').loops)\n"
+        "flag: bool = True\n"
+        "kerf.cut(mesh, origin=(0, 0, 0), normal='x', components=flag)\n"
+        "reveal_type(kerf.dice(mesh, x=[0])[0].mesh)\n"
         "kerf.cut(mesh, (0, 0, 0), 'x')\n"
     )
     lines = run_mypy(tmp_path, "user.py").stdout.splitlines()
     assert "Union[kerf._mesh.Mesh, None]" in lines[0]
     assert "list[kerf._object.Object]" in lines[1]
     assert "ndarray" in lines[2] and "list" in lines[2]
-    assert any("user.py:8: error" in line for line in lines[3:])
+    assert "kerf._mesh.Mesh" in lines[3]
+    assert any("user.py:11: error" in line for line in lines[4:])
+    assert not any("user.py:9" in line for line in lines)
 
 
 def members(body):

@@ -66,8 +66,10 @@ TEST_F(KerfBatch, WritesWhatSingleCutsWriteInTheOrderOfTheJobs)
         Json single = kerf_json("cut rock.ply --format ply --out " + prefix + " " + commands[i]);
         for (const char* key : {"job", "name", "key"}) line.erase(key);
         single.erase("time_ms");
-        for (const char* side : {"positive", "negative"})
+        for (const char* side : {"positive", "negative"}) {
             for (Json& piece : single[side]["pieces"]) piece["file"] = "b" + piece["file"].get<std::string>().substr(1);
+            for (Json& piece : line[side]["pieces"]) piece.erase("key");
+        }
         EXPECT_EQ(line, single);
     }
     EXPECT_EQ(written("b"), written("s"));
@@ -101,25 +103,29 @@ TEST_F(KerfBatch, GoesOnWhereItWasInterruptedAndTheFilesAreTheSame)
         const std::string seconds = std::to_string(0.03 * (1 + round));
         const Outcome outcome =
             kerf(batch("parts"), std::string("timeout --preserve-status -s ") + signals[round % 3] + " " + seconds);
-        const std::size_t now = lines_of(read_text(folder_ / "parts.jsonl")).size();
+        const std::string results = read_text(folder_ / "parts.jsonl");
+        const auto now = static_cast<std::size_t>(std::ranges::count(results, '\n'));
         EXPECT_GE(now, lines);
         lines = now;
         if (outcome.status == 0) break;
         ++interruptions;
         // As an interruption in the middle of a line leaves it.
-        if (round % 2 == 0) write("parts.jsonl", read_text(folder_ / "parts.jsonl") + R"({"job": 7, "na)");
+        if (results.empty() || results.back() == '\n')
+            write("parts.jsonl", results + R"({"job":)" + std::to_string(now + 1) + R"(,"na)");
     }
     EXPECT_EQ(lines, 300u);
     EXPECT_GT(interruptions, 0u);
-    // (A process that was killed may leave a file under its temporary name.)
-    std::map<std::string, std::string> parts = written("parts");
-    std::erase_if(parts, [](const auto& file) { return !file.first.ends_with(".ply"); });
-    EXPECT_EQ(parts, written("whole"));
+    // Nothing is left under temporary names, either.
+    EXPECT_EQ(written("parts"), written("whole"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "parts.jsonl.run"));
 
-    // What was taken away is made again.
+    // What was taken away, or is not what it was, is made again.
     std::filesystem::remove(folder_ / "parts/rock.0123.negative.ply");
     ASSERT_EQ(kerf(batch("parts")).status, 0);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "parts/rock.0123.negative.ply"));
+    EXPECT_EQ(written("parts"), written("whole"));
+    write("parts/rock.0200.positive.ply", "");
+    ASSERT_EQ(kerf(batch("parts")).status, 0);
+    EXPECT_EQ(written("parts"), written("whole"));
     EXPECT_EQ(lines_of(read_text(folder_ / "parts.jsonl")).size(), 300u);
 }
 
@@ -135,6 +141,34 @@ TEST_F(KerfBatch, DoesNotMixUpResultsOfOtherJobs)
     expect_unusable(kerf(batch), "line 1 is no result of this job");
     expect_unusable(kerf("cut rock.ply --batch jobs.jsonl --out r --results rock.ply"), "line 1");
     EXPECT_EQ(read_text(folder_ / "r.jsonl"), before);
+}
+
+TEST_F(KerfBatch, NoFileIsLostToResultsOrPieces)
+{
+    write("one.jsonl", "{\"plane\": \"z=0\"}");
+    ASSERT_EQ(kerf("convert rock.ply -o rock.stl").status, 0);
+    write("notes", "hello");
+    write("torn", "{\"job\":1,\"na");
+    for (const char* precious : {"rock.stl", "one.jsonl", "notes"}) {
+        const std::string before = read_text(folder_ / precious);
+        expect_unusable(kerf("cut rock.stl --batch one.jsonl --out r --results " + std::string(precious)),
+                        "line 1 is no result of this job");
+        EXPECT_EQ(read_text(folder_ / precious), before);
+    }
+    EXPECT_EQ(kerf("cut rock.stl --batch one.jsonl --out r --results torn").status, 0);
+    std::filesystem::rename(folder_ / "one.jsonl", folder_ / "q.0001.positive.obj");
+    expect_unusable(kerf("cut rock.stl --batch q.0001.positive.obj --out q"), "would replace");
+    EXPECT_EQ(read_text(folder_ / "q.0001.positive.obj"), "{\"plane\": \"z=0\"}");
+}
+
+TEST_F(KerfBatch, TwoBatchesDoNotWriteOneFileOfResults)
+{
+    write_planes(400);
+    const Outcome outcome =
+        kerf("cut rock.ply --batch jobs.jsonl --format ply --out b --results r.jsonl; wait $!; test $? -eq 0",
+             "'" KERF_PROGRAM "' cut rock.ply --batch jobs.jsonl --format ply --out a --results r.jsonl & sleep 0.1;");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(lines_of(read_text(folder_ / "r.jsonl")).size(), 400u);
 }
 
 TEST_F(KerfBatch, SaysWhichLineIsNoJobAndDoesNothing)

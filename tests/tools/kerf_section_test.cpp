@@ -145,8 +145,9 @@ TEST_F(KerfSection, SaysWhatIsWrongWithItsUse)
          {"section", "section in.ply --normal 0,0,0", "section in.ply --heights 0:1", "section in.ply --heights 0:1:-1",
           "section in.ply --heights 0:1:1e-9", "section in.ply --height x", "section in.ply --height 1,2",
           "section in.ply --point 0,0,0 --height 1", "section in.ply --plane x=0 --normal 1,0,0",
-          "section in.ply --up 0,0,0", "section in.ply --up 0,0,-2", "section in.ply --plane x=0 --up 1,0,0", "section in.ply --unit yard", "section in.ply --each",
-          "section in.ply --count 0", "section in.ply -o - --json"})
+          "section in.ply --up 0,0,0", "section in.ply --up 0,0,-2", "section in.ply --plane x=0 --up 1,0,0",
+          "section in.ply --unit yard", "section in.ply --each", "section in.ply --count 0",
+          "section in.ply -o - --json"})
         EXPECT_EQ(kerf(use).status, 2) << use;
     EXPECT_NE(kerf("section in.ply --height nan").err.find("'nan' is not a number"), std::string::npos);
 }

@@ -118,7 +118,12 @@ TEST_F(KerfCompletion, OffersCommandsOptionsChoicesAndMeshes)
     EXPECT_EQ(offered("kerf co"), "compare completion convert ");
     EXPECT_EQ(offered("kerf cut --thr"), "--through ");
     EXPECT_EQ(offered("kerf cut --keep p"), "positive ");
-    EXPECT_EQ(offered("kerf cut --format "), "dxf glb json obj off ply stl svg ");
+    EXPECT_EQ(offered("kerf cut --format "), "glb obj off ply stl ");
+    EXPECT_EQ(offered("kerf cut --format = p"), "ply ");
+    EXPECT_EQ(offered("kerf section --format d"), "dxf ");
+    EXPECT_EQ(offered("kerf cut --plane "), " ");
+    EXPECT_EQ(offered("kerf shape asteroi"), "asteroid ");
+    EXPECT_EQ(offered("kerf bogus "), " ");
     EXPECT_EQ(offered("kerf info "), "a b.stl parts rook.obj ");
     EXPECT_EQ(kerf("completion fish").status, 2);
 }
