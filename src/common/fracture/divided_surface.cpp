@@ -1,0 +1,266 @@
+#include "common/fracture/divided_surface.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+#include <utility>
+
+#include "common/fracture/border_line.h"
+
+namespace kerf::core {
+
+namespace {
+
+double squared_distance(const glm::vec3& point, const glm::dvec3& site)
+{
+    const glm::dvec3 away = glm::dvec3(point) - site;
+    return (away.x * away.x + away.y * away.y) + away.z * away.z;
+}
+
+/// The cell of each point: of the last one, or of a neighbour that is nearer, and so on.
+std::vector<std::uint32_t> cells_of(std::span<const glm::vec3> points, const CellDiagram& diagram)
+{
+    std::vector<std::uint32_t> cells(points.size());
+    std::uint32_t cell = 0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        double least = squared_distance(points[p], diagram.sites[cell]);
+        for (bool has_moved = true; has_moved;) {
+            has_moved = false;
+            for (const std::uint32_t other : diagram.neighbours[cell]) {
+                const double distance = squared_distance(points[p], diagram.sites[other]);
+                if (distance > least || (distance == least && other > cell)) continue;
+                least = distance;
+                cell = other;
+                has_moved = true;
+                break;
+            }
+        }
+        cells[p] = cell;
+    }
+    return cells;
+}
+
+/// What a point is named by that several triangles or cells have in common: an edge of the mesh and two cells, or a triangle
+/// and three.
+using PointName = std::array<std::uint32_t, 4>;
+
+struct HashOfName
+{
+    std::size_t operator()(const PointName& name) const
+    {
+        std::uint64_t hash = 0xcbf29ce484222325;
+        for (const std::uint32_t part : name) hash = (hash ^ part) * 0x100000001b3;
+        return hash ^ (hash >> 29);
+    }
+};
+
+/// A side of a part of a triangle: a side of the triangle (from corner `number` on), or a border on another cell.
+struct PartSide
+{
+    bool is_border = false;
+    std::uint32_t number = 0;
+
+    friend bool operator==(const PartSide&, const PartSide&) = default;
+};
+
+class SurfaceDivider
+{
+public:
+    SurfaceDivider(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
+                   const CellDiagram& diagram)
+        : points_(points), triangles_(triangles), diagram_(diagram)
+    {
+        result_.parts.resize(diagram.sites.size());
+    }
+
+    DividedSurface divide()
+    {
+        const std::vector<std::uint32_t> cells = cells_of(points_, diagram_);
+        for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+            const PointTriple& corners = triangles_[t];
+            const SiteTriple at{cells[corners[0]], cells[corners[1]], cells[corners[2]]};
+            if (at[0] == at[1] && at[1] == at[2])
+                result_.parts[at[0]].push_back({corners, t});
+            else
+                divide_triangle(t, at);
+        }
+        return std::move(result_);
+    }
+
+private:
+    void divide_triangle(std::uint32_t triangle, const SiteTriple& cells_of_corners)
+    {
+        ++result_.crossing_triangles;
+        triangle_ = triangle;
+        corners_ = triangles_[triangle];
+        distances_.clear();
+        // Each part borders on the next ones: all are found from any.
+        reached_.assign(1, cells_of_corners[0]);
+        for (std::size_t i = 0; i < reached_.size(); ++i) {
+            cell_ = reached_[i];
+            cut_out();
+            if (sides_.size() > 2) add_part();
+        }
+    }
+
+    /// Squared distances of the corners from a site.
+    const std::array<double, 3>& distances(std::uint32_t site)
+    {
+        for (const auto& [known, values] : distances_)
+            if (known == site) return values;
+        const glm::dvec3& place = diagram_.sites[site];
+        return distances_
+            .emplace_back(site, std::array{squared_distance(points_[corners_[0]], place),
+                                           squared_distance(points_[corners_[1]], place),
+                                           squared_distance(points_[corners_[2]], place)})
+            .second;
+    }
+
+    /// The line of a side, positive towards the inside.
+    BorderLine line_of(const PartSide& side)
+    {
+        if (!side.is_border) return BorderLine::side(static_cast<int>(side.number));
+        const std::array<double, 3> other = distances(side.number);
+        return {other, distances(cell_)};
+    }
+
+    /// Where the side begins: which side of the border on `other` it lies on.
+    bool is_inside(std::size_t i, std::uint32_t other)
+    {
+        const PartSide &before = sides_[(i + sides_.size() - 1) % sides_.size()], &side = sides_[i];
+        const std::array<double, 3> theirs = distances(other), ours = distances(cell_);
+        int sign;
+        if (!before.is_border && !side.is_border)
+            sign = theirs[side.number] > ours[side.number] ? 1 : theirs[side.number] < ours[side.number] ? -1 : 0;
+        else
+            sign = side_of_crossing(line_of(before), line_of(side), {theirs, ours});
+        return sign > 0 || (sign == 0 && cell_ < other);
+    }
+
+    /// The sides of that part of the triangle that lies in the cell.
+    void cut_out()
+    {
+        sides_ = {{false, 0}, {false, 1}, {false, 2}};
+        for (const std::uint32_t other : diagram_.neighbours[cell_]) {
+            const std::array<double, 3> theirs = distances(other), ours = distances(cell_);
+            if (theirs[0] > ours[0] && theirs[1] > ours[1] && theirs[2] > ours[2]) continue;
+            inside_.clear();
+            for (std::size_t i = 0; i < sides_.size(); ++i) inside_.push_back(is_inside(i, other));
+            const std::size_t kept = static_cast<std::size_t>(std::ranges::count(inside_, true));
+            if (kept == sides_.size()) continue;
+            std::vector<PartSide> rest;
+            for (std::size_t i = 0; kept > 0 && i < sides_.size(); ++i) {
+                const bool begins = inside_[i], ends = inside_[(i + 1) % sides_.size()];
+                if (begins || ends) rest.push_back(sides_[i]);
+                if (begins && !ends) rest.push_back({true, other});
+            }
+            sides_ = std::move(rest);
+            if (sides_.size() < 3) return;
+        }
+    }
+
+    void add_part()
+    {
+        std::vector<std::uint32_t> outline;
+        for (std::size_t i = 0; i < sides_.size(); ++i)
+            outline.push_back(beginning_of(sides_[(i + sides_.size() - 1) % sides_.size()], sides_[i]));
+        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+            result_.parts[cell_].push_back({{outline[0], outline[i], outline[i + 1]}, triangle_});
+        for (std::size_t i = 0; i < sides_.size(); ++i) {
+            if (!sides_[i].is_border) continue;
+            const std::uint32_t other = sides_[i].number;
+            if (cell_ < other)
+                result_.borders[{cell_, other}].push_back({outline[(i + 1) % outline.size()], outline[i]});
+            if (std::ranges::find(reached_, other) == reached_.end()) reached_.push_back(other);
+        }
+    }
+
+    std::uint32_t beginning_of(const PartSide& before, const PartSide& side)
+    {
+        if (!before.is_border && !side.is_border) return corners_[side.number];
+        if (before.is_border && side.is_border) return place_of_three(before.number, side.number);
+        const PartSide &edge = before.is_border ? side : before, &border = before.is_border ? before : side;
+        return place_on_edge(edge.number, border.number);
+    }
+
+    std::uint32_t place_on_edge(std::uint32_t number, std::uint32_t other)
+    {
+        const auto [a, b] = std::minmax(corners_[number], corners_[(number + 1) % 3]);
+        const auto [first, second] = std::minmax(cell_, other);
+        const auto [place, is_new] = numbers_.try_emplace({a, b, first, second}, next_number());
+        if (is_new) {
+            const auto difference = [&, one = first, two = second](std::uint32_t point) {
+                return squared_distance(points_[point], diagram_.sites[one]) -
+                       squared_distance(points_[point], diagram_.sites[two]);
+            };
+            const double at_a = difference(a), at_b = difference(b), t = at_a / (at_a - at_b);
+            const glm::dvec3 from(points_[a]), to(points_[b]);
+            // Where the whole edge is equally far from both, anywhere will do.
+            result_.new_points.emplace_back(t >= 0.0 && t <= 1.0 ? from + t * (to - from) : from);
+        }
+        return place->second;
+    }
+
+    /// Where three cells meet in the triangle. `before` and `after` lie behind the sides that lead to it and from it.
+    std::uint32_t place_of_three(std::uint32_t before, std::uint32_t after)
+    {
+        SiteTriple sites{cell_, before, after};
+        std::ranges::sort(sites);
+        const auto [place, is_new] =
+            numbers_.try_emplace({kOfTriangle + sites[0], triangle_, sites[1], sites[2]}, next_number());
+        if (is_new) {
+            result_.new_points.push_back(crossing_of(sites));
+            // Counter-clockwise around it lie this cell, the one before and the one after. If these ascend when they are
+            // gone round, so they lie around the diagram's edge, seen from where it leads to: out of the surface.
+            const int ascents = int(cell_ < before) + int(before < after) + int(after < cell_);
+            result_.piercings[sites].push_back({place->second, ascents == 2});
+        }
+        return place->second;
+    }
+
+    glm::vec3 crossing_of(const SiteTriple& sites)
+    {
+        const std::array<double, 3> a = distances(sites[0]), b = distances(sites[1]), c = distances(sites[2]);
+        const glm::dvec3 one{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, two{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+        const glm::dvec3 weights = glm::cross(one, two);
+        const double sum = (weights.x + weights.y) + weights.z;
+        glm::dvec3 place(points_[corners_[0]]);
+        if (sum == 0.0) return glm::vec3(place);
+        place = glm::dvec3(0.0);
+        for (int i = 0; i < 3; ++i) place += glm::clamp(weights[i] / sum, 0.0, 1.0) * glm::dvec3(points_[corners_[i]]);
+        return glm::vec3(place);
+    }
+
+    std::uint32_t next_number() const { return static_cast<std::uint32_t>(points_.size() + result_.new_points.size()); }
+
+    /// Names of places in triangles begin with numbers that no point has.
+    static constexpr std::uint32_t kOfTriangle = 1u << 31;
+
+    std::span<const glm::vec3> points_;
+    std::span<const PointTriple> triangles_;
+    const CellDiagram& diagram_;
+    DividedSurface result_;
+    std::unordered_map<PointName, std::uint32_t, HashOfName> numbers_;
+
+    // Of the triangle that is divided
+    std::uint32_t triangle_ = 0;
+    PointTriple corners_{};
+    std::vector<std::pair<std::uint32_t, std::array<double, 3>>> distances_;
+    std::vector<std::uint32_t> reached_;  ///< cells that have a part of it
+
+    // Of the part that is cut out
+    std::uint32_t cell_ = 0;
+    std::vector<PartSide> sides_;  ///< counter-clockwise
+    std::vector<bool> inside_;
+};
+
+}  // namespace
+
+DividedSurface divide_surface(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
+                              const CellDiagram& diagram)
+{
+    return SurfaceDivider(points, triangles, diagram).divide();
+}
+
+}  // namespace kerf::core
