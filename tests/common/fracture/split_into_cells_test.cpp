@@ -198,7 +198,9 @@ TEST(SplitIntoCellsOnce, SitesInAGridAreRefusedWhereMoreThanFourCellsMeet)
 {
     const Solid solid(test::closed_shape(test::closed_shapes().front().name));
     std::vector<glm::dvec3> sites;
-    for (int i = 0; i < 27; ++i) sites.emplace_back(0.125 * (i % 3 - 1), 0.125 * (i / 3 % 3 - 1), 0.125 * (i / 9 - 1));
+    for (const double x : {-0.125, 0.0, 0.125})
+        for (const double y : {-0.125, 0.0, 0.125})
+            for (const double z : {-0.125, 0.0, 0.125}) sites.emplace_back(x, y, z);
     EXPECT_FALSE(split_into_cells(solid.points, solid.triangles, sites));
 }
 
