@@ -44,6 +44,15 @@ bool has_its_files(const Json& line)
     return true;
 }
 
+/// Whether a process does anything still. One that was killed is there until its parent has asked for its end.
+bool is_running(pid_t process)
+{
+    if (kill(process, 0) != 0 && errno == ESRCH) return false;
+    const std::string facts = content_of("/proc/" + std::to_string(process) + "/stat");
+    const std::size_t name_end = facts.rfind(") ");
+    return name_end == std::string::npos || (facts[name_end + 2] != 'Z' && facts[name_end + 2] != 'X');
+}
+
 std::string host()
 {
     char name[256] = {};
@@ -142,7 +151,7 @@ void BatchResults::remove_leftovers() const
     std::ifstream note(note_path());
     std::string name;
     pid_t process = 0;
-    if (!(note >> name >> process) || name != host() || process <= 0 || kill(process, 0) == 0 || errno != ESRCH) return;
+    if (!(note >> name >> process) || name != host() || process <= 0 || is_running(process)) return;
     const std::filesystem::path folder = std::filesystem::path(prefix_).parent_path();
     const std::string beginning = ".kerf-" + std::to_string(process) + "-";
     std::error_code error;

@@ -32,6 +32,13 @@ protected:
         return lines;
     }
 
+    static std::vector<std::string> names_of(const std::map<std::string, std::string>& files)
+    {
+        std::vector<std::string> names;
+        for (const auto& [name, content] : files) names.push_back(name);
+        return names;
+    }
+
     /// What is in the files that a batch has written.
     std::map<std::string, std::string> written(const std::string& folder) const
     {
@@ -72,7 +79,7 @@ TEST_F(KerfBatch, WritesWhatSingleCutsWriteInTheOrderOfTheJobs)
         }
         EXPECT_EQ(line, single);
     }
-    EXPECT_EQ(written("b"), written("s"));
+    EXPECT_TRUE(written("b") == written("s"));
 }
 
 TEST_F(KerfBatch, ReadsTheMeshOnce)
@@ -116,16 +123,17 @@ TEST_F(KerfBatch, GoesOnWhereItWasInterruptedAndTheFilesAreTheSame)
     EXPECT_EQ(lines, 300u);
     EXPECT_GT(interruptions, 0u);
     // Nothing is left under temporary names, either.
-    EXPECT_EQ(written("parts"), written("whole"));
+    EXPECT_EQ(names_of(written("parts")), names_of(written("whole")));
+    EXPECT_TRUE(written("parts") == written("whole"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "parts.jsonl.run"));
 
     // What was taken away, or is not what it was, is made again.
     std::filesystem::remove(folder_ / "parts/rock.0123.negative.ply");
     ASSERT_EQ(kerf(batch("parts")).status, 0);
-    EXPECT_EQ(written("parts"), written("whole"));
+    EXPECT_TRUE(written("parts") == written("whole"));
     write("parts/rock.0200.positive.ply", "");
     ASSERT_EQ(kerf(batch("parts")).status, 0);
-    EXPECT_EQ(written("parts"), written("whole"));
+    EXPECT_TRUE(written("parts") == written("whole"));
     EXPECT_EQ(lines_of(read_text(folder_ / "parts.jsonl")).size(), 300u);
 }
 
