@@ -60,8 +60,6 @@ struct PartSide
 {
     bool is_border = false;
     std::uint32_t number = 0;
-
-    friend bool operator==(const PartSide&, const PartSide&) = default;
 };
 
 class SurfaceDivider
