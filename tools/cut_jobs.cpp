@@ -68,7 +68,7 @@ Plane through(const Json& value)
 std::string name_of(const Json& value)
 {
     if (!value.is_string() || value.get<std::string>().empty()) throw BadJob("'name' is no text");
-    const auto name = value.get<std::string>();
+    auto name = value.get<std::string>();
     if (name.find_first_of(std::string("/\0", 2)) != std::string::npos) throw BadJob("'name' has a / in it");
     return name;
 }
