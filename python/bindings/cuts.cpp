@@ -2,6 +2,7 @@
 #include "bindings.h"
 #include "facts.h"
 #include "objects.h"
+#include "triples.h"
 
 #include <kerf/cut.h>
 #include <kerf/dice.h>
@@ -19,13 +20,6 @@ namespace py = pybind11;
 namespace kerf::python {
 
 namespace {
-
-using Triple = std::array<double, 3>;
-
-Vec3d vector(const Triple& t)
-{
-    return Vec3d(t[0], t[1], t[2]);
-}
 
 /// What Python gives of CutOptions.
 CutOptions cut_options(bool cap, bool components, std::uint32_t cap_material, double cap_uv_scale, double gap,

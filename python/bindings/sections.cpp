@@ -3,6 +3,7 @@
 #include "bindings.h"
 #include "facts.h"
 #include "objects.h"
+#include "triples.h"
 
 #include <kerf/drawing.h>
 #include <kerf/section.h>
@@ -20,13 +21,6 @@ namespace py = pybind11;
 namespace kerf::python {
 
 namespace {
-
-using Triple = std::array<double, 3>;
-
-Vec3d vector(const Triple& t)
-{
-    return Vec3d(t[0], t[1], t[2]);
-}
 
 /// A section of its own, or one of a stack, which it keeps.
 struct SharedSection
