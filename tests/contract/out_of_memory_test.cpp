@@ -340,15 +340,20 @@ TEST_P(OutOfMemoryOf, WhileCuttingAFragmentChangesNeitherItNorItsSibling)
     }
 }
 
+/// The cut of an object that so many came before.
+Cut cut_number(std::uint64_t number, const Cuttable& object)
+{
+    return {*Plane::through(object.bounds().centre(), test::Random(number).direction()), in_pieces()};
+}
+
 /// The fragments of a torus after so many cuts, all in one back end's buffers: the next to be cut, and another.
 Subject after_cuts(const Backend& backend, std::uint64_t count)
 {
-    test::Random random(7);
     std::deque<std::unique_ptr<Cuttable>> pieces;
     pieces.push_back(backend.prepare(test::closed_shape("torus")).object);
     for (std::uint64_t i = 0; i < count; ++i) {
-        const Plane plane = *Plane::through(pieces.front()->bounds().centre(), random.direction());
-        CutResult result = cut(std::move(pieces.front()), plane);
+        const Cut next = cut_number(i, *pieces.front());
+        CutResult result = cut(std::move(pieces.front()), next.plane, next.options);
         pieces.pop_front();
         if (result.object) pieces.push_back(std::move(result.object));
         for (auto* side : {&result.positive, &result.negative})
@@ -365,19 +370,16 @@ TEST(OutOfMemory, WhileSharedBuffersGrowChangesNothing)
     const auto backend = named->make();
     // The first cut that needs more than what was reserved and as much again, which was asked for with it.
     std::uint64_t count = 2;
-    const auto next_cut = [](const Cuttable& object) {
-        return Cut{*Plane::through(object.bounds().centre(), {1, 2, 3}), in_pieces()};
-    };
     for (;; ++count) {
         ASSERT_LT(count, 300u) << "no buffer was used up";
         Subject subject = after_cuts(*backend, count);
-        const Cut next = next_cut(*subject.object);
+        const Cut next = cut_number(count, *subject.object);
         const void* const before = subject.object->draw_view().indices.data();
         const CutResult result = cut(std::move(subject.object), next.plane, next.options);
         if (result.status == Status::done && result.positive.front()->draw_view().indices.data() != before) break;
     }
     const auto make = [&] { return after_cuts(*backend, count); };
-    const Cut next = next_cut(*make().object);
+    const Cut next = cut_number(count, *make().object);
     EXPECT_GT(cut_with_every_fault(make, next, {next, {next.plane.flipped(), {}}}), 10u);
 }
 

@@ -6,6 +6,7 @@
 #include "common/caps/clipping_triangulator.h"
 #include "common/caps/constrained_triangulator.h"
 #include "common/caps/convex_triangulator.h"
+#include "common/caps/flip_edges.h"
 #include "common/caps/morton.h"
 #include "common/caps/nested_triangulator.h"
 #include "common/caps/topological_triangulator.h"
@@ -158,9 +159,10 @@ void SectionCloser::close_outline()
     const std::span<const Way> ways = ways_of(quality_);
     const auto way =
         std::find_if(ways.begin(), ways.end(), [&](Way each) { return ways_[each]->triangulate(outline, mesh_); });
-    take_over();
     // These turn hardly a triangle over, and name each corner by its own point.
     const bool is_simple = way != ways.end() && (*way == convex || *way == clipping);
+    if (is_simple && mesh_.triangles.size() <= kMostFlippedTriangles) flip_edges(outline.points, mesh_.triangles);
+    take_over();
     if (!is_simple || mesh_.turns_over) excess_ += 2.0 * turned_area();
     if (is_simple) return;
     share_ends_of_links(outline);
