@@ -28,7 +28,9 @@ std::vector<Material> materials_of(const Object& object, std::span<const std::st
     return materials;
 }
 
-std::vector<DrawBatch> batches_of(const DrawView& view, std::span<const Material> materials, LookTable& looks)
+/// `look_of` gives the look of a material's triangles of a kind.
+template <class LookOf>
+std::vector<DrawBatch> batches_of(const DrawView& view, LookOf look_of)
 {
     std::vector<DrawBatch> batches;
     for (const DrawRange& range : view.ranges) {
@@ -38,7 +40,7 @@ std::vector<DrawBatch> batches_of(const DrawView& view, std::span<const Material
             DrawBatch& batch = batches.emplace_back();
             batch.material = range.material;
             batch.kind = range.kind;
-            batch.look = looks.index_of(materials, range.material, range.kind);
+            batch.look = look_of(range.material, range.kind);
         }
         batches.back().runs.add(range.first_index, range.index_count);
     }
@@ -122,8 +124,11 @@ DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> im
     if (has_moved) describe_vertices(*buffers);
     object.mark_uploaded(view);
 
-    DrawnFragment drawn{buffers, batches_of(view, materials_of(object, images), looks_), everything_of(view), 0,
-                        object.bounds()};
+    const auto look_of = [&](std::uint32_t material, TriangleKind kind) {
+        return buffers->looks.look(material, kind,
+                                   [&] { return looks_.index_of(materials_of(object, images), material, kind); });
+    };
+    DrawnFragment drawn{buffers, batches_of(view, look_of), everything_of(view), 0, object.bounds()};
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
 }
