@@ -3,11 +3,13 @@
 from report.chapters.section import Facts, Part, Section, ShownFigure, ShownTable
 from report.measurements import Measurements
 from report.names import QUADRATIC
+from report.repetitions import median
 from report.tables.growth_tables import (EXTENTS, ORDERS, counter_exponents_table, counters_table, crossing_table,
                                          crossovers_table, phases_table, scaling_points_table, scaling_table)
 from report.tables.numbers import count_short, digits, percent, rounded, timed
 from report.tables.table import Table
 
+LEAF_PHASES = ("find", "split", "rebuild")  # of the half-edge back end: they read and write leaves
 WHAT = {"Scale": "**Whole chain**: two closed fragments with all attributes, volume, centre of mass and inertia, a "
                  "bounded hull each, draw ranges and the bytes to upload.",
         "Geometry": "**Geometry only**: two closed fragments with all attributes."}
@@ -162,6 +164,27 @@ def shares(found: Measurements, facts: Facts) -> str:
             f"{facts.say('size of the shares', row['triangles'], count_short)} triangles: {listed}. ")
 
 
+def stages_of_a_crossing_triangle(found: Measurements, facts: Facts) -> str:
+    """What becomes dearer with the size of a mesh: what reads and writes leaves, which no cache holds any more."""
+    rows = {row["triangles"]: row for row in phases_table(found).rows if row["backend"] == "halfedge"}
+    crossing = {size: median(cell, "crossing") for (backend, size), cell in found.growth("Scale", "asteroid").items()
+                if backend == "halfedge"}
+    said = []
+    for size in (size for size in sorted(rows) if size >= 100_000):
+        k = crossing[size]
+        if not k:
+            return ""
+        leaves = sum(rows[size].get(f"{name}_ms") or 0.0 for name in LEAF_PHASES) * 1e6 / k
+        total = rows[size]["total_ms"] * 1e6 / k
+        said.append(f"{facts.say(f'ns of leaves, {size}', leaves, rounded)} of "
+                    f"{facts.say(f'ns of all phases, {size}', total, rounded)} at "
+                    f"{facts.say(f'size of these phases, {size}', size, count_short)}")
+    if not said:
+        return ""
+    return ("With the half-edge back end, *find*, *split* and *rebuild*, which read and write leaves, take "
+            f"{', '.join(said)} triangles: ns for each that is crossed. ")
+
+
 def phases(found: Measurements, facts: Facts) -> Section:
     return Section("phases", "Where the time goes", [
         ShownFigure("phases", "Phases of the whole chain, as shares of each back end's time; beside it the time in "
@@ -172,4 +195,6 @@ def phases(found: Measurements, facts: Facts) -> Section:
         "which parts a side consists of; *growth*: buffers moved because reserved room was used up; *mass*: volume, "
         "centre and inertia; *proxy*: bounded hulls; *draw*: draw ranges and what to upload. Phases are read from the "
         "wall clock: on a busy machine their sum can exceed the processor time above.",
+        stages_of_a_crossing_triangle(found, facts) + "What stands before faster cuts, as profiles say, is in "
+        "`docs/halfedge.md`, \"What stands before faster cuts\".",
         ShownTable(phases_table(found), "ms in each phase, their sum, and bytes to upload.", folded=True)])
