@@ -18,7 +18,7 @@
 namespace kerf::core {
 namespace {
 
-using Loop = std::vector<glm::dvec2>;
+using Polygon = std::vector<glm::dvec2>;
 
 /// Twice the signed area.
 std::int64_t area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -39,7 +39,7 @@ std::int64_t in_circle(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec
     return ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx);
 }
 
-std::vector<CapTriangle> triangles_of(const Loop& loop)
+std::vector<CapTriangle> triangles_of(const Polygon& loop)
 {
     std::vector<glm::vec3> positions;
     for (const glm::dvec2& p : loop) positions.emplace_back(p.x, p.y, 0.0f);
@@ -53,14 +53,14 @@ std::vector<CapTriangle> triangles_of(const Loop& loop)
 }
 
 /// The points of a triangle, and the one across an edge of it.
-std::array<glm::dvec2, 4> around(const Loop& loop, const std::vector<CapTriangle>& all, Index t, Index i)
+std::array<glm::dvec2, 4> around(const Polygon& loop, const std::vector<CapTriangle>& all, Index t, Index i)
 {
     const CapLink link = all[t].link[i];
     const auto corner = [&](Index of, Index at) { return loop[all[of].corner[at % 3]]; };
     return {corner(t, i), corner(t, i + 1), corner(t, i + 2), corner(link.triangle(), link.corner() + 2)};
 }
 
-void expect_delaunay(const Loop& loop, const std::vector<CapTriangle>& before)
+void expect_delaunay(const Polygon& loop, const std::vector<CapTriangle>& before)
 {
     std::vector<CapTriangle> after = before;
     flip_edges(loop, after);
@@ -96,9 +96,9 @@ void expect_delaunay(const Loop& loop, const std::vector<CapTriangle>& before)
 }
 
 /// Around (0, 0), each point as far as it likes.
-Loop random_star(test::Random& random, std::size_t points, double least)
+Polygon random_star(test::Random& random, std::size_t points, double least)
 {
-    Loop loop;
+    Polygon loop;
     for (std::size_t i = 0; i < points; ++i) {
         const double angle = 2 * std::numbers::pi * double(i) / double(points);
         const double radius = 1000.0 * (least + (1.0 - least) * random.uniform());
@@ -115,7 +115,7 @@ TEST(FlipEdges, MakesTriangulationsDelaunay)
     for (int i = 0; i < 3000; ++i) {
         SCOPED_TRACE("loop " + std::to_string(i));
         const std::size_t points = 4 + random.next() % (kMostFlippedTriangles - 1);
-        const Loop loop = random_star(random, points, i % 3 == 0 ? 1.0 : 0.2);
+        const Polygon loop = random_star(random, points, i % 3 == 0 ? 1.0 : 0.2);
         const std::vector<CapTriangle> before = triangles_of(loop);
         if (before.empty()) continue;
         ++changed;
@@ -128,10 +128,10 @@ TEST(FlipEdges, MakesTriangulationsDelaunay)
 TEST(FlipEdges, EndsWherePointsLieOnOneCircle)
 {
     // All triangulations of a square, or of points on a circle, are Delaunay: nothing is flipped to and fro.
-    const Loop square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-    const Loop circle{{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
-                      {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
-    for (const Loop& loop : {square, circle}) {
+    const Polygon square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const Polygon circle{{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
+                         {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
+    for (const Polygon& loop : {square, circle}) {
         const std::vector<CapTriangle> before = triangles_of(loop);
         ASSERT_EQ(before.size(), loop.size() - 2);
         expect_delaunay(loop, before);
@@ -142,7 +142,7 @@ TEST(FlipEdges, LeavesNoTriangleAlongAStraightSide)
 {
     // A square with points along its sides, bent outward by as little as a rounding might. Three points of a side are in
     // one triangle only where the outline forces it, and it forces none.
-    Loop loop;
+    Polygon loop;
     const auto add_side = [&](glm::dvec2 from, glm::dvec2 to, glm::dvec2 outward) {
         for (const int i : {0, 1, 2, 3, 4, 5})
             loop.push_back(from + (to - from) * (i / 6.0) + outward * double(i * (6 - i)));
