@@ -47,7 +47,7 @@ public:
         closer_.close(plane, loops_, CapQuality::fast, points_, caps_);
         for (std::size_t i = numbers_.size(); i < points_.size(); ++i) {
             numbers_.push_back(static_cast<std::uint32_t>(mesh_points_.size() + surface_.new_points.size()));
-            surface_.new_points.push_back(points_[i]);
+            surface_.new_points.push_back(points_[i] + 0.0f);
         }
         for (const CapTriangle& cap : caps_.triangles)
             triangles.push_back({numbers_[cap.corner[0]], numbers_[cap.corner[1]], numbers_[cap.corner[2]]});
@@ -104,7 +104,8 @@ std::optional<std::vector<Contact>> close_contacts(const CellDiagram& diagram, s
     std::vector<Contact> contacts;
     for (const auto& [cells, outline] : outlines_of(edges, surface)) {
         const Plane plane = plane_between(diagram.sites[cells[0]], diagram.sites[cells[1]]);
-        if (!closer.close(plane, outline, contacts.emplace_back(Contact{cells, {}}).triangles)) return std::nullopt;
+        if (!closer.close(plane, outline, contacts.emplace_back(Contact{cells, plane.normal, {}}).triangles))
+            return std::nullopt;
     }
     return contacts;
 }

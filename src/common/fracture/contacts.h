@@ -13,6 +13,7 @@ namespace kerf::core {
 struct Contact
 {
     SitePair cells;
+    glm::dvec3 normal{0.0};  ///< from the first to the second, of length 1
     /// What closes the first cell there; turned over, the second one. Counter-clockwise, seen from the second one.
     std::vector<PointTriple> triangles;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/fracture/border_line.h"
+#include "common/mesh/position_order.h"
 
 namespace kerf::core {
 
@@ -163,8 +164,11 @@ private:
         std::vector<std::uint32_t> outline;
         for (std::size_t i = 0; i < sides_.size(); ++i)
             outline.push_back(beginning_of(sides_[(i + sides_.size() - 1) % sides_.size()], sides_[i]));
-        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-            result_.parts[cell_].push_back({{outline[0], outline[i], outline[i + 1]}, triangle_});
+        // A fan from the same corner, whichever the triangle begins with.
+        const std::size_t n = outline.size(), apex = first_of(outline);
+        for (std::size_t i = 1; i + 1 < n; ++i)
+            result_.parts[cell_].push_back(
+                {{outline[apex], outline[(apex + i) % n], outline[(apex + i + 1) % n]}, triangle_});
         for (std::size_t i = 0; i < sides_.size(); ++i) {
             if (!sides_[i].is_border) continue;
             const std::uint32_t other = sides_[i].number;
@@ -172,6 +176,20 @@ private:
                 result_.borders[{cell_, other}].push_back({outline[(i + 1) % outline.size()], outline[i]});
             if (std::ranges::find(reached_, other) == reached_.end()) reached_.push_back(other);
         }
+    }
+
+    const glm::vec3& position(std::uint32_t point) const
+    {
+        return point < points_.size() ? points_[point] : result_.new_points[point - points_.size()];
+    }
+
+    /// The corner that comes first in space.
+    std::size_t first_of(const std::vector<std::uint32_t>& outline) const
+    {
+        std::size_t first = 0;
+        for (std::size_t i = 1; i < outline.size(); ++i)
+            if (lexicographically_less(position(outline[i]), position(outline[first]))) first = i;
+        return first;
     }
 
     std::uint32_t beginning_of(const PartSide& before, const PartSide& side)
@@ -192,10 +210,14 @@ private:
                 return squared_distance(points_[point], diagram_.sites[one]) -
                        squared_distance(points_[point], diagram_.sites[two]);
             };
-            const double at_a = difference(a), at_b = difference(b), t = at_a / (at_a - at_b);
-            const glm::dvec3 from(points_[a]), to(points_[b]);
+            const bool is_turned = lexicographically_less(points_[b], points_[a]);
+            const std::uint32_t begin = is_turned ? b : a, end = is_turned ? a : b;
+            const double at_begin = difference(begin), at_end = difference(end);
+            const double share = at_begin / (at_begin - at_end);
             // Where the whole edge is equally far from both, anywhere will do.
-            result_.new_points.emplace_back(t >= 0.0 && t <= 1.0 ? from + t * (to - from) : from);
+            const double t = share >= 0.0 && share <= 1.0 ? share : 0.0;
+            const glm::dvec3 from(points_[begin]), to(points_[end]);
+            add_point(from + t * (to - from), {{begin, end, SurfacePlace::kNoPoint}, {1.0 - t, t, 0.0}});
         }
         return place->second;
     }
@@ -208,7 +230,7 @@ private:
         const auto [place, is_new] =
             numbers_.try_emplace({kOfTriangle + sites[0], triangle_, sites[1], sites[2]}, next_number());
         if (is_new) {
-            result_.new_points.push_back(crossing_of(sites));
+            add_crossing_of(sites);
             // Counter-clockwise around it lie this cell, the one before and the one after. If these ascend when they are
             // gone round, so they lie around the diagram's edge, seen from where it leads to: out of the surface.
             const int ascents = int(cell_ < before) + int(before < after) + int(after < cell_);
@@ -217,17 +239,32 @@ private:
         return place->second;
     }
 
-    glm::vec3 crossing_of(const SiteTriple& sites)
+    void add_crossing_of(const SiteTriple& sites)
     {
         const std::array<double, 3> a = distances(sites[0]), b = distances(sites[1]), c = distances(sites[2]);
         const glm::dvec3 one{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, two{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
         const glm::dvec3 weights = glm::cross(one, two);
-        const double sum = (weights.x + weights.y) + weights.z;
-        glm::dvec3 place(points_[corners_[0]]);
-        if (sum == 0.0) return glm::vec3(place);
-        place = glm::dvec3(0.0);
-        for (int i = 0; i < 3; ++i) place += glm::clamp(weights[i] / sum, 0.0, 1.0) * glm::dvec3(points_[corners_[i]]);
-        return glm::vec3(place);
+        std::array<int, 3> order{0, 1, 2};
+        std::ranges::sort(order, [&](int i, int j) {
+            return lexicographically_less(points_[corners_[std::size_t(i)]], points_[corners_[std::size_t(j)]]);
+        });
+        const double sum = (weights[order[0]] + weights[order[1]]) + weights[order[2]];
+        SurfacePlace place;
+        glm::dvec3 position(0.0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double share = sum == 0.0 ? (i == 0 ? 1.0 : 0.0) : glm::clamp(weights[order[i]] / sum, 0.0, 1.0);
+            place.corners[i] = corners_[std::size_t(order[i])];
+            place.shares[i] = share;
+            position += share * glm::dvec3(points_[place.corners[i]]);
+        }
+        add_point(position, place);
+    }
+
+    void add_point(const glm::dvec3& position, const SurfacePlace& place)
+    {
+        // -0 does not occur in a mesh.
+        result_.new_points.push_back(glm::vec3(position) + 0.0f);
+        result_.places.push_back(place);
     }
 
     std::uint32_t next_number() const { return static_cast<std::uint32_t>(points_.size() + result_.new_points.size()); }

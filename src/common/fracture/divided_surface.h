@@ -36,10 +36,20 @@ struct Piercing
     bool leaves = false;  ///< the solid, if it is followed along the edge's direction
 };
 
+/// Where on the mesh a new point lies: shares of the corners of a triangle, or of the ends of an edge.
+struct SurfacePlace
+{
+    static constexpr std::uint32_t kNoPoint = 0xFFFFFFFFu;
+
+    PointTriple corners{kNoPoint, kNoPoint, kNoPoint};  ///< points of the mesh; of an edge only two
+    std::array<double, 3> shares{};                     ///< of them; their sum is 1
+};
+
 struct DividedSurface
 {
     std::vector<glm::vec3> new_points;
-    std::vector<std::vector<SurfacePart>> parts;  ///< of each cell
+    std::vector<SurfacePlace> places;             ///< of the new points; those that come later do not lie on the mesh
+    std::vector<std::vector<SurfacePart>> parts;  ///< of each cell; their sources ascend
     /// Where the surface of one cell borders on that of another, as the cap of the first one runs, seen from the second.
     std::map<SitePair, std::vector<PointStep>> borders;
     std::map<SiteTriple, std::vector<Piercing>> piercings;
@@ -48,7 +58,8 @@ struct DividedSurface
 
 /// Divides a closed surface. Which cell a place of it lies in is decided by squared distances from the sites, which are
 /// rounded at the points of the mesh and linear between them: so triangles that have an edge in common divide it alike,
-/// and all signs are exact. Of two sites that are equally near, the first counts. A new point is rounded once.
+/// and all signs are exact. Of two sites that are equally near, the first counts. A new point is rounded once. Nothing depends on the order
+/// of the triangles, nor on where their corners begin, but for the order of what comes out.
 ///
 /// A triangle whose corners lie in one cell lies in it as a whole, because cells are convex. O(n) for n triangles, and
 /// O(c d) for each of k others that lies in c cells with d neighbours.

@@ -101,7 +101,7 @@ private:
     {
         if (numbers_[corner] == DiagramEdge::kFarAway) {
             numbers_[corner] = static_cast<std::uint32_t>(points_.size() + surface_.new_points.size());
-            surface_.new_points.emplace_back(diagram_.corners[corner].position);
+            surface_.new_points.push_back(glm::vec3(diagram_.corners[corner].position) + 0.0f);
         }
         return numbers_[corner];
     }

@@ -16,8 +16,8 @@ std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, st
     if (!edges) return std::nullopt;
     auto contacts = close_contacts(*diagram, points, *edges, surface);
     if (!contacts) return std::nullopt;
-    return SplitSolid{std::move(surface.new_points), std::move(surface.parts), *std::move(contacts),
-                      surface.crossing_triangles};
+    return SplitSolid{std::move(surface.new_points), std::move(surface.places), std::move(surface.parts),
+                      *std::move(contacts), surface.crossing_triangles};
 }
 
 }  // namespace kerf::core

@@ -11,7 +11,8 @@ namespace kerf::core {
 struct SplitSolid
 {
     std::vector<glm::vec3> new_points;            ///< behind those of the mesh
-    std::vector<std::vector<SurfacePart>> parts;  ///< of the surface, for each site
+    std::vector<SurfacePlace> places;             ///< of the first new points: those that lie on the mesh
+    std::vector<std::vector<SurfacePart>> parts;  ///< of the surface, for each site; their sources ascend
     std::vector<Contact> contacts;                ///< ascending by cells
     std::uint64_t crossing_triangles = 0;         ///< that lie in several cells
 };

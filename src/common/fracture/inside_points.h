@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "common/fracture/divided_surface.h"
+#include "common/support/random.h"
+
+namespace kerf::core {
+
+/// Where a closed surface has its inside, as lines through it find it: a sample of the solid.
+class InsideSample
+{
+public:
+    /// Sends `lines` parallel lines through the box of the points, at random, along its shortest side, and more as long as
+    /// too few of them meet the solid. O(n + h) for n triangles and h places where lines meet them. Nothing depends on the
+    /// order of the triangles.
+    InsideSample(std::span<const glm::vec3> points, std::span<const PointTriple> triangles, std::size_t lines,
+                 Random& random);
+
+    /// Whether no line has met an inside.
+    bool is_empty() const { return runs_.empty(); }
+    /// Of the solid, about.
+    double volume() const { return volume_; }
+    /// A point inside, each place as likely as any other. There is an inside. O(log r) for r runs.
+    glm::dvec3 point(Random& random) const;
+
+private:
+    /// A part of a line that lies inside.
+    struct Run
+    {
+        glm::dvec3 from;
+        double length = 0.0;
+        double sum = 0.0;  ///< of the lengths up to its end
+    };
+
+    int axis_ = 0;
+    std::vector<Run> runs_;
+    double volume_ = 0.0;
+};
+
+}  // namespace kerf::core

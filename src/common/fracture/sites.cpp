@@ -1,0 +1,180 @@
+#include "common/fracture/sites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "common/fracture/inside_points.h"
+#include "common/mesh/box.h"
+
+namespace kerf::core {
+
+namespace {
+
+/// Shares of the diagonal of the box: how far from a point or a plane cells are half as dense as they are there, or less.
+constexpr double kImpactReach = 0.12, kCrackReach = 0.05;
+/// Points that are looked at for each site of an impact or a crack.
+constexpr std::size_t kCandidates = 24;
+/// Share of their distance by which sites of a grid are moved.
+constexpr double kJitter = 0.45;
+/// Share of the sites' distance by which splinters begin and end before or behind one another.
+constexpr double kUneven = 0.8;
+
+/// The side of a cube with this volume, by halving: std::cbrt() need not be the same everywhere.
+double side_of_cube(double volume)
+{
+    double low = 0.0, high = std::max(volume, 1.0);
+    for (int i = 0; i < 200 && low < high; ++i) {
+        const double middle = 0.5 * (low + high);
+        (middle * middle * middle < volume ? low : high) = middle;
+    }
+    return high;
+}
+
+class SiteMaker
+{
+public:
+    SiteMaker(std::span<const glm::vec3> points, std::span<const PointTriple> triangles, const SitesWanted& wanted)
+        : wanted_(wanted),
+          random_(Random::mix(wanted.seed) ^ static_cast<std::uint64_t>(wanted.pattern)),
+          sample_(points, triangles, lines_for(wanted), random_)
+    {
+        for (const glm::vec3& p : points) box_.add(p);
+        diagonal_ = glm::length(glm::dvec3(box_.hi) - glm::dvec3(box_.lo));
+    }
+
+    std::vector<glm::dvec3> make()
+    {
+        if (sample_.is_empty() || wanted_.count == 0) return {};
+        switch (wanted_.pattern) {
+            case FracturePattern::uniform:
+                while (sites_.size() < wanted_.count) sites_.push_back(sample_.point(random_));
+                break;
+            case FracturePattern::impact:
+                choose([&](const glm::dvec3& p) { return density(glm::length(p - wanted_.at), kImpactReach); });
+                break;
+            case FracturePattern::crack:
+                choose([&](const glm::dvec3& p) {
+                    return density(glm::dot(p - wanted_.at, wanted_.direction), kCrackReach);
+                });
+                break;
+            case FracturePattern::grid:
+                make_grid();
+                break;
+            case FracturePattern::splinters:
+                make_splinters();
+                break;
+        }
+        std::ranges::sort(sites_, less);
+        sites_.erase(std::unique(sites_.begin(), sites_.end()), sites_.end());
+        return std::move(sites_);
+    }
+
+private:
+    static std::size_t lines_for(const SitesWanted& wanted)
+    {
+        const bool chooses = wanted.pattern == FracturePattern::impact || wanted.pattern == FracturePattern::crack;
+        return std::max<std::size_t>(256, wanted.count * (chooses ? kCandidates : 4));
+    }
+
+    static bool less(const glm::dvec3& a, const glm::dvec3& b)
+    {
+        if (a.x != b.x) return a.x < b.x;
+        return a.y != b.y ? a.y < b.y : a.z < b.z;
+    }
+
+    /// 1 at the place itself, and falling with the fourth power of the distance far away.
+    double density(double distance, double reach) const
+    {
+        const double d = distance / (reach * diagonal_), square = 1.0 + d * d;
+        return 1.0 / (square * square);
+    }
+
+    /// Takes points by chance, each as likely as its density says.
+    template <class Density>
+    void choose(Density density_at)
+    {
+        std::vector<glm::dvec3> candidates;
+        for (std::size_t i = 0; i < kCandidates * wanted_.count; ++i) candidates.push_back(sample_.point(random_));
+        // Far from the place few are taken: then it's the turn of all others again.
+        constexpr int kMostRounds = 64;
+        for (int round = 0; round < kMostRounds && sites_.size() < wanted_.count; ++round)
+            std::erase_if(candidates, [&](const glm::dvec3& p) {
+                if (sites_.size() >= wanted_.count || random_.unit() >= density_at(p)) return false;
+                sites_.push_back(p);
+                return true;
+            });
+        for (std::size_t i = 0; i < candidates.size() && sites_.size() < wanted_.count; ++i)
+            sites_.push_back(candidates[i]);
+    }
+
+    double jitter(double most) { return (random_.unit() - 0.5) * most; }
+
+    void make_grid()
+    {
+        const double spacing = side_of_cube(sample_.volume() / wanted_.count);
+        const glm::dvec3 size = glm::dvec3(box_.hi) - glm::dvec3(box_.lo), middle = box_.centre();
+        std::array<std::uint64_t, 3> count{};
+        double all = 1.0;
+        for (int axis = 0; axis < 3; ++axis) all *= double(count[axis] = layers(size[axis], spacing));
+        // Of a solid that fills next to nothing of its box.
+        constexpr double kMostSites = 1e5;
+        if (!(all <= kMostSites)) return;
+        for (std::uint64_t z = 0; z < count[2]; ++z)
+            for (std::uint64_t y = 0; y < count[1]; ++y)
+                for (std::uint64_t x = 0; x < count[0]; ++x) {
+                    const glm::dvec3 place{double(x) - 0.5 * double(count[0] - 1),
+                                           double(y) - 0.5 * double(count[1] - 1),
+                                           double(z) - 0.5 * double(count[2] - 1)};
+                    const glm::dvec3 moved{jitter(kJitter), jitter(kJitter), jitter(kJitter)};
+                    sites_.push_back(middle + spacing * (place + moved));
+                }
+    }
+
+    static std::uint64_t layers(double size, double spacing)
+    {
+        constexpr double kMost = 1e4;
+        return static_cast<std::uint64_t>(std::clamp(std::round(size / spacing), 1.0, kMost));
+    }
+
+    /// In a plane across the grain: borders between sites there run along it.
+    void make_splinters()
+    {
+        std::vector<glm::dvec3> found;
+        for (std::uint32_t i = 0; i < wanted_.count; ++i) {
+            const glm::dvec3 p = sample_.point(random_);
+            found.push_back(p - glm::dot(p - wanted_.at, wanted_.direction) * wanted_.direction);
+        }
+        Box box;
+        for (const glm::dvec3& p : found) box.add(glm::vec3(p));
+        const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
+        const double apart = glm::length(size) / std::sqrt(double(wanted_.count));
+        for (const glm::dvec3& p : found) sites_.push_back(p + jitter(kUneven * apart) * wanted_.direction);
+    }
+
+    const SitesWanted& wanted_;
+    Random random_;
+    InsideSample sample_;
+    Box box_;
+    double diagonal_ = 0.0;
+    std::vector<glm::dvec3> sites_;
+};
+
+}  // namespace
+
+std::vector<glm::dvec3> make_sites(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
+                                   const SitesWanted& wanted)
+{
+    return SiteMaker(points, triangles, wanted).make();
+}
+
+std::vector<glm::dvec3> moved_a_little(std::span<const glm::dvec3> sites, double distance, std::uint64_t seed)
+{
+    Random random(seed);
+    const auto move = [&] { return (random.unit() - 0.5) * 2.0 * distance; };
+    std::vector<glm::dvec3> moved;
+    for (const glm::dvec3& site : sites) moved.push_back(site + glm::dvec3{move(), move(), move()});
+    return moved;
+}
+
+}  // namespace kerf::core

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/fracture/fragments.h"
+#include "common/fracture/sites.h"
+#include "common/fracture/solid_of_points.h"
+
+namespace kerf::core {
+
+/// A solid in fragments, of which PieceMeshes makes meshes.
+struct TakenApart
+{
+    std::vector<glm::dvec3> sites;  ///< of the cells; moved a little, if they lay badly
+    SplitSolid split;
+    Fragments fragments;
+};
+
+/// Takes a closed solid apart into the cells of sites: split_into_cells(), again and again with the sites moved a little as
+/// long as it refuses, and find_fragments(). The same input gives the same bytes. Nothing if it refuses for good: the surface
+/// passes through itself where cells meet.
+///
+/// @param least_volume  smaller fragments are joined to their neighbours; cubed units of the mesh
+std::optional<TakenApart> take_apart(const SolidOfPoints& solid, std::span<const glm::dvec3> sites,
+                                     double least_volume);
+
+}  // namespace kerf::core
