@@ -9,6 +9,7 @@
 #include <kerf/cut.h>
 #include <kerf/dice.h>
 #include <kerf/draw.h>
+#include <kerf/fracture.h>
 #include <kerf/mass.h>
 #include <kerf/mesh.h>
 #include <kerf/object.h>

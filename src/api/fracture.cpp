@@ -1,0 +1,243 @@
+#include <kerf/fracture.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "api/convert.h"
+#include "api/no_memory.h"
+#include "back_ends/back_ends.h"
+#include "common/cutting/back_end_helpers.h"
+#include "common/fracture/piece_meshes.h"
+#include "common/fracture/take_apart.h"
+
+namespace kerf {
+
+namespace {
+
+struct FracturedPiece
+{
+    Object object;
+    std::vector<std::uint32_t> cells;
+};
+
+constexpr std::uint32_t kNoPiece = 0xFFFFFFFFu;
+
+}  // namespace
+
+/// What a Fracture hides.
+struct Fracture::Data
+{
+    std::vector<FracturedPiece> pieces;
+    std::vector<FractureBond> bonds;
+    std::vector<Vec3d> sites;
+};
+
+struct FractureMaker
+{
+    static Fracture refused(Status status, const char* refusal)
+    {
+        Fracture fracture;
+        fracture.status_ = status;
+        fracture.refusal_ = refusal;
+        return fracture;
+    }
+
+    /// One that has no pieces yet. May throw std::bad_alloc.
+    static Fracture begun()
+    {
+        Fracture fracture;
+        fracture.data_ = new Fracture::Data;
+        return fracture;
+    }
+
+    static Fracture::Data& data(Fracture& fracture) { return *fracture.data_; }
+};
+
+namespace {
+
+Fracture cancelled()
+{
+    return FractureMaker::refused(Status::cancelled, "the caller asked to stop; there are no pieces");
+}
+
+/// May throw std::bad_alloc.
+class Breaker
+{
+public:
+    Breaker(const core::Cuttable& object, const FractureOptions& options)
+        : object_(object), options_(options), mesh_(object.to_indexed_mesh()), solid_(mesh_)
+    {
+    }
+
+    Fracture run()
+    {
+        const std::vector<glm::dvec3> sites = sites_wanted();
+        if (sites.empty()) return FractureMaker::refused(Status::invalid_mesh, "the object has no inside");
+        if (!goes_on(0.1)) return cancelled();
+        auto apart = core::take_apart(solid_, sites, options_.least_volume);
+        if (!apart)
+            return FractureMaker::refused(Status::invalid_mesh,
+                                          "the surface passes through itself where pieces would meet");
+        if (!goes_on(kShareOfSplitting)) return cancelled();
+        Fracture fracture = FractureMaker::begun();
+        Fracture::Data& data = FractureMaker::data(fracture);
+        for (const glm::dvec3& site : apart->sites) data.sites.push_back(to_public(site));
+        if (!make_pieces(*apart, data)) return cancelled();
+        add_bonds(*apart, data);
+        return goes_on(1.0) ? std::move(fracture) : cancelled();
+    }
+
+private:
+    /// What the bar says when cells and contacts are there; the rest is the pieces' meshes and preparing.
+    static constexpr double kShareOfSplitting = 0.5;
+
+    bool goes_on(double share) const { return options_.progress == nullptr || options_.progress(options_.user, share); }
+
+    std::vector<glm::dvec3> sites_wanted() const
+    {
+        if (!options_.sites.empty()) {
+            std::vector<glm::dvec3> sites;
+            for (const Vec3d& site : options_.sites) sites.push_back(to_core(site));
+            return sites;
+        }
+        core::SitesWanted wanted;
+        wanted.pattern = static_cast<core::FracturePattern>(options_.pattern);
+        wanted.count = options_.cells;
+        wanted.seed = options_.seed;
+        wanted.at = options_.at ? to_core(*options_.at) : object_.bounds().centre();
+        wanted.direction = glm::normalize(to_core(options_.direction));
+        return core::make_sites(solid_.points, solid_.triangles, wanted);
+    }
+
+    core::InsideLook look_wanted()
+    {
+        const bool is_there = options_.material < mesh_.materials.size();
+        return {is_there ? options_.material : core::add_cap_material(mesh_.materials), options_.uv_scale};
+    }
+
+    bool make_pieces(core::TakenApart& apart, Fracture::Data& data)
+    {
+        const core::RegisteredBackend& entry = *core::find_back_end(object_.memory.back_end);
+        const core::InsideLook look = look_wanted();
+        core::PieceMeshes meshes(mesh_, solid_.points, apart.split, look);
+        std::vector<core::Fragment>& fragments = apart.fragments.fragments;
+        for (std::size_t f = 0; f < fragments.size(); ++f) {
+            number_of_.push_back(kNoPiece);
+            if (auto mesh = meshes.make(fragments[f])) {
+                core::PrepareResult prepared = entry.back_end->prepare(std::move(*mesh), {});
+                if (prepared.status == core::Status::out_of_memory) throw std::bad_alloc();
+                if (prepared.object != nullptr) {
+                    prepared.object->memory = object_.memory;
+                    number_of_.back() = static_cast<std::uint32_t>(data.pieces.size());
+                    data.pieces.push_back({Object(prepared.object.release()), std::move(fragments[f].cells)});
+                }
+            }
+            fragments[f] = {};
+            if (!goes_on(kShareOfSplitting + (1.0 - kShareOfSplitting) * double(f + 1) / double(fragments.size() + 1)))
+                return false;
+        }
+        return true;
+    }
+
+    void add_bonds(const core::TakenApart& apart, Fracture::Data& data) const
+    {
+        for (const core::Bond& bond : apart.fragments.bonds) {
+            const std::uint32_t first = number_of_[bond.first], second = number_of_[bond.second];
+            if (first != kNoPiece && second != kNoPiece)
+                data.bonds.push_back({first, second, bond.area, to_public(bond.centre), to_public(bond.normal)});
+        }
+    }
+
+    const core::Cuttable& object_;
+    const FractureOptions& options_;
+    core::IndexedMesh mesh_;
+    core::SolidOfPoints solid_;
+    std::vector<std::uint32_t> number_of_;  ///< the piece that a fragment has become
+};
+
+bool is_finite(const Vec3d& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// What is wrong with the arguments, or null.
+const char* fault_of(const Object& object, const FractureOptions& options)
+{
+    if (object.is_empty()) return "the object is empty: it was cut, moved from, or never made";
+    if (options.sites.empty() && options.cells == 0) return "there must be a cell";
+    if (options.at && !is_finite(*options.at)) return "`at` must be finite";
+    if (!Plane::at(Point(0, 0, 0), options.direction)) return "`direction` must have a direction";
+    if (!std::ranges::all_of(options.sites, is_finite)) return "sites must be finite";
+    if (!std::isfinite(options.least_volume) || options.least_volume < 0.0)
+        return "the least volume must be finite and not below 0";
+    if (!std::isfinite(options.uv_scale)) return "the scale of uv must be finite";
+    return nullptr;
+}
+
+}  // namespace
+
+Fracture fracture(const Object& object, const FractureOptions& options) noexcept
+{
+    if (const char* fault = fault_of(object, options)) return FractureMaker::refused(Status::invalid_argument, fault);
+    const core::Cuttable& inside = *object.inside();
+    if (!inside.memory.is_of_solid)
+        return FractureMaker::refused(Status::invalid_mesh, "the object is open: only a solid can be broken");
+    if (options.progress != nullptr && !options.progress(options.user, 0.0)) return cancelled();
+    return answer_or(
+        FractureMaker::refused(Status::out_of_memory, "there is not enough memory for the pieces; ask for fewer cells"),
+        [&] { return Breaker(inside, options).run(); });
+}
+
+Fracture::Fracture() noexcept = default;
+
+Fracture::Fracture(Fracture&& other) noexcept
+{
+    *this = std::move(other);
+}
+
+Fracture& Fracture::operator=(Fracture&& other) noexcept
+{
+    if (this == &other) return *this;
+    delete std::exchange(data_, std::exchange(other.data_, nullptr));
+    status_ = std::exchange(other.status_, Status::done);
+    refusal_ = std::exchange(other.refusal_, "");
+    return *this;
+}
+
+Fracture::~Fracture()
+{
+    delete data_;
+}
+
+std::size_t Fracture::count() const noexcept
+{
+    return data_ == nullptr ? 0 : data_->pieces.size();
+}
+
+Object* Fracture::piece(std::size_t i) noexcept
+{
+    return i < count() ? &data_->pieces[i].object : nullptr;
+}
+
+std::span<const std::uint32_t> Fracture::cells(std::size_t i) const noexcept
+{
+    if (i >= count()) return {};
+    return data_->pieces[i].cells;
+}
+
+std::span<const FractureBond> Fracture::bonds() const noexcept
+{
+    if (data_ == nullptr) return {};
+    return data_->bonds;
+}
+
+std::span<const Vec3d> Fracture::sites() const noexcept
+{
+    if (data_ == nullptr) return {};
+    return data_->sites;
+}
+
+}  // namespace kerf
