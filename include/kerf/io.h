@@ -111,6 +111,20 @@ private:
 /// are kept.
 KERF_API Result<FileBytes> mesh_file_bytes(const Mesh& mesh, const char* format) noexcept;
 
+/// A mesh in a scene.
+struct SceneNode
+{
+    const char* name = "";       ///< UTF-8
+    const Mesh* mesh = nullptr;  ///< one that is not empty
+    Vec3d translation;           ///< where it is moved to, in its unit
+    const char* extras = "";     ///< JSON, what else there is to say of it; "" for nothing
+};
+
+/// The bytes of a GLB file with a node for each mesh: the pieces of a fracture. Materials that are alike are written once.
+/// O(n). Status: `unusable_file` (extras that are no JSON, more than 4 GB), `invalid_mesh` for an empty mesh,
+/// `invalid_argument` for a null pointer, `out_of_memory`.
+KERF_API Result<FileBytes> scene_file_bytes(std::span<const SceneNode> nodes) noexcept;
+
 /// The extension of a format that read_mesh() knows, in lower case and without the dot; null beyond the last.
 KERF_API const char* readable_format(std::size_t i) noexcept;
 /// The extension of a format that write_mesh() knows, in lower case and without the dot; null beyond the last.

@@ -12,6 +12,7 @@
 #include "api/no_memory.h"
 #include "common/files/unfinished_files.h"
 #include "common/io/mesh_file.h"
+#include "common/io/scene_file.h"
 
 namespace kerf {
 
@@ -166,6 +167,26 @@ Result<FileBytes> mesh_file_bytes(const Mesh& mesh, const char* format) noexcept
     return answer_of_file<Result<FileBytes>>([&]() -> Result<FileBytes> {
         auto data = std::make_unique<FileBytes::Data>();
         data->text = io::mesh_bytes(mesh.data()->mesh(), format);
+        return FileBytes(data.release());
+    });
+}
+
+Result<FileBytes> scene_file_bytes(std::span<const SceneNode> nodes) noexcept
+{
+    for (const SceneNode& node : nodes) {
+        if (node.mesh == nullptr || node.name == nullptr || node.extras == nullptr)
+            return {Status::invalid_argument, Sentence("a node of the scene has a null pointer")};
+        if (node.mesh->is_empty()) return {Status::invalid_mesh, Sentence(kEmpty)};
+    }
+    return answer_of_file<Result<FileBytes>>([&]() -> Result<FileBytes> {
+        std::vector<io::SceneNode> inside;
+        for (const SceneNode& node : nodes)
+            inside.push_back({node.name,
+                              &node.mesh->data()->mesh(),
+                              {node.translation.x, node.translation.y, node.translation.z},
+                              node.extras});
+        auto data = std::make_unique<FileBytes::Data>();
+        data->text = io::scene_bytes(inside);
         return FileBytes(data.release());
     });
 }

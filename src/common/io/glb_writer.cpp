@@ -1,13 +1,18 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "common/io/bytes.h"
 #include "common/io/mesh_file.h"
 #include "common/io/read_formats.h"
+#include "common/io/scene_file.h"
 #include "common/io/write_formats.h"
 
 namespace kerf::core::io {
@@ -43,50 +48,97 @@ std::string uri_of(std::string_view path)
 class GlbWriter
 {
 public:
-    explicit GlbWriter(const IndexedMesh& mesh) : mesh_(mesh) {}
-
-    void write(ByteSink& file)
+    /// A node for the surface and one for the caps.
+    void add(const IndexedMesh& mesh)
     {
-        add_materials();
-        local_.assign(mesh_.vertices.size(), kUnused);
+        begin(mesh);
         for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap}) {
             OrderedJson primitives = primitives_of(kind);
             if (primitives.empty()) continue;
             const char* name = kind == TriangleKind::surface ? "surface" : "cap";
-            roots_.push_back(nodes_.size());
-            nodes_.push_back({{"name", name}, {"mesh", meshes_.size()}});
+            add_node({{"name", name}, {"mesh", meshes_.size()}});
             meshes_.push_back({{"name", name}, {"primitives", std::move(primitives)}});
         }
-        write_container(file);
     }
 
-private:
-    void add_materials()
+    /// One node for all of a mesh.
+    void add(const SceneNode& node)
     {
-        for (const Material& source : mesh_.materials) {
-            const glm::vec4 c = glm::vec4(source.colour);
-            const auto channel = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
-            OrderedJson surface{{"baseColorFactor", {channel(c.r), channel(c.g), channel(c.b), channel(c.a)}},
-                                {"metallicFactor", 0.0}};
-            if (!source.texture.empty()) {
-                surface["baseColorTexture"] = {{"index", textures_.size()}};
-                textures_.push_back({{"source", images_.size()}});
-                images_.push_back({{"uri", uri_of(source.texture)}});
-            }
-            OrderedJson material;
-            if (!source.name.empty()) material["name"] = source.name;
-            material["pbrMetallicRoughness"] = std::move(surface);
-            if (channel(c.a) < 1.0f) material["alphaMode"] = "BLEND";
-            materials_.push_back(std::move(material));
+        begin(*node.mesh);
+        OrderedJson primitives = primitives_of(TriangleKind::surface);
+        for (OrderedJson& primitive : primitives_of(TriangleKind::cap)) primitives.push_back(std::move(primitive));
+        OrderedJson described{{"name", node.name}, {"mesh", meshes_.size()}};
+        if (node.translation != glm::dvec3(0.0))
+            described["translation"] = {node.translation.x, node.translation.y, node.translation.z};
+        if (!node.extras.empty()) described["extras"] = OrderedJson::parse(node.extras);
+        add_node(std::move(described));
+        meshes_.push_back({{"name", node.name}, {"primitives", std::move(primitives)}});
+    }
+
+    void write(ByteSink& file) const { write_container(file); }
+
+private:
+    /// Materials in the file that are alike.
+    struct Alike
+    {
+        std::vector<std::size_t> numbers;
+        std::size_t used = 0;  ///< of them, by this mesh
+        std::size_t mesh = 0;
+    };
+
+    void begin(const IndexedMesh& mesh)
+    {
+        mesh_ = &mesh;
+        ++meshes_begun_;
+        material_numbers_.clear();
+        for (const Material& material : mesh.materials) material_numbers_.push_back(number_of(material));
+        local_.assign(mesh.vertices.size(), kUnused);
+    }
+
+    void add_node(OrderedJson node)
+    {
+        roots_.push_back(nodes_.size());
+        nodes_.push_back(std::move(node));
+    }
+
+    /// Its number in the file. Equal materials of several meshes are one; those of one mesh are not.
+    std::size_t number_of(const Material& material)
+    {
+        Alike& alike = known_materials_[{material.name,
+                                         material.texture,
+                                         {material.colour.r, material.colour.g, material.colour.b, material.colour.a}}];
+        if (alike.mesh != meshes_begun_) alike = {std::move(alike.numbers), 0, meshes_begun_};
+        if (alike.used == alike.numbers.size()) {
+            alike.numbers.push_back(materials_.size());
+            add_material(material);
         }
+        return alike.numbers[alike.used++];
+    }
+
+    void add_material(const Material& source)
+    {
+        const glm::vec4 c = glm::vec4(source.colour);
+        const auto channel = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
+        OrderedJson surface{{"baseColorFactor", {channel(c.r), channel(c.g), channel(c.b), channel(c.a)}},
+                            {"metallicFactor", 0.0}};
+        if (!source.texture.empty()) {
+            surface["baseColorTexture"] = {{"index", textures_.size()}};
+            textures_.push_back({{"source", images_.size()}});
+            images_.push_back({{"uri", uri_of(source.texture)}});
+        }
+        OrderedJson material;
+        if (!source.name.empty()) material["name"] = source.name;
+        material["pbrMetallicRoughness"] = std::move(surface);
+        if (channel(c.a) < 1.0f) material["alphaMode"] = "BLEND";
+        materials_.push_back(std::move(material));
     }
 
     /// One primitive for each material, with its own vertices in order of use. The cost depends on the groups of this
     /// kind, not on all vertices for each material.
     OrderedJson primitives_of(TriangleKind kind)
     {
-        std::vector<std::vector<const TriangleGroup*>> groups(mesh_.materials.size());
-        for (const TriangleGroup& group : mesh_.groups)
+        std::vector<std::vector<const TriangleGroup*>> groups(mesh_->materials.size());
+        for (const TriangleGroup& group : mesh_->groups)
             if (group.kind == kind) groups[group.material].push_back(&group);
         OrderedJson primitives = OrderedJson::array();
         for (std::uint32_t material = 0; material < groups.size(); ++material) {
@@ -102,7 +154,7 @@ private:
     void collect(const TriangleGroup& group)
     {
         for (std::uint32_t t = group.first; t < group.first + group.count; ++t)
-            for (const std::uint32_t v : mesh_.triangles[t]) {
+            for (const std::uint32_t v : mesh_->triangles[t]) {
                 if (local_[v] == kUnused) {
                     local_[v] = static_cast<std::uint32_t>(used_.size());
                     used_.push_back(v);
@@ -115,13 +167,13 @@ private:
     {
         OrderedJson attributes;
         attributes["POSITION"] = add_positions();
-        attributes["NORMAL"] = add_floats(3, [&](std::uint32_t v, int i) { return mesh_.vertices[v].normal[i]; });
+        attributes["NORMAL"] = add_floats(3, [&](std::uint32_t v, int i) { return mesh_->vertices[v].normal[i]; });
         // The origin of glTF's images is the upper left corner.
         attributes["TEXCOORD_0"] = add_floats(2, [&](std::uint32_t v, int i) {
-            const glm::vec2& uv = mesh_.vertices[v].uv;
+            const glm::vec2& uv = mesh_->vertices[v].uv;
             return i == 0 ? uv.x : 1.0f - uv.y;
         });
-        for (const VertexStream& stream : mesh_.streams)
+        for (const VertexStream& stream : mesh_->streams)
             if (stream.name == "color" && (stream.width == 3 || stream.width == 4))
                 attributes["COLOR_0"] = add_floats(static_cast<int>(stream.width), [&](std::uint32_t v, int i) {
                     return stream.values[v * stream.width + static_cast<std::uint32_t>(i)];
@@ -130,16 +182,16 @@ private:
         const std::size_t first = binary_.size();
         for (const std::uint32_t index : indices_) store_little(binary_, index);
         result["indices"] = add_accessor(first, kElementArrayBuffer, kUnsignedInt, indices_.size(), "SCALAR");
-        result["material"] = material;
+        result["material"] = material_numbers_[material];
         return result;
     }
 
     std::size_t add_positions()
     {
         const std::size_t accessor =
-            add_floats(3, [&](std::uint32_t v, int i) { return mesh_.vertices[v].position[i]; });
+            add_floats(3, [&](std::uint32_t v, int i) { return mesh_->vertices[v].position[i]; });
         Box box;
-        for (const std::uint32_t v : used_) box.add(mesh_.vertices[v].position);
+        for (const std::uint32_t v : used_) box.add(mesh_->vertices[v].position);
         // As doubles the floats' digits are exact.
         accessors_[accessor]["min"] = {double(box.lo.x), double(box.lo.y), double(box.lo.z)};
         accessors_[accessor]["max"] = {double(box.hi.x), double(box.hi.y), double(box.hi.z)};
@@ -208,7 +260,10 @@ private:
 
     static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
-    const IndexedMesh& mesh_;
+    const IndexedMesh* mesh_ = nullptr;          ///< that is added
+    std::vector<std::size_t> material_numbers_;  ///< of its materials
+    std::size_t meshes_begun_ = 0;
+    std::map<std::tuple<std::string, std::string, std::array<float, 4>>, Alike> known_materials_;
     OrderedJson roots_ = OrderedJson::array(), nodes_ = OrderedJson::array(), meshes_ = OrderedJson::array(),
                 materials_ = OrderedJson::array(), textures_ = OrderedJson::array(), images_ = OrderedJson::array(),
                 accessors_ = OrderedJson::array(), views_ = OrderedJson::array();
@@ -222,7 +277,28 @@ private:
 
 void write_glb(ByteSink& file, const IndexedMesh& mesh)
 {
-    GlbWriter(mesh).write(file);
+    GlbWriter writer;
+    writer.add(mesh);
+    writer.write(file);
+}
+
+std::string scene_bytes(std::span<const SceneNode> nodes)
+{
+    MemorySink sink("scene.glb");
+    try {
+        GlbWriter writer;
+        for (const SceneNode& node : nodes) {
+            if (const std::string fault = check(*node.mesh); !fault.empty())
+                fail(sink.path(), "\"" + node.name + "\" cannot be written: " + fault);
+            if (!node.extras.empty() && !OrderedJson::accept(node.extras))
+                fail(sink.path(), "the extras of \"" + node.name + "\" are no JSON");
+            writer.add(node);
+        }
+        writer.write(sink);
+        return sink.take();
+    } catch (const std::bad_alloc&) {
+        fail_without_memory(sink.path(), "write it; free some");
+    }
 }
 
 }  // namespace kerf::core::io
