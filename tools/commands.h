@@ -23,6 +23,7 @@ void add_cut_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 void add_repair_command(CLI::App& program);
 void add_dice_command(CLI::App& program);
+void add_fracture_command(CLI::App& program);
 void add_section_command(CLI::App& program);
 void add_shape_command(CLI::App& program);
 

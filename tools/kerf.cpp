@@ -67,6 +67,7 @@ int run(int argc, char** argv)
     kerf::tools::add_info_command(program);
     kerf::tools::add_cut_command(program);
     kerf::tools::add_dice_command(program);
+    kerf::tools::add_fracture_command(program);
     kerf::tools::add_section_command(program);
     kerf::tools::add_compare_command(program);
     kerf::tools::add_repair_command(program);

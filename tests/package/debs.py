@@ -23,7 +23,7 @@ BUILD = ROOT / "build/debs"
 ABI = ".".join(re.findall(r"define KERF_VERSION_M\w+ (\d+)", (ROOT / "include/kerf/version.h").read_text()))
 LIBRARY, CAPS, PROGRAMS = f"libkerf{ABI}", f"libkerf-caps-cgal{ABI}", ("kerf", "kerf-viewer")
 PACKAGES = {LIBRARY, "libkerf-dev", CAPS, "libkerf-caps-cgal-dev", *PROGRAMS, "kerf-data", "python3-kerf"}
-COMMANDS = ("info", "cut", "compare", "repair", "convert", "shape", "section", "dice", "completion")
+COMMANDS = ("info", "cut", "compare", "repair", "convert", "shape", "section", "dice", "fracture", "completion")
 # What compilers leave in a program of the code of others: in the names of types, or of a library that is linked.
 TRACES = {"CGAL": ("cgal", rb"libgmp\.so|Delaunay_triangulation_2"), "OpenMesh": ("OpenMesh", rb"N8OpenMesh|libOpenMeshCore"),
           "Bullet": ("bullet", rb"libLinearMath|libBullet"), "JSON": ("nlohmann", rb"8nlohmann"),
