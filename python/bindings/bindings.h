@@ -14,6 +14,7 @@ void bind_files(pybind11::module_& module);
 void bind_shapes(pybind11::module_& module);
 void bind_objects(pybind11::module_& module);
 void bind_cuts(pybind11::module_& module);
+void bind_fractures(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 
 }  // namespace kerf::python

@@ -10,5 +10,6 @@ PYBIND11_MODULE(_core, module)
     kerf::python::bind_shapes(module);
     kerf::python::bind_objects(module);
     kerf::python::bind_cuts(module);
+    kerf::python::bind_fractures(module);
     kerf::python::bind_sections(module);
 }

@@ -9,12 +9,13 @@
 >>> print(section.to_svg()[:5])
 <?xml
 
-`cut`, `section`, `sections` and `dice` take a `Mesh`, or an `Object`: a mesh that was prepared for many of them
+`cut`, `section`, `sections`, `dice` and `fracture` take a `Mesh`, or an `Object`: a mesh that was prepared for many of them
 (`Mesh.prepare`). Planes are named by keywords: `origin`, `normal`. Numbers come back as NumPy arrays that are read-only,
 not copied, and valid as long as you keep them. What you got wrong raises ValueError; what a mesh and a plane have to do
 with one another is a `Status`.
 """
 
+from ._breaking import Fracture, fracture
 from ._core import FileError, bits_version
 from ._core import version as _version
 from ._cutting import Cut, cut
@@ -32,6 +33,7 @@ __all__ = [
     "Cut",
     "Dice",
     "FileError",
+    "Fracture",
     "Frame",
     "Material",
     "Mesh",
@@ -48,6 +50,7 @@ __all__ = [
     "bits_version",
     "cut",
     "dice",
+    "fracture",
     "read",
     "readable_formats",
     "section",

@@ -106,6 +106,19 @@ class CutOptions:
         only_solid: bool,
     ) -> None: ...
 
+class FractureOptions:
+    def __init__(
+        self,
+        pattern: int,
+        cells: int,
+        seed: int,
+        at: Optional[_Triple],
+        direction: _Triple,
+        least_volume: float,
+        material: int,
+        uv_scale: float,
+    ) -> None: ...
+
 class SectionOptions:
     def __init__(
         self, nesting: bool, fill: bool, delaunay: bool, attributes: bool, up: Optional[_Triple]
@@ -167,6 +180,7 @@ def back_ends() -> List[str]: ...
 def cut(object: Object, plane: Plane, options: CutOptions) -> Dict[str, Any]: ...
 def dice(object: Object, layers: _Layers, options: CutOptions) -> Dict[str, Any]: ...
 def cuts_expected(layers: _Layers) -> int: ...
+def fracture(object: Object, options: FractureOptions, sites: Optional[_Doubles]) -> Dict[str, Any]: ...
 def section(object: Object, plane: Plane, options: SectionOptions) -> Section: ...
 def sections(
     object: Object, normal: _Triple, heights: Sequence[float], options: SectionOptions, threads: int
