@@ -18,6 +18,7 @@ void register_hard_benchmarks();
 void register_real_benchmarks();
 void register_section_benchmarks();
 void register_stack_benchmarks();
+void register_fracture_benchmarks();
 #ifdef KERF_HAS_VIEWER
 void register_sim_benchmarks();
 #endif
@@ -42,6 +43,7 @@ int main(int argc, char** argv)
         kerf::bench::register_real_benchmarks();
         kerf::bench::register_section_benchmarks();
         kerf::bench::register_stack_benchmarks();
+        kerf::bench::register_fracture_benchmarks();
 #ifdef KERF_HAS_VIEWER
         kerf::bench::register_sim_benchmarks();
 #endif

@@ -3,6 +3,7 @@
 //   kerf_peers export FOLDER TRIANGLES...     the same inputs as files, for peers that are no C++ (vtk_peer.py)
 //   kerf_peers sections SECONDS TRIANGLES...  sections of asteroids and of meshes that are not round, which stay
 //                                             whole, each within a budget
+//   kerf_peers cells SECONDS TRIANGLES...     asteroids broken into cells of points, each within a budget
 //   kerf_peers export-sections FOLDER TRIANGLES...  the same inputs as files (vtk_sections.py)
 
 #include <exception>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/peers/cgal_cells.h"
 #include "bench/peers/cgal_peer.h"
 #include "bench/peers/cgal_slicer.h"
 #include "bench/peers/peer_inputs.h"
@@ -66,6 +68,18 @@ Json sections(double budget, const std::vector<std::string>& sizes)
         }
     });
     return {{"sections", std::move(rows)}};
+}
+
+Json cells(double budget, const std::vector<std::string>& sizes)
+{
+    Json rows = Json::array();
+    for (const std::string& size : sizes)
+        for (const std::uint32_t count : {10u, 100u}) {
+            Json row = to_json(time_cgal_cells(asteroid_cell_input(std::stoull(size), count), budget));
+            row["cells"] = count;
+            rows.push_back(std::move(row));
+        }
+    return {{"cells", std::move(rows)}};
 }
 
 template <class Element>
@@ -133,9 +147,10 @@ Json export_inputs(const std::filesystem::path& folder, const std::vector<std::s
 int run(const std::vector<std::string>& arguments)
 {
     const std::string what = arguments.empty() ? "" : arguments[0];
-    const bool is_known = what == "cgal" || what == "export" || what == "sections" || what == "export-sections";
+    const bool is_known =
+        what == "cgal" || what == "export" || what == "sections" || what == "cells" || what == "export-sections";
     if (arguments.size() < 2 || !is_known) {
-        std::cerr << "Usage: kerf_peers cgal|sections SECONDS TRIANGLES...\n"
+        std::cerr << "Usage: kerf_peers cgal|sections|cells SECONDS TRIANGLES...\n"
                      "       kerf_peers export|export-sections FOLDER TRIANGLES...\n";
         return 2;
     }
@@ -143,6 +158,7 @@ int run(const std::vector<std::string>& arguments)
     Json answer;
     if (what == "cgal") answer = cgal(std::stod(arguments[1]), sizes);
     if (what == "sections") answer = sections(std::stod(arguments[1]), sizes);
+    if (what == "cells") answer = cells(std::stod(arguments[1]), sizes);
     if (what == "export") answer = export_inputs(arguments[1], sizes);
     if (what == "export-sections") answer = export_sections(arguments[1], sizes);
     std::cout << answer << '\n';

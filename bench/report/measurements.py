@@ -44,6 +44,7 @@ class Measurements:
     undrawn_runs: list[Run] = field(default_factory=list)  # of the viewer, without a picture
     peers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs
     slicers: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs: sections
+    cells: list[dict[str, Any]] = field(default_factory=list)  # rows of the peer programs: cells of a fracture
     drawn_caps: list[dict[str, Any]] = field(default_factory=list)  # rows of kerf compare --caps: the worst fans
     stages: list[dict[str, Any]] = field(default_factory=list)  # the stages' files, without their results
 
@@ -108,6 +109,8 @@ def load(stage_files: list[Path]) -> Measurements:
             all_of_them.peers += result["peers"]
         elif kind in (Kind.SLICERS, Kind.VTK_SECTIONS, Kind.OPEN3D_SECTIONS):
             all_of_them.slicers += result["sections"]
+        elif kind == Kind.CELLS:
+            all_of_them.cells += result["cells"]
         elif kind == Kind.COMPARE and stage["stage"].startswith(GALLERY):
             file = result["files"][0]
             all_of_them.drawn_caps.append({"model": model_name(file["file"])} | file["rows"][0])

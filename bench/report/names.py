@@ -25,5 +25,6 @@ class Kind(Enum):
     PEERS = "peers"  # the program that cuts with CGAL
     VTK = "vtk"  # the script that cuts with VTK
     SLICERS = "slicers"  # the program that cuts with CGAL, asked for sections
+    CELLS = "cells"  # the program that cuts with CGAL, asked for the cells of a fracture
     VTK_SECTIONS = "vtk-sections"  # the script that asks VTK for sections
     OPEN3D_SECTIONS = "open3d-sections"  # the script that asks Open3D for sections

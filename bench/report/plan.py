@@ -46,6 +46,7 @@ VIEWER_OPPONENTS = ("baseline/remap", "halfedge")
 VIEWER_RUNS = 5  # of each of them that count
 SHOWN_FANS = 4  # in the gallery
 MOST_FOR_PEERS = 100_000  # triangles
+FRACTURE_SIZES = (10_000, 100_000, 1_000_000)
 SECTION_SIZES = (10_000, 100_000, 1_000_000, 4_000_000)
 
 
@@ -123,7 +124,14 @@ def bench_stages(extent: Extent) -> list[Stage]:
             swipe = f"^Swipe/{swiping}.*/{size}/iterations:[0-9]+/manual_time$"
             stages.append(bench_stage(f"swipe-{size}", swipe, extent, 0.01, 1 + size / 40_000))
     stages.append(bench_stage("pieces", "^(Pieces|Physics)/", extent, 0.01, 12))
-    return stages + section_stages(extent)
+    return stages + section_stages(extent) + [fracture_stage(extent)]
+
+
+def fracture_stage(extent: Extent) -> Stage:
+    """Objects broken into cells."""
+    sizes = "|".join(str(size) for size in FRACTURE_SIZES if size <= extent.most_triangles)
+    pattern = f"^(Fracture/.*/({sizes})|RealFracture/.*/{among(real_meshes(extent))[:-1]})/"
+    return bench_stage("fracture", pattern, extent, 0.01, 4 + extent.most_triangles / 100_000)
 
 
 def section_sizes(extent: Extent) -> list[int]:
@@ -171,6 +179,8 @@ def peer_stages(extent: Extent, scratch: Path, with_vtk: bool, with_open3d: bool
     if with_vtk:
         stages.append(Stage("peers-vtk", Kind.VTK, (budget, str(scratch / "peers"), *sizes), 8.0 * extent.repetitions))
     sections = tuple(str(size) for size in section_sizes(extent))
+    # CGAL takes half a minute for a hundred cells of 10 000 triangles.
+    stages.append(Stage("cells-cgal", Kind.CELLS, (str(2 * float(budget)), "10000"), 8.0 * extent.repetitions))
     stages.append(Stage("slicers-cgal", Kind.SLICERS, (budget, *sections), extent.most_triangles / 60_000))
     if with_vtk:
         stages.append(Stage("slicers-vtk", Kind.VTK_SECTIONS, (budget, str(scratch / "slicers"), *sections),

@@ -55,7 +55,7 @@ class Programs:
 
     def of(self, kind: Kind) -> Path:
         return {Kind.BENCH: self.bench, Kind.COMPARE: self.kerf, Kind.VIEWER: self.viewer, Kind.PEERS: self.peers,
-                Kind.VTK: self.vtk, Kind.SLICERS: self.peers, Kind.VTK_SECTIONS: self.vtk_sections,
+                Kind.VTK: self.vtk, Kind.SLICERS: self.peers, Kind.CELLS: self.peers, Kind.VTK_SECTIONS: self.vtk_sections,
                 Kind.OPEN3D_SECTIONS: self.open3d_sections}[kind]
 
 
@@ -130,6 +130,8 @@ class Stages:
             return run_for_json([program, "cgal", *stage.arguments], accepted=(0,))
         if stage.kind == Kind.SLICERS:
             return run_for_json([program, "sections", *stage.arguments], accepted=(0,))
+        if stage.kind == Kind.CELLS:
+            return run_for_json([program, "cells", *stage.arguments], accepted=(0,))
         if stage.kind in SCRIPTS:
             return run_script(self.programs.peers, SCRIPTS[stage.kind], program, stage)
         return run_for_json([program, *stage.arguments], accepted=(0,))

@@ -43,6 +43,7 @@ def whole_measurements():
                    {"mesh": "rook", "triangles": 926, "peer": "cgal_split", "ms": 1.0, "least_ms": 1.0, "most_ms": 1.0,
                     "planes": 5, "right": 0, "verdict": "makes no caps"}]
     add_sections(found)
+    add_fractures(found)
     found.stages = [{"stage": "cuts", "kind": "bench", "date": "2024-02-29 12:00", "commit": "abc", "seconds": 7.0,
                      "command": ["kerf_bench", "^Cut/", "3", "0.01"], "load": [0.5, 1.0]}]
     return found
@@ -108,6 +109,20 @@ def add_sections(found):
                       "least_ms": ms, "most_ms": ms, "planes": 5, "right": 5, "verdict": verdict, "prepare_ms": 9.0}
                      for peer, heights, ms, verdict in (("cgal_slicer", 1, 8.0, "right"),
                                                         ("vtk_cutter", 1000, 9000.0, "segments in no order"))]
+
+
+def add_fractures(found):
+    """Twice the time for ten times the cells, ten times for ten times the triangles; CGAL takes 100 ms a cell."""
+    for backend, factor in (("halfedge", 1.0), ("linear", 0.5)):
+        for triangles in (10_000, 100_000, 1_000_000):
+            for cells, more in ((10, 1), (100, 2), (1000, 4)):
+                found.bench[f"Fracture/{backend}/asteroid/{triangles}/{cells}"] = repeated(
+                    real_time=factor * more * triangles / 10_000, triangles=triangles, cells=cells, pieces=cells,
+                    bonds=5 * cells, contact_area=1.0, piece_triangles=2 * triangles)
+    found.bench["RealFracture/halfedge/sponge/100"] = repeated(
+        real_time=50.0, triangles=9_000, cells=100, pieces=130, bonds=300, contact_area=2.0, piece_triangles=20_000)
+    found.cells = [{"mesh": "asteroid", "triangles": 10_000, "cells": 100, "peer": "cgal_clip", "ms": 100.0, "least_ms": 90.0,
+                    "most_ms": 120.0, "planes": 7, "right": 7, "verdict": "right"}]
 
 
 def add_viewer(found):

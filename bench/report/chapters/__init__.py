@@ -1,11 +1,11 @@
 """The page's chapters, one file each: from measurements to sections of sentences, tables and figures."""
 
-from report.chapters import (caps, chains, distribution, growth, limits, looking, method, models, peers, prepare, proxies,
+from report.chapters import (caps, chains, distribution, fracture, growth, limits, looking, method, models, peers, prepare, proxies,
                              real, summary)
 from report.chapters.section import Facts, Section
 from report.measurements import Measurements
 
-CHAPTERS = (summary, models, growth, real, prepare, caps, chains, proxies, distribution, looking, peers, limits, method)
+CHAPTERS = (summary, models, growth, real, prepare, caps, chains, proxies, distribution, looking, fracture, peers, limits, method)
 
 
 def all_sections(found: Measurements, machine: dict[str, str], facts: Facts) -> list[Section]:
