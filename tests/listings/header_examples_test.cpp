@@ -90,6 +90,21 @@ TEST(HeaderExamples, ASectionIsDrawn)
     EXPECT_GT(svg->bytes().size(), 100u);
 }
 
+TEST(HeaderExamples, PiecesOfAFractureAreThrownAndGlued)
+{
+    const kerf::Object object = *prepare(*make_shape("asteroid", 1000));
+    std::size_t thrown = 0;
+    double glued = 0.0;
+    const auto throw_away = [&](kerf::Object&& piece) { thrown += piece.is_empty() ? 0 : 1; };
+    const auto glue = [&](std::uint32_t first, std::uint32_t second, double area) {
+        EXPECT_LT(first, second);
+        glued += area;
+    };
+#include "examples/kerf_fracture_1.inc"
+    EXPECT_EQ(thrown, broken.count());
+    EXPECT_GT(glued, 0.0);
+}
+
 TEST(HeaderExamples, AFileIsReadAndWhatWasWrongIsPrinted)
 {
     std::string complaint;

@@ -31,7 +31,7 @@ TESTED = {"cpp": "CMakeLists.txt", "cmake": "configure_project.py", "sh": "Comma
 SCRIPTS = {"soak": "tests/soak/soak.py", "world": "tests/world/world.py", "fuzz": "tests/fuzz/run_fuzz.py",
            "compare-speed": "bench/compare", "package-matrix": "tests/package/package_matrix.py"}
 # Commands that are run as they stand: they take a second at most.
-QUICK = {"cut", "info", "section", "dice", "shape", "compare", "convert", "repair"}
+QUICK = {"cut", "info", "section", "dice", "fracture", "shape", "compare", "convert", "repair"}
 
 
 @functools.cache
