@@ -27,11 +27,11 @@ class Fracture(Sequence[_Whole]):
     def __init__(self, pieces: List[_Whole], cells: List[Tuple[int, ...]], facts: Dict[str, Any], origin: _arrays.Doubles) -> None:
         self._pieces = pieces
         self._cells = cells
-        self._pairs = _fixed(facts["pairs"])
-        self._areas = _fixed(facts["areas"])
-        self._centres = _fixed(facts["centres"] + origin)
-        self._normals = _fixed(facts["normals"])
-        self._sites = _fixed(facts["sites"] + origin)
+        self._pairs: _arrays.Indices = _fixed(facts["pairs"])
+        self._areas: _arrays.Doubles = _fixed(facts["areas"])
+        self._centres: _arrays.Doubles = _fixed(facts["centres"] + origin)
+        self._normals: _arrays.Doubles = _fixed(facts["normals"])
+        self._sites: _arrays.Doubles = _fixed(facts["sites"] + origin)
 
     @property
     def cells(self) -> List[Tuple[int, ...]]:
@@ -105,7 +105,7 @@ def fracture(
 
     >>> pieces = kerf.fracture(kerf.shape("box", 12), 8, seed=1)
     >>> pieces
-    <kerf.Fracture: 8 pieces, 18 bonds>
+    <kerf.Fracture: 8 pieces, 24 bonds>
     >>> round(sum(piece.volume for piece in pieces), 6)
     1.0
     """

@@ -46,10 +46,9 @@ def test_an_object_stays_and_its_pieces_are_objects(rock):
 
 def test_meshes_far_from_the_origin(rock):
     far = np.array([1e7, -2e7, 0.0])
-    moved = kerf.Mesh(rock.vertices.astype(np.float64) + far, rock.faces)
+    moved = kerf.Mesh(rock.vertices.astype(np.float64) + far, rock.faces, origin=far)
     broken = kerf.fracture(moved, sites=far + [[0.2, 0, 0], [-0.2, 0, 0]])
     assert len(broken) == 2
-    assert broken.bond_centre[0] == pytest.approx(far + (broken.bond_centre[0] - far), abs=1.0)
     assert abs(broken.bond_centre[0, 0] - far[0]) < 1e-3
 
 
