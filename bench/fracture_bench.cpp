@@ -73,7 +73,8 @@ void register_fracture_benchmarks()
     for (const TimedBackEnd& back_end : back_ends()) {
         if (!is_timed(back_end)) continue;
         for (const std::uint32_t cells : {10u, 100u, 1000u}) {
-            const std::string tail = "/" + std::to_string(cells);
+            std::string tail("/");
+            tail += std::to_string(cells);
             for (const std::uint64_t size : {10'000ull, 100'000ull, 1'000'000ull})
                 register_fracture("Fracture/" + back_end.name + "/asteroid/" + std::to_string(size) + tail,
                                   [&back_end, size, cells](benchmark::State& s) {
