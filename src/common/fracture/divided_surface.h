@@ -17,7 +17,7 @@ namespace kerf::core {
 using PointTriple = std::array<std::uint32_t, 3>;
 
 /// A triangle of the surface, or a part of one.
-struct SurfacePart
+struct PartTriangle
 {
     PointTriple corners;       ///< counter-clockwise, seen from outside
     std::uint32_t source = 0;  ///< the triangle of the mesh that it lies in
@@ -48,8 +48,8 @@ struct SurfacePlace
 struct DividedSurface
 {
     std::vector<glm::vec3> new_points;
-    std::vector<SurfacePlace> places;             ///< of the new points; those that come later do not lie on the mesh
-    std::vector<std::vector<SurfacePart>> parts;  ///< of each cell; their sources ascend
+    std::vector<SurfacePlace> places;              ///< of the new points; those that come later do not lie on the mesh
+    std::vector<std::vector<PartTriangle>> parts;  ///< of each cell; their sources ascend
     /// Where the surface of one cell borders on that of another, as the cap of the first one runs, seen from the second.
     std::map<SitePair, std::vector<PointStep>> borders;
     std::map<SiteTriple, std::vector<Piercing>> piercings;

@@ -18,7 +18,7 @@ namespace {
 struct Shell
 {
     std::uint32_t cell = 0;
-    std::vector<SurfacePart> surface;
+    std::vector<PartTriangle> surface;
     double volume = 0.0;  ///< below 0: a cavity
 };
 
@@ -108,7 +108,7 @@ private:
     void find_shells(std::uint32_t cell)
     {
         sets_.clear();
-        for (const SurfacePart& part : split_.parts[cell]) unite(part.corners);
+        for (const PartTriangle& part : split_.parts[cell]) unite(part.corners);
         for (const std::uint32_t facet : facets_of_[cell]) unite(facets_[facet].corners);
 
         std::vector<std::uint32_t> shell_of(sets_.size(), kNone);
@@ -121,7 +121,7 @@ private:
             }
             return shell;
         };
-        for (const SurfacePart& part : split_.parts[cell]) {
+        for (const PartTriangle& part : split_.parts[cell]) {
             Shell& shell = shells_[shell_at(part.corners[0])];
             shell.surface.push_back(part);
             shell.volume += six_volumes(part.corners) / 6.0;
@@ -163,7 +163,7 @@ private:
     template <class Visit>
     void for_each_triangle(std::uint32_t shell, Visit visit) const
     {
-        for (const SurfacePart& part : shells_[shell].surface) visit(part.corners);
+        for (const PartTriangle& part : shells_[shell].surface) visit(part.corners);
         for (const std::uint32_t number : facets_of_[shells_[shell].cell])
             for (std::size_t side = 0; side < 2; ++side)
                 if (facets_[number].shells[side] == shell) visit(corners_on(facets_[number], side));
@@ -253,7 +253,7 @@ private:
                 fragment.surface = std::move(shells_[s].surface);
             else
                 fragment.surface.insert(fragment.surface.end(), shells_[s].surface.begin(), shells_[s].surface.end());
-            if (!is_first) std::ranges::stable_sort(fragment.surface, {}, &SurfacePart::source);
+            if (!is_first) std::ranges::stable_sort(fragment.surface, {}, &PartTriangle::source);
             fragment.volume += shells_[s].volume;
         }
         add_facets(fragment_at, result);

@@ -20,8 +20,8 @@ struct InsideFacet
 /// A connected part of a solid that was taken apart: of a cell, or of several that were joined.
 struct Fragment
 {
-    std::vector<std::uint32_t> cells;  ///< ascending
-    std::vector<SurfacePart> surface;  ///< their sources ascend
+    std::vector<std::uint32_t> cells;   ///< ascending
+    std::vector<PartTriangle> surface;  ///< their sources ascend
     std::vector<InsideFacet> inside;
     double volume = 0.0;  ///< cubed units of the mesh
 };

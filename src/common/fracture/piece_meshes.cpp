@@ -81,7 +81,7 @@ private:
     void put_together(const Fragment& fragment)
     {
         begin(fragment);
-        for (const SurfacePart& part : fragment.surface) add(part);
+        for (const PartTriangle& part : fragment.surface) add(part);
         for (const InsideFacet& facet : fragment.inside) add(facet);
         piece_.point_count = static_cast<std::uint32_t>(used_points_.size());
         for (const std::uint32_t v : used_vertices_) local_vertex_[v] = kNone;
@@ -232,7 +232,7 @@ private:
         has_thin_triangle_ = has_thin_triangle_ || a == b || b == c || c == a;
     }
 
-    void add(const SurfacePart& part)
+    void add(const PartTriangle& part)
     {
         while (part.source >= mesh_.groups[group_].first + mesh_.groups[group_].count) ++group_;
         const Triangle& triangle = mesh_.triangles[part.source];

@@ -10,11 +10,11 @@ namespace kerf::core {
 /// A closed surface and what it bounds, taken apart.
 struct SplitSolid
 {
-    std::vector<glm::vec3> new_points;            ///< behind those of the mesh
-    std::vector<SurfacePlace> places;             ///< of the first new points: those that lie on the mesh
-    std::vector<std::vector<SurfacePart>> parts;  ///< of the surface, for each site; their sources ascend
-    std::vector<Contact> contacts;                ///< ascending by cells
-    std::uint64_t crossing_triangles = 0;         ///< that lie in several cells
+    std::vector<glm::vec3> new_points;             ///< behind those of the mesh
+    std::vector<SurfacePlace> places;              ///< of the first new points: those that lie on the mesh
+    std::vector<std::vector<PartTriangle>> parts;  ///< of the surface, for each site; their sources ascend
+    std::vector<Contact> contacts;                 ///< ascending by cells
+    std::uint64_t crossing_triangles = 0;          ///< that lie in several cells
 };
 
 /// Takes the solid that a closed surface bounds apart into the cells of sites: each place belongs to the nearest one. The

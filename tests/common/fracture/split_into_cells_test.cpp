@@ -47,7 +47,7 @@ std::vector<std::array<glm::vec3, 3>> shell_of(const SplitSolid& split, const So
         return p < solid.points.size() ? solid.points[p] : split.new_points[p - solid.points.size()];
     };
     std::vector<std::array<glm::vec3, 3>> shell;
-    for (const SurfacePart& part : split.parts[cell])
+    for (const PartTriangle& part : split.parts[cell])
         shell.push_back({at(part.corners[0]), at(part.corners[1]), at(part.corners[2])});
     for (const Contact& contact : split.contacts)
         for (const auto& [a, b, c] : contact.triangles) {
