@@ -8,6 +8,7 @@
 
 #include "api/fracture_referee.h"
 #include "api/objects.h"
+#include "support/brief.h"
 
 namespace kerf {
 namespace {
@@ -210,11 +211,7 @@ TEST_P(FractureTest, PiecesCanBeCutAndBrokenAgain)
 
 TEST(Fracture, AThousandSeedsGiveRightPieces)
 {
-#ifdef KERF_BRIEF_TESTS
-    constexpr std::uint64_t kSeeds = 100;
-#else
-    constexpr std::uint64_t kSeeds = 1000;
-#endif
+    constexpr std::uint64_t kSeeds = test::kBrief ? 100 : 1000;
     const auto back_ends = test::back_end_names();
     std::vector<Object> wholes;
     for (const char* name : {"asteroid", "torus", "menger_sponge", "sphere_in_sphere", "comb"})
