@@ -8,6 +8,7 @@
 
 #include "api/fracture_referee.h"
 #include "api/objects.h"
+#include "support/brief.h"
 #include "support/real_files.h"
 
 namespace kerf {
