@@ -77,7 +77,7 @@ public:
     /// Ascending by pieces. Valid until this is moved from or ends.
     std::span<const FractureBond> bonds() const noexcept;
     /// Of all cells, also those in which nothing of the object lies. Sites that lay badly, on a lattice or a sphere, were
-    /// moved by some millionths of the object's size. Valid as bonds() is.
+    /// moved: by ten millionths of the object's size, or more if that is not enough. Valid as bonds() is.
     std::span<const Vec3d> sites() const noexcept;
 
     /// One without pieces; what is moved from is such a one.

@@ -104,7 +104,8 @@ private:
             return sites;
         }
         core::SitesWanted wanted;
-        wanted.pattern = static_cast<core::FracturePattern>(options_.pattern);
+        const bool is_known = options_.pattern <= FracturePattern::splinters;
+        wanted.pattern = static_cast<core::FracturePattern>(is_known ? options_.pattern : FracturePattern::uniform);
         wanted.count = options_.cells;
         wanted.seed = options_.seed;
         wanted.at = options_.at ? to_core(*options_.at) : object_.bounds().centre();

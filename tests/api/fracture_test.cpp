@@ -71,6 +71,10 @@ TEST_P(FractureTest, TheSameSeedGivesTheSameBytes)
     options.seed = 11;
     Fracture first = kerf::fracture(whole, options), second = kerf::fracture(whole, options);
     EXPECT_EQ(hash_of(first), hash_of(second));
+    options.pattern = static_cast<FracturePattern>(200);
+    Fracture unknown = kerf::fracture(whole, options);
+    EXPECT_EQ(hash_of(first), hash_of(unknown)) << "a number that is no pattern is uniform";
+    options.pattern = FracturePattern::uniform;
     options.seed = 12;
     Fracture other = kerf::fracture(whole, options);
     EXPECT_NE(hash_of(first), hash_of(other));
