@@ -33,7 +33,7 @@ bool GpuWorld::bring(Object& object, std::uint64_t copy)
     render::Arrival& arrival = arrivals_[copy];
     if (!arrival.is_whole && budget_ > 0) {
         const std::uint64_t bytes = store_.bring(object, arrival, budget_, render::Room::to_grow);
-        budget_ -= bytes;
+        budget_ -= std::min(budget_, std::max(bytes, kBytesOfBuffers));
         bytes_of_throws_ += bytes;
     }
     return arrival.is_whole;
@@ -48,7 +48,7 @@ void GpuWorld::bring_whole_bodies(const sim::Simulation& simulation)
 {
     for (const auto& body : simulation.bodies()) {
         const sim::Identity& identity = body->identity();
-        if (identity.parent != 0 || fragments_.contains(body->id())) continue;
+        if (identity.parent != 0 || body->object().is_empty() || fragments_.contains(body->id())) continue;
         if (bring(body->object(), identity.origin.copy)) fragments_[body->id()] = add(simulation, *body);
     }
 }
@@ -58,6 +58,7 @@ void GpuWorld::bring_next(const sim::Simulation& simulation)
     for (const std::size_t model : simulation.scene().next_models())
         if (const auto next = simulation.models().stocked(model, simulation.backend()))
             bring(*next->object, next->copy);
+    for (const sim::WaitingPiece& piece : simulation.waiting_pieces()) bring(*piece.object, piece.key);
 }
 
 std::optional<double> GpuWorld::arriving() const
@@ -76,7 +77,7 @@ GpuWorld::Uploads GpuWorld::upload_new_bodies(const sim::Simulation& simulation,
 
     Uploads uploads;
     for (const auto& body : simulation.bodies()) {
-        if (body->identity().parent == 0 || fragments_.contains(body->id())) continue;
+        if (body->identity().parent == 0 || body->object().is_empty() || fragments_.contains(body->id())) continue;
         core::CpuStopwatch watch;
         const std::uint64_t before = store_.bytes_uploaded();
         render::DrawnFragment& fragment = fragments_[body->id()] = add(simulation, *body);

@@ -28,12 +28,17 @@ struct CutUpload
 /// gone.
 ///
 /// What a cut makes is there at once. What is thrown whole comes bit by bit, kBytesInAFrame each time, and is not drawn
-/// before all of it is there; what the scene will throw next (Scene::next_models()) comes ahead of its throw.
+/// before all of it is there; what the scene will throw next (Scene::next_models()) comes ahead of its throw, and the
+/// pieces of what is being broken ahead of the moment in which they take its place.
 class GpuWorld
 {
 public:
     /// Of whole objects, in one sync(): a millisecond of copying. A giant of four million triangles takes 28 of them.
     static constexpr std::uint64_t kBytesInAFrame = 4u << 20;
+
+    /// To make buffers takes as long as to copy so much. More small objects than kBytesInAFrame has room for, the pieces of
+    /// what breaks, come in several frames.
+    static constexpr std::uint64_t kBytesOfBuffers = 64u << 10;
 
     explicit GpuWorld(render::LookTable& looks) : store_(looks) {}
 
@@ -46,7 +51,7 @@ public:
 
     /// One for each of Simulation::cuts().
     const std::vector<CutUpload>& cut_uploads() const { return cut_uploads_; }
-    /// What was uploaded for no cut: objects as they were thrown. With cut_uploads() this is all that was uploaded.
+    /// What was uploaded for no cut: objects as they were thrown, and pieces of what broke. With cut_uploads() this is all that was uploaded.
     std::uint64_t bytes_of_throws() const { return bytes_of_throws_; }
     /// The most that one sync() uploaded of whole objects.
     std::uint64_t most_bytes_of_throws() const { return most_bytes_of_throws_; }

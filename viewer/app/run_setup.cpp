@@ -40,12 +40,14 @@ void add_thrown_models(RunSetup& setup, const Options& options)
     if (setup.models->empty()) throw core::io::FileError(setup.messages.front());
 }
 
-/// Runs in fixed steps must not depend on how fast a thread is, and recordings say themselves when a giant came.
-game::GiantArrival arrival_for(const Options& options, const sim::Script& script)
+/// Runs in fixed steps must not depend on how fast a thread is, and recordings say themselves when something was ready.
+sim::Handover handover_for(const Options& options, const sim::Script& script)
 {
     for (const sim::InputEvent& event : script.events)
-        if (event.kind == sim::InputKind::command && event.text == "show") return game::GiantArrival::on_command;
-    return options.headless || options.frames > 0 ? game::GiantArrival::at_once : game::GiantArrival::when_ready;
+        if (event.kind == sim::InputKind::command && (event.text == "show" || event.text.starts_with("break ")))
+            return sim::Handover::on_command;
+    return options.headless || options.frames > 0 ? sim::Handover::at_once
+                                                                                            : sim::Handover::when_ready;
 }
 
 }  // namespace
@@ -79,7 +81,7 @@ RunSetup read_run_setup(const Options& options)
         const std::string size = "size " + std::to_string(options.giant);
         setup.script.events.insert(setup.script.events.begin(), {1, sim::InputKind::command, {}, size});
     }
-    setup.arrival = arrival_for(options, setup.script);
+    setup.handover = setup.settings.breaks = handover_for(options, setup.script);
 
     setup.models = std::make_shared<sim::ModelLibrary>();
     if (settings.scene == "report" || settings.scene == "section") {

@@ -6,18 +6,10 @@
 
 #include "viewer/game/giant_maker.h"
 #include "viewer/game/giant_sizes.h"
+#include "viewer/sim/handover.h"
 #include "viewer/sim/scene.h"
 
 namespace kerf::game {
-
-/// When a giant that was asked for appears.
-enum class GiantArrival : std::uint8_t
-{
-    at_once,  ///< in the next tick, which waits for it: without a window, so that no tick depends on a thread's speed
-    when_ready,  ///< when the thread is done and all of it is on the graphics card: nothing waits. The scene gives
-                 ///< itself the command `show`, which is recorded
-    on_command,  ///< by the command `show`, which waits: when a recording is played
-};
 
 /// All that a display shows of the scene.
 struct GiantState
@@ -33,13 +25,14 @@ struct GiantState
 /// An asteroid of as many triangles as one likes, held before the camera, slowly turning, to be cut again and again.
 /// The heaviest piece is held, the others sink. When little is left of it, or after `next`, the next one rises.
 ///
-/// Commands: `size N` asks for another number of triangles, `next` for a new asteroid, `show`: see GiantArrival.
+/// Commands: `size N` asks for another number of triangles, `next` for a new asteroid, `show`: see
+/// sim::Handover.
 class GiantScene : public sim::Scene
 {
 public:
     static constexpr std::int64_t kTriangles = 100'000;  ///< when nobody asks for another number
 
-    GiantScene(std::shared_ptr<sim::ModelLibrary> models, GiantArrival arrival);
+    GiantScene(std::shared_ptr<sim::ModelLibrary> models, sim::Handover handover);
 
     std::string_view name() const override { return "giant"; }
     double gravity() const override;
@@ -60,7 +53,7 @@ private:
     void hold(sim::Simulation& simulation);
 
     GiantMaker maker_;
-    GiantArrival arrival_;
+    sim::Handover handover_;
     std::int64_t triangles_ = kTriangles;
     std::string backend_;        ///< that the last request was for
     bool is_expected_ = false;   ///< a giant was asked for and is not there yet

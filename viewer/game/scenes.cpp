@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "viewer/game/game_scene.h"
+#include "viewer/game/giant_scene.h"
 
 namespace kerf::game {
 
@@ -22,7 +23,7 @@ std::unique_ptr<sim::Scene> make_scene(std::string_view name, const std::shared_
 {
     if (const std::optional<GameMode> mode = find_mode(name))
         return std::make_unique<GameScene>(*mode, *models, options.best);
-    if (name == "giant") return std::make_unique<GiantScene>(models, options.arrival);
+    if (name == "giant") return std::make_unique<GiantScene>(models, options.handover);
     std::unique_ptr<sim::Scene> scene = sim::make_scene(name);
     if (!scene) throw std::invalid_argument("there is no scene '" + std::string(name) + "'");
     return scene;

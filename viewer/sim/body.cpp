@@ -11,19 +11,10 @@
 #include "common/support/stopwatch.h"
 #include "viewer/sim/body_proxies.h"
 #include "viewer/sim/bullet_glm.h"
+#include "viewer/sim/cluster.h"
+#include "viewer/sim/rigid_body.h"
 
 namespace kerf::sim {
-namespace {
-
-/// What the solver is told at least, kg and kg m^2: the inverse of a splinter's mass must stay a sensible float beside
-/// that of a whole object. Only contacts see it; velocities and momentum go by the real mass.
-constexpr double kLightestForSolver = 1e-3;
-constexpr double kLeastMomentForSolver = 1e-7;
-
-/// Bounce and friction of contacts: wood on wood.
-constexpr btScalar kRestitution = 0.3f, kFriction = 0.5f;
-
-}  // namespace
 
 Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
            ProxyKind proxy)
@@ -45,16 +36,10 @@ Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose&
 void Body::embody(CollisionProxy proxy, const MeshPose& pose, const Motion& motion)
 {
     proxy_ = std::make_unique<ProxyShape>(std::move(proxy), solid_.centre, solid_.axes, identity_.origin.scale);
-    const glm::dvec3 moments = glm::max(solid_.moments, glm::dvec3(kLeastMomentForSolver));
-    btRigidBody::btRigidBodyConstructionInfo info(btScalar(std::max(solid_.mass, kLightestForSolver)), nullptr,
-                                                  &proxy_->shape(), to_bullet(moments));
-    info.m_startWorldTransform =
-        btTransform(to_bullet(pose.rotation * solid_.axes), to_bullet(pose.to_world(solid_.centre)));
-    info.m_restitution = kRestitution;
-    info.m_friction = kFriction;
-    rigid_ = std::make_unique<btRigidBody>(info);
+    rigid_ =
+        make_rigid_body({solid_.mass, solid_.moments}, proxy_->shape(),
+                        btTransform(to_bullet(pose.rotation * solid_.axes), to_bullet(pose.to_world(solid_.centre))));
     set_motion(motion);
-    rigid_->setActivationState(DISABLE_DEACTIVATION);
     rigid_->setUserPointer(this);
     remember_pose();
 }
@@ -72,11 +57,13 @@ MeshPose Body::mesh_pose(const glm::dvec3& centre, const glm::dmat3& rotation) c
 
 MeshPose Body::pose() const
 {
+    if (cluster_ != nullptr) return cluster_->pose();
     return mesh_pose(centre(), to_glm(rigid_->getCenterOfMassTransform().getBasis()));
 }
 
 MeshPose Body::pose_at(double fraction) const
 {
+    if (cluster_ != nullptr) return cluster_->pose_at(fraction);
     if (fraction >= 1.0) return pose();
     const glm::dquat from = glm::quat_cast(last_rotation_);
     const glm::dquat to = glm::quat_cast(to_glm(rigid_->getCenterOfMassTransform().getBasis()));
@@ -91,6 +78,13 @@ glm::dvec3 Body::centre() const
 Motion Body::motion() const
 {
     return {to_glm(rigid_->getLinearVelocity()), to_glm(rigid_->getAngularVelocity())};
+}
+
+void Body::be_carried(const MeshPose& pose, const glm::dvec3& centre, const Motion& motion)
+{
+    const glm::dvec3 here = pose.to_world(solid_.centre);
+    rigid_->setCenterOfMassTransform(btTransform(to_bullet(pose.rotation * solid_.axes), to_bullet(here)));
+    set_motion({motion.velocity + glm::cross(motion.spin, here - centre), motion.spin});
 }
 
 void Body::set_motion(const Motion& motion)
@@ -111,6 +105,17 @@ glm::dvec3 Body::angular_momentum(const glm::dvec3& about) const
 {
     const Motion m = motion();
     return world_inertia() * m.spin + glm::cross(centre() - about, solid_.mass * m.velocity);
+}
+
+void Body::push(const glm::dvec3& place, const glm::dvec3& impulse)
+{
+    sim::push(*rigid_, place, impulse);
+}
+
+void Body::add_recent_cut(const RecentCut& cut, Tick now)
+{
+    std::erase_if(identity_.recent_cuts, [now](const RecentCut& old) { return old.until <= now; });
+    identity_.recent_cuts.push_back(cut);
 }
 
 bool Body::are_siblings(const Body& a, const Body& b, Tick now)

@@ -18,6 +18,8 @@ class btRigidBody;
 
 namespace kerf::sim {
 
+class Cluster;
+
 /// Counts up from 1 in the order in which objects appear; the same script gives the same ids.
 using ObjectId = std::uint64_t;
 
@@ -100,6 +102,8 @@ public:
     glm::dvec3 centre() const;  ///< of mass, in the world, metres
     Motion motion() const;
     void set_motion(const Motion& motion);
+    /// Deals it an impulse at a place of the world, N s.
+    void push(const glm::dvec3& place, const glm::dvec3& impulse);
     /// Inertia tensor about the centre in world axes, kg m^2.
     glm::dmat3 world_inertia() const;
     /// About a point of the world: spin and orbit together, kg m^2/s.
@@ -112,6 +116,14 @@ public:
     bool is_entering() const { return is_entering_; }
     void set_entering(bool entering) { is_entering_ = entering; }
 
+    /// What it is a part of, and moves with; null: it moves by itself. The world's business (World::bind()).
+    Cluster* cluster() const { return cluster_; }
+    void set_cluster(Cluster* cluster) { cluster_ = cluster; }
+    /// Moves it as a part of what has this pose, and this motion about `centre`.
+    void be_carried(const MeshPose& pose, const glm::dvec3& centre, const Motion& motion);
+
+    /// From now on a sibling of all pieces of that cut. Forgets those that have run out.
+    void add_recent_cut(const RecentCut& cut, Tick now);
     /// True when both come from one cut that is younger than kSiblingTicks.
     static bool are_siblings(const Body& a, const Body& b, Tick now);
 
@@ -135,6 +147,7 @@ private:
     std::unique_ptr<btRigidBody> rigid_;
     std::uint32_t missed_swipe_ = 0;
     bool is_entering_ = false;
+    Cluster* cluster_ = nullptr;
     glm::dvec3 last_centre_{0.0};
     glm::dmat3 last_rotation_{1.0};
 };

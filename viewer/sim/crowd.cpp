@@ -39,11 +39,11 @@ Crowd::Crowd(const World& world)
     for (const std::unique_ptr<Body>& body : world.bodies()) boxes_.push_back(world_box(*body));
 }
 
-bool Crowd::is_thick_at(const WorldBox& box) const
+bool Crowd::is_thick_at(const WorldBox& box, std::size_t many) const
 {
     const auto neighbours =
         std::count_if(boxes_.begin(), boxes_.end(), [&](const WorldBox& other) { return box.overlaps(other); });
-    return std::size_t(neighbours) >= kMostNeighbours;
+    return std::size_t(neighbours) >= many;
 }
 
 }  // namespace kerf::sim

@@ -29,8 +29,8 @@ public:
 
     std::size_t size() const { return boxes_.size(); }
     void add(const WorldBox& box) { boxes_.push_back(box); }
-    /// Whether so many boxes as kMostNeighbours overlap this one. O(size()).
-    bool is_thick_at(const WorldBox& box) const;
+    /// Whether so many boxes overlap this one. O(size()).
+    bool is_thick_at(const WorldBox& box, std::size_t many = kMostNeighbours) const;
 
 private:
     std::vector<WorldBox> boxes_;

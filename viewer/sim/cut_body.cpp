@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "common/support/cpu_stopwatch.h"
 #include "common/support/stopwatch.h"
 #include "viewer/sim/cap_area.h"
-#include "viewer/sim/crowd.h"
 #include "viewer/sim/parting.h"
+#include "viewer/sim/piece_choice.h"
 #include "viewer/sim/surface_hash.h"
 
 namespace kerf::sim {
@@ -76,44 +75,6 @@ Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
         if (cut.until > record.tick) heir.recent_cuts.push_back(cut);
     heir.recent_cuts.push_back({record.number, record.tick + kSiblingTicks});
     return heir;
-}
-
-struct Choice
-{
-    std::vector<bool> stays;  ///< for each piece
-    std::size_t crowded = 0;  ///< that do not stay because of the crowd where they are
-};
-
-/// Which pieces become bodies: the heaviest, the earlier of equal ones, as many as the world has room for, and none but
-/// the heaviest where kMostNeighbours are.
-Choice choose_heaviest(const std::vector<Piece>& pieces, const MeshPose& pose, const World& world)
-{
-    const std::size_t others = world.bodies().size();
-    const std::size_t room = std::max<std::size_t>(kMostBodies - std::min(kMostBodies, others), 2);
-    std::vector<std::size_t> order(pieces.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const double first = pieces[a].solid.mass, second = pieces[b].solid.mass;
-        return first > second || (first == second && a < b);
-    });
-    Choice choice;
-    choice.stays.resize(pieces.size(), false);
-    if (others + std::min(room, pieces.size()) <= kMostNeighbours + 1) {
-        for (std::size_t i = 0; i < std::min(room, order.size()); ++i) choice.stays[order[i]] = true;
-        return choice;
-    }
-    Crowd crowd(world);
-    for (const std::size_t i : order) {
-        if (crowd.size() >= others + room) break;
-        const WorldBox box = world_box(pieces[i].box, pose);
-        if (crowd.size() > others && crowd.is_thick_at(box)) {
-            ++choice.crowded;
-            continue;
-        }
-        choice.stays[i] = true;
-        crowd.add(box);
-    }
-    return choice;
 }
 
 void hash_surfaces(const World& world, CutRecord& record)
@@ -189,7 +150,9 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
     part_ways(body.centre(), body.motion(), placed.normal, placed.point, parts);
 
     const std::unique_ptr<Body> parent = world.remove(id);
-    const Choice choice = choose_heaviest(pieces, pose, world);
+    std::vector<Candidate> candidates;
+    for (const Piece& piece : pieces) candidates.push_back({piece.solid.mass, world_box(piece.box, pose)});
+    const PieceChoice choice = choose_heaviest(candidates, world);
     record.crowded = choice.crowded;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Piece& piece = pieces[i];

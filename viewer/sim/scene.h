@@ -1,11 +1,15 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "viewer/sim/body.h"
+#include "viewer/sim/breaking/break_log.h"
+#include "viewer/sim/breaking/breaking.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/state_hash.h"
 #include "viewer/sim/world.h"
@@ -31,6 +35,19 @@ public:
     /// Once a tick, after physics and before the blade.
     virtual void tick(Simulation& simulation) = 0;
     virtual void on_cut(Simulation&, const CutRecord&) {}
+
+    /// How the blade breaks an object that it meets; empty: it cuts it.
+    virtual std::optional<Breaking> smashes(const Body&) const { return std::nullopt; }
+    /// How an object breaks that is whole and was dealt so large an impulse by another one, N s; empty: it does not.
+    virtual std::optional<Breaking> crashes(const Body&, double /*impulse*/) const { return std::nullopt; }
+    /// The least impulse that clusters and crashes() are told of, N s.
+    virtual double least_impact() const { return 1.0; }
+    /// Whether presses are blows of the scene's own; then the pointer is no blade.
+    virtual bool takes_presses() const { return false; }
+    virtual void on_press(Simulation&, const glm::dvec2& /*place*/) {}
+    /// An object was taken apart, or could not be.
+    virtual void on_broken(Simulation&, const BreakRecord&) {}
+
     /// `body` has left the stage and is freed after this call.
     virtual void on_gone(Simulation&, const Body&) {}
     /// A command of the scene's own; false: it has none of that name.

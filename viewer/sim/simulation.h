@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "viewer/sim/blade.h"
+#include "viewer/sim/breaking/breaker.h"
 #include "viewer/sim/camera.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/cutting_plane.h"
+#include "viewer/sim/handover.h"
 #include "viewer/sim/input_queue.h"
 #include "viewer/sim/model_library.h"
 #include "viewer/sim/scene.h"
@@ -28,6 +30,14 @@ struct Settings
     std::uint64_t seed = 1;
     bool hash_surfaces = false;  ///< fill in surface hashes, measure caps: O(n) for each cut, off the timed path
     bool record = false;         ///< keep what is pushed, for recording()
+    Handover breaks = Handover::at_once;  ///< when the pieces of what is broken are there
+};
+
+/// A piece that is ready and not yet a body: it is brought onto the graphics card meanwhile.
+struct WaitingPiece
+{
+    Object* object = nullptr;
+    std::uint64_t key = 0;  ///< BrokenPiece::key
 };
 
 /// A run: world, blade and scene in one, in ticks. It does not know of time on the wall, windows or graphics; the same
@@ -37,7 +47,7 @@ struct Settings
 /// the blade against every object at once.
 ///
 /// Commands (InputKind::command; command() now): `backend NAME`, `proxy KIND`, `gesture NAME` for what is thrown from
-/// now on, and those of the scene.
+/// now on, `break ID` (Handover), and those of the scene.
 class Simulation
 {
 public:
@@ -78,6 +88,13 @@ public:
 
     /// All cuts since the start, oldest first.
     const std::vector<CutRecord>& cuts() const { return cuts_; }
+    /// All objects that were taken apart since the start, and all that blows broke of bonds, oldest first.
+    const std::vector<BreakRecord>& breaks() const { return breaks_; }
+    const std::vector<CrackRecord>& cracks() const { return cracks_; }
+    /// Whether it was struck and is being taken apart: nothing can be done to it meanwhile.
+    bool is_breaking(ObjectId id) const;
+    /// Pieces that are ready and not yet in the world.
+    std::vector<WaitingPiece> waiting_pieces() const;
     /// What Settings::hash_surfaces has cost since the start, time of this thread on a processor: no part of a game.
     double check_cpu_ms() const { return check_cpu_ms_; }
     /// Whether any two bodies have touched since the start.
@@ -101,6 +118,11 @@ public:
                           const Motion& motion);
     /// Makes an object move otherwise from now on. False: there is none of that id.
     bool move_object(ObjectId id, const Motion& motion);
+    /// Strikes an object. One that is whole is taken apart on a thread, and drawn whole until its pieces are there
+    /// (Settings::breaks); of a cluster bonds break at once.
+    void strike(ObjectId id, const Blow& blow, const Breaking& how, std::uint32_t swipe = 0);
+    /// Pushes an object, as a blow does that breaks nothing.
+    void push_object(ObjectId id, const Blow& blow);
     /// The last throw; empty before the first.
     std::optional<Throw> last_throw() const { return last_throw_; }
     /// A number for the n-th decision of a scene.
@@ -114,6 +136,24 @@ private:
     std::string_view waiting_argument(std::string_view verb) const;
     void swing(const BladeSegment& segment);
     void cut(Body& body, const WorldPlane& plane, std::uint32_t swipe);
+    void smash(Body& body, const BladeSegment& segment, const WorldPlane& plane, const Breaking& how);
+    void crack(Cluster& cluster, const Blow& blow, double speed);
+    void take_impacts();
+    void settle_breaks();
+    void finish_break(ObjectId id);
+
+    /// An object that is being taken apart.
+    struct PendingBreak
+    {
+        ObjectId object = 0;
+        Tick struck = 0;
+        Breaking how;
+        glm::dvec3 impulse{0.0};
+        bool pushes = true;
+        std::uint32_t swipe = 0;
+        std::shared_ptr<BreakJob> job;
+        bool is_announced = false;  ///< the command that finishes it is on its way
+    };
 
     std::shared_ptr<ModelLibrary> models_;
     Settings settings_;
@@ -124,6 +164,11 @@ private:
     ProxyKind proxy_;
     InputQueue input_;
     std::vector<CutRecord> cuts_;
+    std::vector<BreakRecord> breaks_;
+    std::vector<CrackRecord> cracks_;
+    std::vector<PendingBreak> pending_;  ///< in the order of the blows
+    std::uint64_t partings_ = 0;         ///< breaks and cracks so far
+    Breaker breaker_;
     std::optional<Throw> last_throw_;
     std::string message_;
     ObjectId last_id_ = 0;
