@@ -74,6 +74,10 @@ render::FlyingSprite sprite_of(const effects::Drop& drop)
             sprite.kind = render::FlyingSprite::mist;
             sprite.opacity = 0.34f * drop.left() * drop.left();
             break;
+        case effects::DropKind::crumb:
+            sprite.kind = render::FlyingSprite::crumb;
+            sprite.opacity = std::min(6.0f * drop.left(), 1.0f);
+            break;
     }
     return sprite;
 }

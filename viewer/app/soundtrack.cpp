@@ -1,4 +1,4 @@
-#include "viewer/app/game/soundtrack.h"
+#include "viewer/app/soundtrack.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +70,26 @@ void Soundtrack::follow(const sim::Simulation& simulation, sound::Speaker& speak
         if (cut.pieces.empty()) continue;
         speaker.play(Sound::splat, {0.9, varied(cut.number), pan_of(cut.centre.x)});
     }
+    follow_breaks(simulation, speaker);
     follow_blade(simulation, speaker);
     follow_game(simulation, speaker);
+}
+
+/// A crack for a few bonds, a heap that comes down for many; the more, the louder.
+void Soundtrack::follow_breaks(const sim::Simulation& simulation, sound::Speaker& speaker)
+{
+    constexpr std::size_t kHeap = 8;     // parts
+    constexpr double kManyBonds = 60.0;  // as loud as it gets
+    const std::vector<sim::CrackRecord>& cracks = simulation.cracks();
+    for (; cracks_seen_ < cracks.size(); ++cracks_seen_) {
+        const sim::CrackRecord& crack = cracks[cracks_seen_];
+        const double pan = pan_of(crack.place.x), share = std::min(1.0, double(crack.bonds) / kManyBonds);
+        if (crack.bonds == 0)
+            speaker.play(Sound::thud, {0.9, varied(cracks_seen_), pan});
+        else
+            speaker.play(crack.parts >= kHeap ? Sound::shatter : Sound::crack,
+                         {0.45 + 0.55 * std::sqrt(share), varied(cracks_seen_), pan});
+    }
 }
 
 void Soundtrack::follow_blade(const sim::Simulation& simulation, sound::Speaker& speaker)

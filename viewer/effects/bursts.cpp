@@ -125,6 +125,33 @@ void add_explosion(const glm::vec3& centre, std::uint64_t seed, Drops& drops)
     }
 }
 
+void add_dust(const Dust& dust, Drops& drops)
+{
+    Dice dice(dust.seed);
+    const float strength = std::clamp(dust.strength, 0.0f, 1.0f);
+    for (int i = 0; i < static_cast<int>(6.0f + 26.0f * strength); ++i) {
+        Drop cloud;
+        cloud.kind = DropKind::mist;
+        cloud.place = dust.centre + 0.8f * dust.size * dice.direction();
+        cloud.velocity = 0.6f * dust.velocity + dice.between(0.4f, 2.2f) * dice.direction();
+        cloud.size = dust.size * dice.between(0.12f, 0.3f);
+        cloud.life = dice.between(0.35f, 0.9f);
+        cloud.colour = varied(dice, dust.colour);
+        drops.add(cloud);
+    }
+    for (int i = 0; i < static_cast<int>(10.0f + 60.0f * strength); ++i) {
+        Drop crumb;
+        crumb.kind = DropKind::crumb;
+        crumb.place = dust.centre + dust.size * dice.direction();
+        crumb.velocity = 0.8f * dust.velocity + dice.between(0.8f, 4.5f) * dice.direction();
+        const float share = dice.between(0.0f, 1.0f);
+        crumb.size = dust.size * (0.012f + 0.04f * share * share * share);
+        crumb.life = dice.between(0.6f, 1.5f);
+        crumb.colour = varied(dice, 0.8f * dust.colour);
+        drops.add(crumb);
+    }
+}
+
 void add_fuse_sparks(const glm::vec3& tip, std::uint64_t seed, Drops& drops)
 {
     Dice dice(seed);

@@ -32,6 +32,18 @@ void add_sparkle(const glm::vec3& centre, const glm::vec3& colour, std::uint64_t
 /// A bomb: fire and smoke.
 void add_explosion(const glm::vec3& centre, std::uint64_t seed, Drops& drops);
 
+/// What leaves where something breaks: dust, and crumbs that fall.
+struct Dust
+{
+    std::uint64_t seed = 0;
+    glm::vec3 centre{0.0f};
+    glm::vec3 velocity{0.0f};  ///< of the object
+    glm::vec3 colour{1.0f};    ///< linear
+    float size = 1.0f;         ///< radius of what it comes from
+    float strength = 1.0f;     ///< 1: all of it broke, 0: nothing did
+};
+void add_dust(const Dust& dust, Drops& drops);
+
 /// What glows at the end of a fuse: a spark or two each tick.
 void add_fuse_sparks(const glm::vec3& tip, std::uint64_t seed, Drops& drops);
 

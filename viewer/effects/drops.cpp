@@ -28,6 +28,8 @@ Behaviour behaviour_of(DropKind kind)
             return {-0.9f, 2.2f, 0.9f};
         case DropKind::mist:
             return {2.0f, 4.0f, 1.3f};
+        case DropKind::crumb:
+            return {9.81f, 0.4f, 0.0f};
     }
     return {};
 }

@@ -16,7 +16,8 @@ enum class DropKind : std::uint8_t
     juice,  ///< falls, and stains the wall that it meets
     spark,  ///< glows, is slowed down by the air
     smoke,  ///< rises, grows, thins out
-    mist,   ///< juice too fine for drops: stands, grows, thins out
+    mist,   ///< juice too fine for drops, or dust: stands, grows, thins out
+    crumb,  ///< falls, and stops at the wall
 };
 
 /// One of the many small things that fly about. World units and seconds.

@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kOutlinePoints = 96;
 constexpr float kFlashFades = 2.2f;  // of the flash in a second
 constexpr float kSlowScale = 0.35f;
-constexpr float kSmallestStain = 0.025f;  // radius of the drop, world units
+constexpr glm::vec3 kDust{0.46f, 0.43f, 0.39f};  // linear
+constexpr float kSmallestStain = 0.025f;         // radius of the drop, world units
 
 // sRGB, as text is drawn.
 constexpr glm::vec3 kWhite{1.0f, 0.98f, 0.92f}, kGold{1.0f, 0.82f, 0.25f}, kRed{1.0f, 0.28f, 0.22f},
@@ -71,6 +72,10 @@ void Effects::follow(const sim::Simulation& simulation)
 {
     const std::vector<sim::CutRecord>& cuts = simulation.cuts();
     for (; cuts_seen_ < cuts.size(); ++cuts_seen_) take_cut(simulation, cuts[cuts_seen_]);
+    for (; breaks_seen_ < simulation.breaks().size(); ++breaks_seen_)
+        take_break(simulation, simulation.breaks()[breaks_seen_]);
+    for (; cracks_seen_ < simulation.cracks().size(); ++cracks_seen_)
+        take_crack(simulation, simulation.cracks()[cracks_seen_]);
     if (const game::GameScene* const played = game::game_of(simulation.scene()))
         for (; events_seen_ < played->events().size(); ++events_seen_)
             take_event(played->events()[events_seen_], played->state().lives_at_start);
@@ -110,6 +115,40 @@ void Effects::take_cut(const sim::Simulation& simulation, const sim::CutRecord& 
     // A small section bleeds little.
     splash.strength = std::clamp(splash.size / 0.6f, 0.1f, 1.2f);
     add_splash(splash, drops_, stains_);
+}
+
+/// Fruit bleeds; everything else is left to its cracks.
+void Effects::take_break(const sim::Simulation& simulation, const sim::BreakRecord& broken)
+{
+    const game::Fruit* const fruit = fruit_of_model(simulation.models().model(broken.model).name);
+    if (fruit == nullptr || broken.pieces.empty()) return;
+    Splash splash;
+    splash.seed = (broken.number << 20) + 0x51CEu * simulation.settings().seed;
+    splash.centre = glm::vec3(broken.centre);
+    splash.colour = fruit->juice;
+    splash.size = 0.8f * static_cast<float>(broken.radius);
+    if (const sim::Body* const piece = simulation.world().find(broken.pieces.front()))
+        splash.velocity = glm::vec3(piece->motion().velocity);
+    constexpr auto kEye = static_cast<float>(sim::kEyeDistance);
+    splash.behind = glm::vec2(splash.centre) * (kEye - kWallZ) / (kEye - splash.centre.z);
+    add_splash(splash, drops_, stains_);
+    shake_.hit(0.2f);
+}
+
+/// Dust where bonds broke, from all of an object that fell apart.
+void Effects::take_crack(const sim::Simulation& simulation, const sim::CrackRecord& crack)
+{
+    if (crack.bonds == 0 || fruit_of_model(simulation.models().model(crack.model).name) != nullptr) return;
+    // So many bonds are all that one sees.
+    constexpr float kMany = 150.0f;
+    Dust dust;
+    dust.seed = std::uint64_t(crack.tick) * 131 + crack.bonds;
+    dust.centre = glm::vec3(crack.place);
+    dust.colour = kDust;
+    dust.strength = std::sqrt(std::min(1.0f, static_cast<float>(crack.bonds) / kMany));
+    dust.size = static_cast<float>(crack.radius) * (0.25f + 0.4f * dust.strength);
+    add_dust(dust, drops_);
+    shake_.hit(0.12f + 0.25f * dust.strength);
 }
 
 void Effects::say(const glm::dvec2& place, std::string text, const glm::vec3& colour, float size, float life)

@@ -34,6 +34,8 @@ public:
 
 private:
     void take_cut(const sim::Simulation& simulation, const sim::CutRecord& cut);
+    void take_break(const sim::Simulation& simulation, const sim::BreakRecord& broken);
+    void take_crack(const sim::Simulation& simulation, const sim::CrackRecord& crack);
     void take_event(const game::GameEvent& event, std::int64_t lives_at_start);
     void step(const sim::Simulation& simulation);
     void say(const glm::dvec2& place, std::string text, const glm::vec3& colour, float size, float life = 1.1f);
@@ -44,7 +46,7 @@ private:
     Shake shake_;
     float flash_ = 0.0f;
     float slowed_ = 0.0f;  ///< seconds of simulation time for which it stays slow
-    std::size_t cuts_seen_ = 0, events_seen_ = 0;
+    std::size_t cuts_seen_ = 0, breaks_seen_ = 0, cracks_seen_ = 0, events_seen_ = 0;
     sim::Tick now_ = 0;
     std::vector<WallHit> hits_;
 };

@@ -18,7 +18,8 @@ struct FlyingSprite
         juice,  ///< wet, lit, a little translucent
         spark,  ///< glows
         smoke,
-        mist,  ///< juice too fine to see its drops
+        mist,   ///< juice too fine to see its drops, or dust
+        crumb,  ///< a chip with faces
     };
 
     glm::vec3 place{0.0f};    ///< world

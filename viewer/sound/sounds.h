@@ -22,11 +22,14 @@ enum class Sound : std::uint8_t
     tick,        ///< a second of the last ten
     start,       ///< a game begins
     game_over,
-    click,  ///< a button
+    click,    ///< a button
+    crack,    ///< bonds of something broke
+    shatter,  ///< something fell into many pieces
 };
-inline constexpr std::array kAllSounds{Sound::swish, Sound::splat, Sound::thud,      Sound::miss,   Sound::fuse,
-                                       Sound::bomb,  Sound::chime, Sound::sparkle,   Sound::freeze, Sound::extra_life,
-                                       Sound::tick,  Sound::start, Sound::game_over, Sound::click};
+inline constexpr std::array kAllSounds{Sound::swish,     Sound::splat,      Sound::thud,  Sound::miss,
+                                       Sound::fuse,      Sound::bomb,       Sound::chime, Sound::sparkle,
+                                       Sound::freeze,    Sound::extra_life, Sound::tick,  Sound::start,
+                                       Sound::game_over, Sound::click,      Sound::crack, Sound::shatter};
 
 /// "swish", "game_over".
 std::string_view name_of(Sound sound);

@@ -213,6 +213,58 @@ Samples click()
     return generated(0.06, [&](double t) { return struck(t, 0.001, 0.010) * sine.next(1150.0 - 4000.0 * t); });
 }
 
+/// Stone that gives way: a dry snap, a few more behind it, and a short thump below.
+Samples crack()
+{
+    constexpr double kLength = 0.30;
+    Noise noise(67);
+    Filter snap(kSampleRate);
+    Sine body(kSampleRate);
+    Samples sound = generated(kLength, [&](double t) {
+        snap.put(noise.next(), 1100.0 + 5200.0 * std::exp(-t / 0.012), 1.3);
+        return 1.3 * struck(t, 0.0006, 0.014) * snap.band() +
+               0.5 * struck(t, 0.002, 0.045) * body.next(95.0 + 160.0 * std::exp(-t / 0.02));
+    });
+    for (int i = 0; i < 5; ++i) {
+        const double start = 0.015 + 0.12 * noise.unit(), pitch = 1500.0 + 3200.0 * noise.unit();
+        Filter ring(kSampleRate);
+        add(sound,
+            generated(0.05,
+                      [&](double t) {
+                          ring.put(noise.next(), pitch, 4.0);
+                          return struck(t, 0.0006, 0.008) * ring.band();
+                      }),
+            start, 0.5);
+    }
+    sound.resize(static_cast<std::size_t>(kLength * kSampleRate));
+    return sound;
+}
+
+/// A heap that comes down: the crack, then many small knocks of all pitches, ever fewer.
+Samples shatter()
+{
+    constexpr double kLength = 1.1;
+    constexpr int kKnocks = 46;
+    Samples sound = crack();
+    sound.resize(static_cast<std::size_t>(kLength * kSampleRate));
+    Noise noise(71);
+    for (int i = 0; i < kKnocks; ++i) {
+        const double share = noise.unit();
+        const double start = 0.02 + 0.95 * share * share, pitch = 500.0 + 3600.0 * noise.unit() * noise.unit();
+        Filter knock(kSampleRate);
+        Noise grain(100 + std::uint64_t(i));
+        add(sound,
+            generated(0.07,
+                      [&](double t) {
+                          knock.put(grain.next(), pitch, 7.0);
+                          return struck(t, 0.0008, 0.012) * knock.band();
+                      }),
+            start, 0.75 * (1.0 - share) + 0.1);
+    }
+    sound.resize(static_cast<std::size_t>(kLength * kSampleRate));
+    return sound;
+}
+
 struct Recipe
 {
     Samples samples;
@@ -250,6 +302,10 @@ Recipe recipe(Sound sound)
             return {melody({{0.0, kA4, 0.9, 0.9}, {0.24, kE4, 0.9, 0.9}, {0.5, kC4, 1.6, 1.0}}), 0.70};
         case Sound::click:
             return {click(), 0.35};
+        case Sound::crack:
+            return {crack(), 0.75};
+        case Sound::shatter:
+            return {shatter(), 0.85};
     }
     return {};
 }
@@ -259,8 +315,8 @@ Recipe recipe(Sound sound)
 std::string_view name_of(Sound sound)
 {
     constexpr std::array<std::string_view, kAllSounds.size()> kNames{
-        "swish",   "splat",  "thud",       "miss", "fuse",  "bomb",      "chime",
-        "sparkle", "freeze", "extra_life", "tick", "start", "game_over", "click"};
+        "swish",  "splat",      "thud", "miss",  "fuse",      "bomb",  "chime", "sparkle",
+        "freeze", "extra_life", "tick", "start", "game_over", "click", "crack", "shatter"};
     return kNames[static_cast<std::size_t>(sound)];
 }
 

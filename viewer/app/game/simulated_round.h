@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "viewer/app/game/round.h"
-#include "viewer/app/game/soundtrack.h"
+#include "viewer/app/soundtrack.h"
 #include "viewer/effects/effects.h"
 #include "viewer/sim/simulation.h"
 #include "viewer/sound/speaker.h"

@@ -26,6 +26,14 @@ void main()
         float thin = (1.0 - square) * (1.0 - square) * mix(0.35, 1.0, puff);
         float alpha = opacity * thin;
         colour = vec4(alpha * toned(base_colour * (0.7 * frame.light_colour.rgb + frame.sky_colour.rgb)), alpha);
+    } else if (kind == 4) {
+        // A chip of five or six sides, of which the lamp finds each another way.
+        float angle = atan(disc.y, disc.x) + 6.2832 * fract(seed * 0.618), sides = 5.0 + mod(seed, 2.0);
+        float sector = floor(angle / 6.2832 * sides), middle = (sector + 0.5) / sides * 6.2832;
+        if (length(disc) * cos(angle - middle) > 0.66) discard;
+        float face = fract(sin(seed * 12.9898 + sector * 4.1414) * 43758.5453);
+        vec3 light = base_colour * (frame.light_colour.rgb * mix(0.25, 1.0, face) + frame.sky_colour.rgb);
+        colour = vec4(opacity * toned(light), opacity);
     } else {
         // A drop: round at its head, drawn out to a thin tail.
         float tail = mix(1.0, 0.16 + 0.84 * smoothstep(-1.0, 0.55, disc.x), slimness);
