@@ -100,7 +100,7 @@ bool wants_game(const Options& options)
     if (options.scene == "section") return false;
     // The game is played in real time and by hand; whoever brings models or input wants to see a simulation.
     const bool brings_something = !options.files.empty() || runs_by_itself(options) || !options.save_script.empty();
-    return !brings_something && options.scene != "report";
+    return !brings_something && options.scene != "report" && options.scene != "shatter";
 }
 
 ParsedOptions parse_options(int argc, char** argv)
@@ -140,6 +140,8 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--frames", options.frames, "frames of 1/60 s to run (0: to the script's end)")
         ->transform(command_line::whole_number(0, kMostFrames))
         ->type_name("N");
+    program.add_flag("!--no-wait", options.waits,
+                     "with --headless: what threads make appears when it is ready, as in a window; runs differ then");
     program.add_option("--draw", options.draw_every, "with --headless: draw every N-th frame; 0: only a screenshot")
         ->transform(command_line::whole_number(0, kMostFrames))
         ->type_name("N");
@@ -197,8 +199,9 @@ ParsedOptions parse_options(int argc, char** argv)
             throw CLI::ValidationError(
                 "--scene", "menu and duel take --frames, --autopilot, --script and --record only with --headless");
         const bool is_section = options.scene == "section";
-        if (!options.files.empty() && !options.scene.empty() && options.scene != "report" && !is_section)
-            throw CLI::ValidationError("FILE", "only the scenes report and section show models of your own");
+        if (!options.files.empty() && !options.scene.empty() && options.scene != "report" &&
+            options.scene != "shatter" && !is_section)
+            throw CLI::ValidationError("FILE", "only the scenes report, shatter and section show models of your own");
         if (is_section && (has_runs || !options.script.empty() || !options.save_script.empty()))
             throw CLI::ValidationError("--scene", "section has one back end, and neither --script nor --save-script");
         if (options.headless && options.frames == 0 && options.script.empty())

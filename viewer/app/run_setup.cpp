@@ -46,7 +46,7 @@ sim::Handover handover_for(const Options& options, const sim::Script& script)
     for (const sim::InputEvent& event : script.events)
         if (event.kind == sim::InputKind::command && (event.text == "show" || event.text.starts_with("break ")))
             return sim::Handover::on_command;
-    return options.headless || options.frames > 0 ? sim::Handover::at_once
+    return (options.headless && options.waits) || (!options.headless && options.frames > 0) ? sim::Handover::at_once
                                                                                             : sim::Handover::when_ready;
 }
 
@@ -84,7 +84,7 @@ RunSetup read_run_setup(const Options& options)
     setup.handover = setup.settings.breaks = handover_for(options, setup.script);
 
     setup.models = std::make_shared<sim::ModelLibrary>();
-    if (settings.scene == "report" || settings.scene == "section") {
+    if (settings.scene == "report" || settings.scene == "shatter" || settings.scene == "section") {
         add_thrown_models(setup, options);
     } else if (game::find_mode(settings.scene)) {
         game::add_fruit_models(*setup.models, options.data_folder / "fruit");

@@ -17,9 +17,10 @@ constexpr sim::Microseconds kSwipe = 100'000;     // how long a swipe takes
 constexpr sim::Microseconds kRest = 180'000;      // between two swipes
 constexpr sim::Microseconds kGameRest = 100'000;  // the same in a game, where there is more to do
 constexpr sim::Microseconds kSample = 1'000'000 / 120;
-constexpr double kSmallest = 0.35;       // metres: smaller pieces are left alone
-constexpr std::size_t kMostPieces = 24;  // on the stage; then it waits for some to leave
-constexpr double kBeyond = 0.6;          // metres that a stroke goes beyond its target
+constexpr sim::Microseconds kBlowRest = 600'000;  // between two blows
+constexpr double kSmallest = 0.35;                // metres: smaller pieces are left alone
+constexpr std::size_t kMostPieces = 24;           // on the stage; then it waits for some to leave
+constexpr double kBeyond = 0.6;                   // metres that a stroke goes beyond its target
 
 // In games.
 constexpr int kStrokes = 24;           // that it thinks of
@@ -138,11 +139,24 @@ std::optional<Stroke> best_stroke(const sim::Simulation& simulation, const GameS
 
 }  // namespace
 
+/// A click on the largest piece.
+std::vector<sim::InputEvent> Autopilot::blow_at_largest(const sim::Simulation& simulation)
+{
+    const sim::Body* const target = target_of(simulation);
+    if (target == nullptr) return {};
+    ++swipes_;
+    const sim::Microseconds now = simulation.time();
+    const glm::dvec2 place = sim::Camera::seen_on_stage(target->centre());
+    busy_until_ = now + kBlowRest;
+    return {{now + 1, sim::InputKind::press, place, {}}, {now + kSample, sim::InputKind::release, place, {}}};
+}
+
 std::vector<sim::InputEvent> Autopilot::play(const sim::Simulation& simulation)
 {
     const sim::Microseconds now = simulation.time();
     if (now < busy_until_) return {};
     core::Random random(core::Random::mix(seed_ + swipes_ + 1));
+    if (simulation.scene().takes_presses()) return blow_at_largest(simulation);
     const GameScene* const game = game_of(simulation.scene());
     const std::optional<Stroke> stroke =
         game != nullptr ? best_stroke(simulation, *game, random) : stroke_at_largest(simulation, random);

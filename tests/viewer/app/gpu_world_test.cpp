@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "viewer/game/autopilot.h"
 #include "viewer/game/scenes.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/sim/back_ends.h"
+#include "viewer/sim/camera.h"
 #include "viewer/support/stages.h"
 
 namespace kerf::test {
@@ -194,6 +197,89 @@ TEST_P(GpuWorldTest, SkipsPiecesThatNobodySaw)
     world.sync(simulation);
     EXPECT_EQ(world.objects(simulation).size(), simulation.bodies().size());
     EXPECT_EQ(world.cut_uploads().size(), simulation.cuts().size());
+}
+
+/// A ball that is struck and whose pieces wait for the graphics card.
+class BreakingTest : public GlTest, public ::testing::WithParamInterface<std::string>
+{
+protected:
+    BreakingTest()
+        : models(library_of({"icosphere"}, 2000)), simulation(models, settings(), game::make_scene("shatter", models))
+    {
+        simulation.command("cells 150");
+        simulation.command("strength 0");
+        simulation.advance(60);
+        world.sync(simulation);
+    }
+
+    static sim::Settings settings()
+    {
+        sim::Settings settings;
+        settings.backend = GetParam();
+        settings.breaks = sim::Handover::when_ready;
+        return settings;
+    }
+    void strike()
+    {
+        const glm::dvec2 place = sim::Camera::seen_on_stage(simulation.bodies().front()->centre());
+        simulation.push({simulation.time() + 1, sim::InputKind::press, place, {}});
+        simulation.advance();
+    }
+
+    std::shared_ptr<sim::ModelLibrary> models;
+    sim::Simulation simulation;
+    render::LookTable looks;
+    app::GpuWorld world{looks};
+};
+
+INSTANTIATE_TEST_SUITE_P(BackEnds, BreakingTest, ::testing::Values("halfedge", "baseline/hash"),
+                         [](const auto& param) { return param.param == "halfedge" ? "halfedge" : "baseline"; });
+
+TEST_P(BreakingTest, PiecesComeAheadAndTheWholeIsDrawnUntilAllAreThere)
+{
+    strike();
+    ASSERT_TRUE(simulation.is_breaking(simulation.bodies().front()->id()));
+    std::uint64_t bytes = world.store().bytes_uploaded();
+    while (simulation.breaks().empty() && simulation.now() < 50'000) {
+        // A ball that falls off the stage would be forgotten.
+        simulation.move_object(simulation.bodies().front()->id(), {});
+        simulation.advance();
+        if (!simulation.breaks().empty()) break;
+        world.sync(simulation);
+        EXPECT_EQ(world.objects(simulation).size(), 1u) << "the whole";
+        bytes = world.store().bytes_uploaded();
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    ASSERT_EQ(simulation.breaks().size(), 1u);
+    ASSERT_GE(simulation.bodies().size(), 150u);
+    world.sync(simulation);
+    EXPECT_EQ(world.store().bytes_uploaded(), bytes) << "the frame of the break uploads nothing";
+    EXPECT_EQ(world.objects(simulation).size(), simulation.bodies().size());
+}
+
+TEST_P(BreakingTest, ManySmallPiecesComeInSeveralFrames)
+{
+    strike();
+    while (simulation.waiting_pieces().empty()) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    const std::size_t all = simulation.waiting_pieces().size();
+    ASSERT_GE(all, 150u);
+    const auto ready = [&] {
+        std::size_t count = 0;
+        for (const sim::WaitingPiece& piece : simulation.waiting_pieces())
+            count += view_of(*piece.object).new_vertices_from > 0 ? 1 : 0;
+        return count;
+    };
+    constexpr std::size_t kMostInAFrame = app::GpuWorld::kBytesInAFrame / app::GpuWorld::kBytesOfBuffers;
+    std::size_t frames = 0;
+    for (std::size_t before = ready(); before < all && frames < 20; ++frames) {
+        world.sync(simulation);
+        const std::size_t now = ready();
+        EXPECT_LE(now - before, kMostInAFrame);
+        EXPECT_GT(now, before);
+        before = now;
+    }
+    EXPECT_EQ(ready(), all);
+    EXPECT_GE(frames, all / kMostInAFrame);
 }
 
 }  // namespace kerf::test

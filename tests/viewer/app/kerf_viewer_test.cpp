@@ -255,6 +255,46 @@ TEST_F(KerfViewerTest, PlaysNinetyFramesOfAGiantOnBothBackEnds)
         EXPECT_EQ(json["runs"][0]["cuts"][0][what], json["runs"][1]["cuts"][0][what]);
 }
 
+TEST_F(KerfViewerTest, ShattersModelsOnBothBackEnds)
+{
+    report("--headless --autopilot --scene shatter --frames 110 --draw 0 --size 16x9 --save-script broken.kerf");
+    const Json json =
+        report("--headless --backend halfedge,baseline --script broken.kerf --frames 110 --size 160x90 --draw 6");
+    ASSERT_EQ(json["runs"].size(), 2u);
+    for (const Json& run : json["runs"]) {
+        EXPECT_EQ(run["scene"], "shatter");
+        ASSERT_GE(run["breaks"].size(), 1u);
+        EXPECT_EQ(run["breaks"][0]["status"], "done");
+        EXPECT_GE(run["breaks"][0]["pieces"], 30);
+        EXPECT_EQ(run["breaks"][0]["dropped"], 0);
+        EXPECT_GT(run["cracks"][0]["bonds_broken"], 0);
+        EXPECT_GE(run["bodies"], 30);
+    }
+    for (const char* what : {"frame", "object", "pieces", "bonds"})
+        EXPECT_EQ(json["runs"][0]["breaks"][0][what], json["runs"][1]["breaks"][0][what]) << what;
+}
+
+TEST_F(KerfViewerTest, ShattersAUsersModelAndRepeatsIt)
+{
+    const std::string run = "--headless --frames 100 --size 32x18 --draw 0 " KERF_DATA_DIR "/models/rook.obj ";
+    const Json played = report(run + "--scene shatter --autopilot --save-script rook.kerf")["runs"][0];
+    const Json repeated = report(run + "--script rook.kerf")["runs"][0];
+    ASSERT_EQ(played["breaks"].size(), repeated["breaks"].size());
+    EXPECT_EQ(played["breaks"][0]["model"], "rook");
+    EXPECT_EQ(repeated["state_hash"], played["state_hash"]);
+}
+
+TEST_F(KerfViewerTest, PiecesComeWhenTheyAreReadyIfNobodyWaits)
+{
+    const Json run = report(
+        "--headless --no-wait --autopilot --scene shatter --frames 400 --size 32x18 --save-script ready.kerf")["runs"]
+                                                                                                              [0];
+    ASSERT_GE(run["breaks"].size(), 1u) << "a thread has made them, and they are on the card";
+    EXPECT_GE(run["breaks"][0]["frame"], run["breaks"][0]["struck_frame"]);
+    const Json repeated = report("--headless --script ready.kerf --frames 400 --size 32x18 --draw 0")["runs"][0];
+    EXPECT_EQ(repeated["state_hash"], run["state_hash"]) << "the recording says when that was";
+}
+
 TEST_F(KerfViewerTest, PlaysADuelByItselfAndTheSameTwice)
 {
     const std::string run =

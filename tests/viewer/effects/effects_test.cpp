@@ -7,6 +7,7 @@
 #include "viewer/game/autopilot.h"
 #include "viewer/game/fruit_models.h"
 #include "viewer/game/scenes.h"
+#include "viewer/sim/camera.h"
 
 namespace kerf::test {
 
@@ -107,6 +108,61 @@ TEST(Effects, StayBoundedHoweverLongAGameLasts)
         ASSERT_LE(played.effects.flash(), 1.0f);
     }
     EXPECT_GT(played.simulation.cuts().size(), 20u);
+}
+
+namespace {
+
+/// A model that a click breaks, and what is seen of it.
+struct Broken
+{
+    explicit Broken(const std::shared_ptr<sim::ModelLibrary>& models)
+        : simulation(models, {}, game::make_scene("shatter", models))
+    {
+        simulation.command("strength 0");
+        simulation.advance(60);
+        effects.follow(simulation);
+    }
+    void click()
+    {
+        const glm::dvec2 place = sim::Camera::seen_on_stage(simulation.bodies().front()->centre());
+        simulation.push({simulation.time() + 1, sim::InputKind::press, place, {}});
+        simulation.advance(2);
+        effects.follow(simulation);
+    }
+    std::size_t count(effects::DropKind kind) const
+    {
+        return std::size_t(std::ranges::count_if(effects.drops().all(), [&](const auto& d) { return d.kind == kind; }));
+    }
+
+    sim::Simulation simulation;
+    effects::Effects effects;
+};
+
+}  // namespace
+
+TEST(Effects, StoneBreaksInDustAndCrumbs)
+{
+    auto models = std::make_shared<sim::ModelLibrary>();
+    models->add_file(KERF_DATA_DIR "/models/rook.obj");
+    Broken broken(models);
+    EXPECT_TRUE(broken.effects.drops().all().empty());
+    broken.click();
+    ASSERT_EQ(broken.simulation.breaks().size(), 1u);
+    EXPECT_GT(broken.count(effects::DropKind::mist), 5u);
+    EXPECT_GT(broken.count(effects::DropKind::crumb), 10u);
+    EXPECT_EQ(broken.count(effects::DropKind::juice), 0u);
+    EXPECT_TRUE(broken.effects.stains().all().empty());
+    EXPECT_FALSE(broken.effects.shake().at_rest());
+}
+
+TEST(Effects, FruitThatBreaksBleeds)
+{
+    Broken broken(fruit());
+    broken.click();
+    ASSERT_EQ(broken.simulation.breaks().size(), 1u);
+    EXPECT_GT(broken.count(effects::DropKind::juice), 20u);
+    EXPECT_EQ(broken.count(effects::DropKind::crumb), 0u);
+    EXPECT_FALSE(broken.effects.stains().all().empty());
 }
 
 }  // namespace kerf::test

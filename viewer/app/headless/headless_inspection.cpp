@@ -23,6 +23,7 @@ public:
     HeadlessInspection(const Options& options, const RunSetup& setup, const std::string& backend,
                        std::vector<std::string>& messages)
         : view_(options.view),
+          waits_(options.waits),
           painter_(options.width, options.height),
           inspection_(setup, with_backend(setup.settings, backend), options.autopilot, painter_),
           messages_(messages)
@@ -32,7 +33,7 @@ public:
 
     void advance(const Frame& frame) override
     {
-        inspection_.advance(sim::kTicksPerFrame, {}, frame.pace == Pace::fixed_step);
+        inspection_.advance(sim::kTicksPerFrame, {}, waits_ && frame.pace == Pace::fixed_step);
         if (std::string message = inspection_.simulation().take_message(); !message.empty()) say(std::move(message));
     }
 
@@ -91,6 +92,7 @@ private:
     }
 
     ViewSettings view_;
+    bool waits_;  ///< for what threads make
     Painter painter_;
     Inspection inspection_;
     std::optional<UserInterface> interface_;

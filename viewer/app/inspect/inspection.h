@@ -12,6 +12,7 @@
 #include "viewer/app/user_interface.h"
 #include "viewer/effects/effects.h"
 #include "viewer/game/autopilot.h"
+#include "viewer/game/shatter_scene.h"
 #include "viewer/sim/model_preparer.h"
 
 namespace kerf::app {
@@ -52,6 +53,8 @@ public:
     const sim::Simulation& simulation() const { return simulation_; }
     /// Null: it is no game.
     const game::GameScene* game() const { return game::game_of(simulation_.scene()); }
+    /// Whether drops and dust belong to it.
+    bool has_effects() const { return game() != nullptr || game::shatter_of(simulation_.scene()) != nullptr; }
     /// Of the run so far.
     nlohmann::ordered_json report() const { return report_of(simulation_, painter_.world(), times_); }
 

@@ -6,6 +6,8 @@
 #include "common/files/file_error.h"
 #include "viewer/app/picture_name.h"
 #include "viewer/app/run_report.h"
+#include "viewer/game/stored_settings.h"
+#include "viewer/game/user_folder.h"
 #include "viewer/sim/camera.h"
 
 namespace kerf::app {
@@ -17,6 +19,17 @@ sim::Settings settings_for(const Options& options, sim::Settings settings)
 {
     settings.hash_surfaces = options.frames > 0;
     return settings;
+}
+
+/// As loud as the game, where things break; a simulation that is only looked at is silent.
+sound::Speaker speaker_for(const Options& options, const RunSetup& setup)
+{
+    if (setup.settings.scene != "shatter" || options.frames > 0) return sound::Speaker::silent();
+    const game::StoredSettings stored = game::load_settings(game::user_folder()).settings;
+    sound::Speaker speaker;
+    speaker.set_volume(stored.volume);
+    speaker.set_muted(stored.mute);
+    return speaker;
 }
 
 }  // namespace
@@ -41,6 +54,7 @@ InspectionWindow::InspectionWindow(const Options& options, const RunSetup& setup
       interface_(options.view.ui_scale * window.content_scale(), window.handle()),
       inspection_(setup, settings_for(options, setup.settings), options.autopilot, painter_),
       choices_(inspection_.simulation()),
+      speaker_(speaker_for(options, setup)),
       messages_(setup.messages)
 {
     window_.set_vsync(options.vsync);
@@ -87,6 +101,7 @@ void InspectionWindow::simulate(const Frame& frame)
         events = sampler_.frame(simulation.time(), end, std::exchange(pointer_, {}));
     }
     inspection_.advance(ticks, events, is_fixed);
+    soundtrack_.follow(simulation, speaker_);
     if (std::string message = inspection_.simulation().take_message(); !message.empty()) {
         if (is_fixed) messages_.push_back(message);
         say(std::move(message));
@@ -96,7 +111,7 @@ void InspectionWindow::simulate(const Frame& frame)
 void InspectionWindow::draw(const Frame& frame, const glm::ivec2& size)
 {
     painter_.resize(size.x, size.y);
-    inspection_.paint(view_, inspection_.game() != nullptr, frame.pace == Pace::fixed_step ? 1.0 : clock_.fraction());
+    inspection_.paint(view_, inspection_.has_effects(), frame.pace == Pace::fixed_step ? 1.0 : clock_.fraction());
     PanelState state = inspection_.panel(view_, notice_.text());
     state.paused = clock_.paused();
     state.slow_motion = clock_.slow_motion();

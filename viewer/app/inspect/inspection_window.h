@@ -8,6 +8,7 @@
 #include "viewer/app/inspect/throw_choices.h"
 #include "viewer/app/main_loop.h"
 #include "viewer/app/options.h"
+#include "viewer/app/soundtrack.h"
 #include "viewer/app/window.h"
 #include "viewer/sim/frame_clock.h"
 #include "viewer/sim/pointer_sampler.h"
@@ -66,6 +67,8 @@ private:
     UserInterface interface_;
     Inspection inspection_;
     ThrowChoices choices_;
+    sound::Speaker speaker_;  ///< silent, but where things break
+    Soundtrack soundtrack_;
     sim::FrameClock clock_;
     FocusPause focus_pause_;
     sim::PointerSampler sampler_;

@@ -9,6 +9,7 @@
 #include "viewer/app/inspect/keys.h"
 #include "viewer/app/inspect/simulation_report.h"
 #include "viewer/app/panel_parts.h"
+#include "viewer/game/shatter_scene.h"
 #include "viewer/render/offscreen_context.h"
 #include "viewer/sim/back_ends.h"
 #include "viewer/sim/body_proxies.h"
@@ -159,6 +160,47 @@ void show_table(const sim::Simulation& simulation, const GpuWorld& world)
     ImGui::EndTable();
 }
 
+/// How things break from now on, in a scene where they do.
+void show_breaking(PanelState& state, const game::ShatterSettings& settings)
+{
+    const float wide = 11.5f * ImGui::GetFontSize();
+    int cells = static_cast<int>(settings.cells);
+    ImGui::SetNextItemWidth(wide);
+    if (ImGui::SliderInt("cells", &cells, game::ShatterSettings::kFewestCells, game::ShatterSettings::kMostCells))
+        state.commands.push_back("cells " + std::to_string(cells));
+    ImGui::SetNextItemWidth(wide);
+    const std::string shown(game::kPatternNames[static_cast<std::size_t>(settings.pattern)]);
+    if (ImGui::BeginCombo("pattern", shown.c_str())) {
+        for (const std::string_view name : game::kPatternNames)
+            if (ImGui::Selectable(std::string(name).c_str(), name == shown))
+                state.commands.push_back("pattern " + std::string(name));
+        ImGui::EndCombo();
+    }
+    auto strength = static_cast<float>(settings.strength);
+    ImGui::SetNextItemWidth(wide);
+    if (ImGui::SliderFloat("strength", &strength, 0.0f, float(game::ShatterSettings::kMostStrength), "%.0f N s/m2",
+                           ImGuiSliderFlags_Logarithmic))
+        state.commands.push_back("strength " + std::to_string(strength));
+}
+
+/// What the last object cost that was taken apart.
+void show_break(const sim::Simulation& simulation)
+{
+    const sim::BreakRecord& broken = simulation.breaks().back();
+    ImGui::Text("%s", simulation.models().model(broken.model).name.c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s, %s", broken.backend.c_str(), text(broken.status));
+    if (broken.pieces.empty()) return;
+    const auto pieces = double(broken.pieces.size() + broken.dropped);
+    ImGui::Text("%llu triangles, %.0f pieces, %zu bonds", static_cast<unsigned long long>(broken.triangles), pieces,
+                broken.bonds);
+    ImGui::Text("fracture %.1f ms   proxies %.2f ms, on a thread", broken.fracture_ms, broken.proxy_ms);
+    ImGui::Text("%.3f ms a piece   bodies %.2f ms", (broken.fracture_ms + broken.proxy_ms) / pieces, broken.cpu_ms);
+    std::size_t bound = 0;
+    for (const auto& cluster : simulation.world().clusters()) bound += cluster->bonds().size();
+    ImGui::TextDisabled("%zu clusters held by %zu bonds", simulation.world().clusters().size(), bound);
+}
+
 void show_main(PanelState& state)
 {
     const float margin = ImGui::GetFontSize();
@@ -171,14 +213,20 @@ void show_main(PanelState& state)
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
     ImGui::TextColored(kAccent, "Kerf");
     ImGui::SameLine();
-    ImGui::TextDisabled("drag to cut    H: keys    Tab: hide");
+    const game::ShatterScene* const shatter = game::shatter_of(state.simulation.scene());
+    ImGui::TextDisabled(shatter ? "click to break    H: keys    Tab: hide" : "drag to cut    H: keys    Tab: hide");
     if (state.paused || state.slow_motion) {
         ImGui::SameLine();
         ImGui::TextColored(kAccent, "%s", state.paused ? "  paused" : "  slow motion");
     }
     show_choices(state);
+    if (shatter != nullptr) show_breaking(state, shatter->settings());
     heading("Frames");
     show_frames(state);
+    if (!state.simulation.breaks().empty()) {
+        heading("Last break");
+        show_break(state.simulation);
+    }
     const auto& cuts = state.simulation.cuts();
     const auto& uploads = state.painter.world().cut_uploads();
     if (!cuts.empty() && uploads.size() == cuts.size()) {
@@ -196,7 +244,10 @@ void show_panel(PanelState& state)
 {
     if (state.view.panel) show_main(state);
     if (state.view.help)
-        show_list_of_keys(kKeyBindings, columns_for(kKeyBindings.size()), "Drag with the left mouse button to cut.");
+        show_list_of_keys(kKeyBindings, columns_for(kKeyBindings.size()),
+                          game::shatter_of(state.simulation.scene()) != nullptr
+                              ? "Click with the left mouse button to break."
+                              : "Drag with the left mouse button to cut.");
     if (!state.message.empty()) show_message(state.message);
 }
 

@@ -58,6 +58,33 @@ Json json_of(const sim::CutRecord& cut, const CutUpload& upload, const sim::Mode
             {"cut_to_upload_cpu_ms", cut_to_upload_ms(cut, upload)}};
 }
 
+Json json_of(const sim::BreakRecord& broken, const sim::ModelLibrary& models)
+{
+    return {{"number", broken.number},
+            {"frame", broken.tick / sim::kTicksPerFrame},
+            {"struck_frame", broken.struck / sim::kTicksPerFrame},
+            {"object", broken.object},
+            {"model", models.model(broken.model).name},
+            {"backend", broken.backend},
+            {"status", text(broken.status)},
+            {"triangles", broken.triangles},
+            {"pieces", broken.pieces.size()},
+            {"dropped", broken.dropped},
+            {"bonds", broken.bonds},
+            {"fracture_ms", broken.fracture_ms},
+            {"proxy_ms", broken.proxy_ms},
+            {"break_cpu_ms", broken.cpu_ms}};
+}
+
+Json json_of(const sim::CrackRecord& crack, const sim::ModelLibrary& models)
+{
+    return {{"frame", crack.tick / sim::kTicksPerFrame},
+            {"model", models.model(crack.model).name},
+            {"impulse_ns", crack.impulse},
+            {"bonds_broken", crack.bonds},
+            {"parts", crack.parts}};
+}
+
 }  // namespace
 
 double cut_to_upload_ms(const sim::CutRecord& cut, const CutUpload& upload)
@@ -93,6 +120,19 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const GpuWor
                 {"late_copies", simulation.models().late_work().copies},
                 {"bytes_on_card", world.store().bytes_held()},
                 {"cuts", std::move(cuts)}};
+    if (!simulation.breaks().empty()) {
+        Json breaks = Json::array(), cracks = Json::array();
+        for (const sim::BreakRecord& broken : simulation.breaks()) {
+            breaks.push_back(json_of(broken, simulation.models()));
+            // Of the frame that put the pieces into the world and drew them, if each frame was drawn.
+            const auto frame = static_cast<std::size_t>((broken.tick - 1) / sim::kTicksPerFrame);
+            if (times.submit_cpu_ms.size() == times.simulate_cpu_ms.size() && frame < times.submit_cpu_ms.size())
+                breaks.back()["frame_cpu_ms"] = times.simulate_cpu_ms[frame] + times.submit_cpu_ms[frame];
+        }
+        for (const sim::CrackRecord& crack : simulation.cracks()) cracks.push_back(json_of(crack, simulation.models()));
+        report["breaks"] = std::move(breaks);
+        report["cracks"] = std::move(cracks);
+    }
     if (const game::GameScene* const game = game::game_of(simulation.scene())) report["game"] = game::report_of(*game);
     if (const game::GiantScene* const giant = game::giant_of(simulation.scene()))
         report["giant"] = {{"triangles", giant->state().triangles}, {"giants", giant->state().giants}};
