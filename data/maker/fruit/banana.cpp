@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "maker/fruit/banana.h"
 #include "maker/fruit/fruit.h"
-#include "maker/fruit/growth.h"
 
 namespace kerf::maker {
 namespace {
@@ -36,44 +36,60 @@ double thickness(double s)
 PolyMesh banana_of(std::string_view material)
 {
     PolyMesh mesh;
-    constexpr int kSegments = 40, kRings = 46;
-    Lathe lathe(mesh, kSegments, material);
-    lathe.smooth(1);
-    const auto centre = [](double s) {
-        const double angle = kHalfAngle * s;
-        return glm::dvec3{kBend * std::sin(angle), kBend * (1.0 - std::cos(angle)) - kDrop, 0};
-    };
-    Ring first, last;
-    for (int k = 0; k <= kRings; ++k) {
-        const double s = -1.0 + 2.0 * k / kRings, angle = kHalfAngle * s;
-        const glm::dvec3 inwards{-std::sin(angle), std::cos(angle), 0}, sideways{0, 0, 1};
-        // Five ribs; they fade at the flower's end.
-        const double ribs = 0.032 * smooth_step(-1.0, -0.8, s);
-        const Ring ring = lathe.ring(
-            [&](int i) {
-                const double turn = 2.0 * pi * i / kSegments;
-                const double rib = std::cos(5.0 * turn) + 0.25 * std::cos(10.0 * turn);
-                const double r = thickness(s) * (1.0 + ribs * rib);
-                return centre(s) + r * (std::cos(turn) * inwards + std::sin(turn) * sideways);
-            },
-            kBend * angle);
-        if (k == 0)
-            first = ring;
-        else
-            lathe.band(last, ring);
-        last = ring;
-    }
+    Lathe lathe(mesh, kBananaSegments, material);
+    const SkinRings rings = grow_banana(lathe, 1.0);
     lathe.smooth(2);
-    const auto beyond = [&](double s, double by) {
-        const double angle = kHalfAngle * s;
-        return centre(s) + by * glm::dvec3{std::cos(angle), std::sin(angle), 0};
-    };
-    lathe.fan(last, beyond(1.0, 0.012), true);
-    lathe.fan(first, beyond(-1.0, -0.03), false);
+    const BananaAxis end = banana_axis(1.0);
+    lathe.fan(rings.highest, end.place + 0.012 * end.along, true);
+    close_flowers_end(lathe, rings.lowest);
     return mesh;
 }
 
 }  // namespace
+
+BananaAxis banana_axis(double share)
+{
+    const double angle = kHalfAngle * share;
+    return {{kBend * std::sin(angle), kBend * (1.0 - std::cos(angle)) - kDrop, 0},
+            {std::cos(angle), std::sin(angle), 0},
+            {-std::sin(angle), std::cos(angle), 0}};
+}
+
+SkinRings grow_banana(Lathe& lathe, double to_share)
+{
+    constexpr int kRings = 46;
+    lathe.smooth(1);
+    SkinRings rings;
+    for (int k = 0; k <= kRings; ++k) {
+        const double s = std::min(-1.0 + 2.0 * k / kRings, to_share);
+        const BananaAxis axis = banana_axis(s);
+        const glm::dvec3 sideways{0, 0, 1};
+        // Five ribs; they fade at the flower's end.
+        const double ribs = 0.032 * smooth_step(-1.0, -0.8, s);
+        const Ring ring = lathe.ring(
+            [&](int i) {
+                const double turn = 2.0 * pi * i / kBananaSegments;
+                const double rib = std::cos(5.0 * turn) + 0.25 * std::cos(10.0 * turn);
+                const double r = thickness(s) * (1.0 + ribs * rib);
+                return axis.place + r * (std::cos(turn) * axis.inwards + std::sin(turn) * sideways);
+            },
+            kBend * kHalfAngle * s);
+        if (k == 0)
+            rings.lowest = ring;
+        else
+            lathe.band(rings.highest, ring);
+        rings.highest = ring;
+        if (s == to_share) break;
+    }
+    return rings;
+}
+
+void close_flowers_end(Lathe& lathe, const Ring& lowest)
+{
+    lathe.smooth(2);
+    const BananaAxis end = banana_axis(-1.0);
+    lathe.fan(lowest, end.place - 0.03 * end.along, false);
+}
 
 PolyMesh make_banana()
 {
