@@ -30,13 +30,13 @@
 namespace kerf::app {
 namespace {
 
-constexpr std::array<const char*, 12> kNames{"watermelon", "apple",     "orange", "lemon",  "kiwi",   "banana",
-                                             "coconut",    "pineapple", "bomb",   "freeze", "frenzy", "double"};
+constexpr std::array<const char*, 14> kNames{"watermelon", "apple", "orange", "lemon",  "kiwi",   "banana", "coconut",
+                                             "pineapple",  "bomb",  "freeze", "frenzy", "double", "hammer", "frozen"};
 
 /// A banana's axis is an arc about z: across is the middle of the arc.
 bool is_banana(const std::string& name)
 {
-    return name == "banana" || name == "freeze" || name == "frenzy" || name == "double";
+    return name == "banana" || name == "freeze" || name == "frenzy" || name == "double" || name == "hammer";
 }
 
 /// How a tile shows a fruit.

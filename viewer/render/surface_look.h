@@ -50,8 +50,12 @@ enum class Pattern : std::uint8_t
     frenzy_skin,
     double_skin,
     magic_flesh,
+    hammer_skin,
+    hammer_flesh,
+    frozen_skin,
+    frozen_flesh,
 };
-inline constexpr std::size_t kPatterns = static_cast<std::size_t>(Pattern::magic_flesh) + 1;
+inline constexpr std::size_t kPatterns = static_cast<std::size_t>(Pattern::frozen_flesh) + 1;
 
 /// The shader files that draw a pattern. Patterns with the same files share a program.
 std::span<const std::string_view> shaders_of(Pattern pattern);

@@ -21,6 +21,7 @@ struct Place
 {
     vec3 object;    // mesh coordinates
     vec3 pattern;   // the same as shares of the object's size
+    vec3 to_eye;    // mesh directions, unit
     vec2 uv;
     float pixel;    // side of a pixel, in mesh units: what is smaller is drawn as its mean
     bool is_cap;

@@ -34,7 +34,8 @@ vec3 light_from(SurfacePoint point)
 {
     Look look = looks[look_index];
     float pixel = is_cap ? pixel_of(point.mesh_dx, point.mesh_dy) : length(abs(point.mesh_dx) + abs(point.mesh_dy));
-    Place place = Place(point.mesh, point.pattern, point.uv, pixel, is_cap);
+    vec3 v = normalize(frame.eye.xyz - point.world);
+    Place place = Place(point.mesh, point.pattern, normalize(transpose(mat3(model)) * v), point.uv, pixel, is_cap);
     Surface s = Surface(look.colour.rgb, 0.0, vec3(0.0), look.finish.x, look.finish.y, look.finish.z,
                         look.colour.rgb, 0.0, 0.0, vec3(0.0));
     describe(look, place, s);
@@ -42,7 +43,6 @@ vec3 light_from(SurfacePoint point)
     vec3 flat_n = point.normal;
     vec3 n = bumped(flat_n, point, s.height * length(model[0].xyz), mat3(model) * s.slope / length(model[0].xyz));
 
-    vec3 v = normalize(frame.eye.xyz - point.world);
     vec3 l = frame.to_light.xyz;
     vec3 h = normalize(l + v);
     float nl = dot(n, l), nv = max(dot(n, v), 1e-3), nh = max(dot(n, h), 0.0), vh = max(dot(v, h), 0.0);
