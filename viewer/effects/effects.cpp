@@ -191,15 +191,22 @@ void Effects::take_event(const game::GameEvent& event, std::int64_t lives_at_sta
         case game::GameEventKind::special_started: {
             const bool freezes = event.fruit == game::FruitKind::freeze;
             const bool doubles = event.fruit == game::FruitKind::double_points;
+            const bool smashes = event.fruit == game::FruitKind::hammer;
             say({0.0, 1.2},
                 freezes   ? "Freeze"
                 : doubles ? "Double points"
+                : smashes ? "Hammer"
                           : "Frenzy",
                 freezes   ? kIce
                 : doubles ? kViolet
+                : smashes ? kGreen
                           : kOrange,
                 1.9f, 1.6f);
-            add_sparkle(centre, freezes ? glm::vec3(0.3f, 0.7f, 1.0f) : glm::vec3(1.0f, 0.5f, 0.2f), event.cut, drops_);
+            add_sparkle(centre,
+                        freezes   ? glm::vec3(0.3f, 0.7f, 1.0f)
+                        : smashes ? glm::vec3(0.3f, 1.0f, 0.35f)
+                                  : glm::vec3(1.0f, 0.5f, 0.2f),
+                        event.cut, drops_);
             break;
         }
         case game::GameEventKind::wave:

@@ -19,6 +19,8 @@ constexpr std::array<Fruit, kFruitKinds> kCatalogue{{
     {freeze, "freeze", "freeze", 1, 1.30, {0.25f, 0.62f, 0.98f}, 0},
     {frenzy, "frenzy", "frenzy", 1, 1.30, {0.98f, 0.22f, 0.10f}, 0},
     {double_points, "double", "double", 1, 1.30, {0.62f, 0.18f, 0.95f}, 0},
+    {hammer, "hammer", "hammer", 1, 1.40, {0.20f, 0.82f, 0.30f}, 0},
+    {frozen, "frozen", "frozen", 3, 1.15, {0.86f, 0.06f, 0.10f}, 0},
 }};
 
 constexpr bool is_in_order()

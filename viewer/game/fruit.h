@@ -25,6 +25,8 @@ enum class FruitKind : std::uint8_t
     freeze,         ///< special fruit of arcade, docs/game.md
     frenzy,         ///< special
     double_points,  ///< special
+    hammer,         ///< special
+    frozen,         ///< in ice: bursts instead of parting, and begins nothing
 };
 
 /// What the game knows about a kind.
@@ -36,19 +38,20 @@ struct Fruit
     int points = 0;          ///< for cutting it whole
     double radius = 1.0;     ///< half the diagonal of its box as thrown, metres
     glm::vec3 juice{0.0f};   ///< linear rgb; of a bomb: its sparks
-    int weight = 0;          ///< share of ordinary throws; 0: bombs and specials, which have their own rules
+    int weight = 0;          ///< share of ordinary throws; 0: waves have rules of their own for it
 };
 
-inline constexpr std::size_t kFruitKinds = 12;
+inline constexpr std::size_t kFruitKinds = 14;
 
 /// All kinds, in the order of FruitKind.
 std::span<const Fruit, kFruitKinds> fruit_catalogue();
 const Fruit& fruit_of(FruitKind kind);
 std::optional<FruitKind> find_fruit(std::string_view name);
 
+/// Whether cutting it begins an effect that lasts.
 inline bool is_special(FruitKind kind)
 {
-    return kind == FruitKind::freeze || kind == FruitKind::frenzy || kind == FruitKind::double_points;
+    return kind >= FruitKind::freeze && kind <= FruitKind::hammer;
 }
 
 }  // namespace kerf::game

@@ -45,7 +45,7 @@ inline constexpr int kBombCost = 10;
 /// How long the effects of special fruit last, in ticks. Frozen time runs slower, so freezing lasts five seconds for
 /// the player.
 inline constexpr double kFrozenTimeScale = 0.4;
-inline constexpr sim::Tick kFreezeTicks = 240, kFrenzyTicks = 600, kDoubleTicks = 960;
+inline constexpr sim::Tick kFreezeTicks = 240, kFrenzyTicks = 600, kDoubleTicks = 960, kHammerTicks = 720;
 inline constexpr int kDoubleMultiplier = 2;
 
 /// What a mode is about.

@@ -5,8 +5,9 @@
 namespace kerf::game {
 namespace {
 
-constexpr std::array<FruitKind, 3> kSpecials{FruitKind::freeze, FruitKind::frenzy, FruitKind::double_points};
-constexpr std::array<sim::Tick, 3> kSpecialTicks{kFreezeTicks, kFrenzyTicks, kDoubleTicks};
+constexpr std::array<FruitKind, 4> kSpecials{FruitKind::freeze, FruitKind::frenzy, FruitKind::double_points,
+                                             FruitKind::hammer};
+constexpr std::array<sim::Tick, 4> kSpecialTicks{kFreezeTicks, kFrenzyTicks, kDoubleTicks, kHammerTicks};
 
 std::size_t index_of(FruitKind special)
 {
@@ -101,7 +102,7 @@ void GameRules::cut_fruit(const Cut& cut, const GameEvent& event)
     earn(event, fruit_of(cut.kind).points);
     if (is_special(cut.kind)) {
         start_special(event);
-    } else if (cut.lighter_share >= kCriticalShare) {
+    } else if (!smashes(cut.kind) && cut.lighter_share >= kCriticalShare) {
         ++state_.counts.criticals;
         earn(as(GameEventKind::critical, event), kCriticalPoints);
     }
@@ -174,6 +175,11 @@ void GameRules::end(sim::Tick now, GameEnd end)
     state_.end = end;
     events_.push_back(make_event(now, GameEventKind::game_over, state_.score));
     show();
+}
+
+bool GameRules::smashes(FruitKind kind) const
+{
+    return kind == FruitKind::frozen || (kind != FruitKind::bomb && !is_over() && is_active(FruitKind::hammer));
 }
 
 double GameRules::time_scale() const

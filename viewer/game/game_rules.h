@@ -46,6 +46,9 @@ public:
     bool is_active(FruitKind special) const { return special_of(special).left > 0; }
     /// Ticks since the effect of a special fruit began.
     sim::Tick age(FruitKind special) const { return special_of(special).whole - special_of(special).left; }
+    /// Whether the blade smashes such a fruit when it is whole, instead of cutting it. What is smashed has no halves, so it
+    /// is never cut critically.
+    bool smashes(FruitKind kind) const;
     double time_scale() const;
 
     void hash(sim::StateHash& hash) const;
@@ -73,7 +76,7 @@ private:
     Rules rules_;
     std::vector<GameEvent> events_;
     Combo combo_;
-    std::array<Special, 3> specials_;
+    std::array<Special, 4> specials_;
     sim::Tick played_ = 0;  ///< of the game's clock, which freezing stops
     std::int64_t best_before_ = 0, lives_earned_ = 0;
 };

@@ -16,7 +16,7 @@ constexpr std::uint64_t kFrenzySeeds = std::uint64_t(1) << 32;
 
 bool is_thrown_in(GameMode mode, FruitKind kind)
 {
-    if (is_special(kind)) return mode == GameMode::arcade;
+    if (is_special(kind) || kind == FruitKind::frozen) return mode == GameMode::arcade;
     return kind != FruitKind::bomb || mode != GameMode::zen;
 }
 
@@ -167,6 +167,12 @@ std::optional<FruitKind> GameScene::whole(sim::ObjectId id) const
 {
     const auto found = flying_.find(id);
     return found == flying_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool GameScene::bursts(sim::ObjectId id) const
+{
+    const std::optional<FruitKind> kind = whole(id);
+    return kind && rules_.smashes(*kind);
 }
 
 const GameScene* game_of(const sim::Scene& scene)

@@ -41,6 +41,9 @@ public:
     std::span<const GameEvent> events() const { return rules_.events(); }
     /// What a body is as long as it is whole; empty for pieces.
     std::optional<FruitKind> whole(sim::ObjectId id) const;
+    /// Whether a blade that meets this object smashes it instead of cutting it: it is a whole frozen fruit, or the
+    /// hammer's time runs and it is a whole fruit and no bomb.
+    bool bursts(sim::ObjectId id) const;
 
 private:
     void run_frenzy(sim::Simulation& simulation);

@@ -21,9 +21,9 @@ constexpr std::array<Difficulty, 7> kClassic{{
 }};
 constexpr std::array<Difficulty, 4> kArcade{{
     {1, 2, 3, 24, 40, 0, 1, 0, 30, 150},
-    {3, 3, 5, 18, 50, 25, 1, 18, 30, 130},
-    {8, 4, 6, 15, 55, 40, 1, 20, 24, 110},
-    {14, 5, 8, 12, 60, 55, 2, 22, 20, 90},
+    {3, 3, 5, 18, 50, 25, 1, 30, 30, 130},
+    {8, 4, 6, 15, 55, 40, 1, 33, 24, 110},
+    {14, 5, 8, 12, 60, 55, 2, 36, 20, 90},
 }};
 constexpr std::array<Difficulty, 4> kZen{{
     {1, 2, 3, 30, 50, 0, 0, 0, 40, 150},
@@ -31,6 +31,10 @@ constexpr std::array<Difficulty, 4> kZen{{
     {10, 4, 7, 15, 60, 0, 0, 0, 24, 110},
     {18, 6, 9, 12, 65, 0, 0, 0, 20, 90},
 }};
+
+/// What a wave holds one of where Difficulty::special_percent says so, all of them as often.
+constexpr std::array<FruitKind, 5> kSpecials{FruitKind::freeze, FruitKind::frenzy, FruitKind::double_points,
+                                             FruitKind::hammer, FruitKind::frozen};
 
 /// Room between two fruit that start at once, metres beyond what their boxes take.
 constexpr double kElbowRoom = 0.1;
@@ -77,8 +81,7 @@ std::vector<FruitKind> draw_kinds(core::Random& random, const Difficulty& diffic
     std::vector<FruitKind> kinds;
     const int fruit = between(random, difficulty.least_fruit, difficulty.most_fruit);
     for (int i = 0; i < fruit; ++i) kinds.push_back(draw_fruit(random));
-    if (chance(random, difficulty.special_percent))
-        kinds.push_back(FruitKind(int(FruitKind::freeze) + between(random, 0, 2)));
+    if (chance(random, difficulty.special_percent)) kinds.push_back(kSpecials[random.below(kSpecials.size())]);
     if (chance(random, difficulty.bomb_percent))
         kinds.insert(kinds.end(), std::size_t(between(random, 1, difficulty.most_bombs)), FruitKind::bomb);
     // Bombs and specials come anywhere in the wave, not at its end.

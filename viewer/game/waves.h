@@ -19,7 +19,7 @@ struct Difficulty
     int volley_percent = 0;   ///< of waves that are thrown all at once: food for combos
     int bomb_percent = 0;     ///< of waves with bombs
     int most_bombs = 1;       ///< in such a wave
-    int special_percent = 0;  ///< of waves with a special fruit
+    int special_percent = 0;  ///< of waves with a special or a frozen fruit
     sim::Tick pause = 90;     ///< after a wave, when nothing whole is left in the air
     sim::Tick longest = 300;  ///< after its last throw the next wave waits no longer than this
 };

@@ -14,14 +14,30 @@ constexpr double kLastSeconds = 10.0;
 
 std::string_view title_of(game::FruitKind kind)
 {
-    if (kind == game::FruitKind::freeze) return "Freeze";
-    return kind == game::FruitKind::frenzy ? "Frenzy" : "Double points";
+    switch (kind) {
+        case game::FruitKind::freeze:
+            return "Freeze";
+        case game::FruitKind::frenzy:
+            return "Frenzy";
+        case game::FruitKind::hammer:
+            return "Hammer";
+        default:
+            return "Double points";
+    }
 }
 
 glm::vec3 colour_of(game::FruitKind kind)
 {
-    if (kind == game::FruitKind::freeze) return kIce;
-    return kind == game::FruitKind::frenzy ? kAccent : glm::vec3(0.86f, 0.62f, 1.0f);
+    switch (kind) {
+        case game::FruitKind::freeze:
+            return kIce;
+        case game::FruitKind::frenzy:
+            return kAccent;
+        case game::FruitKind::hammer:
+            return {0.55f, 0.95f, 0.45f};
+        default:
+            return {0.86f, 0.62f, 1.0f};
+    }
 }
 
 void show_lives(Canvas& canvas, const game::GameState& state)

@@ -32,7 +32,18 @@ TEST(FruitCatalogue, PaysForFruitAndNotForBombs)
 TEST(FruitCatalogue, LeavesBombsAndSpecialsToTheirOwnRules)
 {
     for (const Fruit& fruit : fruit_catalogue())
-        EXPECT_EQ(fruit.weight == 0, fruit.kind == FruitKind::bomb || is_special(fruit.kind)) << fruit.name;
+        EXPECT_EQ(fruit.weight == 0,
+                  fruit.kind == FruitKind::bomb || fruit.kind == FruitKind::frozen || is_special(fruit.kind))
+            << fruit.name;
+}
+
+TEST(FruitCatalogue, CallsSpecialWhatBeginsAnEffect)
+{
+    using enum FruitKind;
+    for (const Fruit& fruit : fruit_catalogue())
+        EXPECT_EQ(is_special(fruit.kind),
+                  fruit.kind == freeze || fruit.kind == frenzy || fruit.kind == double_points || fruit.kind == hammer)
+            << fruit.name;
 }
 
 }  // namespace kerf::game

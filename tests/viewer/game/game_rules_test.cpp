@@ -300,6 +300,49 @@ TEST(Arcade, FreezesForFiveSecondsOfThePlayers)
     EXPECT_DOUBLE_EQ(table.state().specials[0].share_left, 1.0);
 }
 
+TEST(Arcade, SmashesAllFruitWhileTheHammerLasts)
+{
+    Table table(GameMode::arcade);
+    EXPECT_FALSE(table.rules.smashes(apple));
+    table.cut_in_swipe(hammer);
+    ASSERT_EQ(table.events(Kind::special_started).size(), 1u);
+    EXPECT_EQ(table.events(Kind::special_started)[0].fruit, hammer);
+    ASSERT_EQ(table.state().specials.size(), 1u);
+    EXPECT_EQ(table.state().specials[0].kind, hammer);
+    EXPECT_DOUBLE_EQ(table.state().specials[0].seconds_left, 6.0);
+    EXPECT_DOUBLE_EQ(table.state().specials[0].share_left, 1.0);
+    for (const Fruit& fruit : fruit_catalogue())
+        EXPECT_EQ(table.rules.smashes(fruit.kind), fruit.kind != bomb) << fruit.name;
+    table.wait(kHammerTicks - 1);
+    EXPECT_TRUE(table.rules.smashes(apple));
+    table.wait(1);
+    EXPECT_FALSE(table.rules.smashes(apple));
+    EXPECT_TRUE(table.state().specials.empty());
+    ASSERT_EQ(table.events(Kind::special_ended).size(), 1u);
+    EXPECT_EQ(table.events(Kind::special_ended)[0].fruit, hammer);
+}
+
+TEST(Arcade, SmashesFrozenFruitAtAnyTime)
+{
+    Table table(GameMode::arcade);
+    EXPECT_TRUE(table.rules.smashes(frozen));
+    table.cut(frozen);
+    EXPECT_EQ(table.state().score, 3);
+    EXPECT_TRUE(table.events(Kind::special_started).empty()) << "it begins nothing";
+}
+
+TEST(Arcade, CallsNothingCriticalThatIsSmashed)
+{
+    Table table(GameMode::arcade);
+    table.cut(frozen, 0.5);
+    table.cut(hammer);
+    table.cut(apple, 0.5);
+    EXPECT_EQ(table.state().counts.criticals, 0);
+    table.wait(kHammerTicks);
+    table.cut(apple, 0.5);
+    EXPECT_EQ(table.state().counts.criticals, 1);
+}
+
 TEST(Arcade, StartsASpecialAgainThatIsCutAgain)
 {
     Table table(GameMode::arcade);
@@ -320,11 +363,13 @@ TEST(Arcade, KeepsSpecialsApart)
     table.cut(double_points);
     table.cut(frenzy);
     table.cut(freeze);
-    EXPECT_EQ(table.state().specials.size(), 3u);
+    table.cut(hammer);
+    EXPECT_EQ(table.state().specials.size(), 4u);
     table.wait(kFreezeTicks);
     EXPECT_FALSE(table.rules.is_active(freeze));
     EXPECT_TRUE(table.rules.is_active(frenzy));
     EXPECT_TRUE(table.rules.is_active(double_points));
+    EXPECT_TRUE(table.rules.is_active(hammer));
 }
 
 TEST(Zen, LastsAMinuteAndAHalf)
@@ -375,15 +420,15 @@ TEST(GameOver, SaysWhetherTheBestIsBeaten)
 RC_GTEST_PROP(GameRules, AddUpInTheirEvents, ())
 {
     const GameMode mode = *rc::gen::elementOf(kGameModes);
-    const auto actions = *rc::gen::resize(80, rc::gen::container<std::vector<std::pair<int, int>>>(
-                                                  rc::gen::pair(rc::gen::inRange(0, 16), rc::gen::inRange(0, 60))));
+    const auto actions = *rc::gen::resize(80, rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(
+                                                  rc::gen::inRange(0, int(kFruitKinds) + 4), rc::gen::inRange(0, 60))));
     Table table(mode);
     for (const auto& [action, number] : actions) {
         if (action < int(kFruitKinds)) {
             table.cut(static_cast<FruitKind>(action), number / 120.0);
-        } else if (action == 12) {
+        } else if (action == int(kFruitKinds)) {
             table.swipe_through(number % 8);
-        } else if (action == 13) {
+        } else if (action == int(kFruitKinds) + 1) {
             table.miss(static_cast<FruitKind>(number % int(kFruitKinds)));
         } else {
             table.wait(number);

@@ -234,6 +234,48 @@ TEST(GameScene, ThrowsFromTheSidesInAFrenzy)
     EXPECT_TRUE(was_seen);
 }
 
+TEST(GameScene, SaysWhatBursts)
+{
+    bool saw_frozen = false, saw_hammer = false;
+    for (std::uint64_t seed = 1; seed < 40 && !(saw_frozen && saw_hammer); ++seed) {
+        Game game(GameMode::arcade, seed);
+        const auto hammers = [&] {
+            return std::ranges::count(game.events(Kind::special_started), FruitKind::hammer,
+                                      [](const GameEvent& event) { return event.fruit; }) > 0;
+        };
+        game.play_until(
+            [&] {
+                if (hammers()) return true;
+                for (const auto& body : game.simulation().bodies()) {
+                    const std::optional<FruitKind> kind = game.scene().whole(body->id());
+                    EXPECT_EQ(game.scene().bursts(body->id()), kind == FruitKind::frozen);
+                    saw_frozen = saw_frozen || kind == FruitKind::frozen;
+                }
+                if (const sim::Body* const hammer = game.find(FruitKind::hammer)) game.swipe_through(*hammer);
+                return false;
+            },
+            20 * sim::kTicksPerSecond);
+        if (!hammers()) continue;
+        saw_hammer = true;
+        std::size_t whole = 0, pieces = 0;
+        for (sim::Tick i = 0; i < kHammerTicks - 2; ++i) {
+            for (const auto& body : game.simulation().bodies()) {
+                const std::optional<FruitKind> kind = game.scene().whole(body->id());
+                EXPECT_EQ(game.scene().bursts(body->id()), kind && *kind != FruitKind::bomb);
+                ++(kind ? whole : pieces);
+            }
+            game.simulation().advance();
+        }
+        EXPECT_GT(whole, 0u);
+        EXPECT_GT(pieces, 0u) << "the hammer's own";
+        game.simulation().advance(4);
+        for (const auto& body : game.simulation().bodies())
+            EXPECT_EQ(game.scene().bursts(body->id()), game.scene().whole(body->id()) == FruitKind::frozen);
+    }
+    EXPECT_TRUE(saw_frozen);
+    EXPECT_TRUE(saw_hammer);
+}
+
 TEST(GameScene, GivesUpOnCommand)
 {
     Game game(GameMode::zen);

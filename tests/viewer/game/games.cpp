@@ -28,6 +28,7 @@ Mesh stand_in(game::FruitKind kind)
         case freeze:
         case frenzy:
         case double_points:
+        case hammer:
             return stretched(core::shapes::icosphere(1.0f, 4), {0.3f, 0.3f, 1.0f});
         case pineapple:
             return stretched(core::shapes::icosphere(1.0f, 4), {0.5f, 0.5f, 1.0f});

@@ -140,7 +140,7 @@ TEST_P(ScriptedGame, EndsInTheSameStateTwice)
 
 INSTANTIATE_TEST_SUITE_P(Modes, ScriptedGame,
                          testing::Values(Outcome{GameMode::classic, 60.0, 46, GameEnd::missed},
-                                         Outcome{GameMode::arcade, 75.0, 91, GameEnd::time},
+                                         Outcome{GameMode::arcade, 75.0, 85, GameEnd::time},
                                          Outcome{GameMode::zen, 90.5, 75, GameEnd::time}),
                          [](const auto& each) { return std::string(name_of(each.param.mode)); });
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "viewer/sim/camera.h"
@@ -27,7 +28,7 @@ int count(const Wave& wave, FruitKind kind)
 
 bool is_ordinary(const PlannedThrow& what)
 {
-    return what.kind != FruitKind::bomb && !is_special(what.kind);
+    return fruit_of(what.kind).weight > 0;
 }
 
 double mean_fruit(GameMode mode, int number)
@@ -120,11 +121,14 @@ TEST(Waves, GetHarder)
 TEST(Waves, HoldBombsAndSpecialsWhereTheyBelong)
 {
     for (const GameMode mode : kGameModes) {
-        int bombs = 0, specials[3] = {0, 0, 0};
+        using enum FruitKind;
+        constexpr std::array kSpecials{freeze, frenzy, double_points, hammer, frozen};
+        int bombs = 0;
+        std::array<int, kSpecials.size()> specials{};
         for (int number = 1; number <= 300; ++number) {
             const Wave wave = plan_wave(mode, number, std::uint64_t(number));
             bombs += count(wave, FruitKind::bomb);
-            for (int i = 0; i < 3; ++i) specials[i] += count(wave, FruitKind(int(FruitKind::freeze) + i));
+            for (std::size_t i = 0; i < specials.size(); ++i) specials[i] += count(wave, kSpecials[i]);
         }
         EXPECT_EQ(bombs > 0, mode != GameMode::zen) << name_of(mode);
         for (const int special : specials) EXPECT_EQ(special > 0, mode == GameMode::arcade) << name_of(mode);
