@@ -36,8 +36,8 @@ sheet() {
     convert "$work/$name.png" -filter Lanczos -resize 960x -quality 84 "fruit_$name.jpg"
 }
 
-sheet round watermelon apple orange lemon kiwi coconut
-sheet long banana pineapple bomb freeze frenzy double
+sheet round watermelon apple orange lemon kiwi coconut frozen
+sheet long banana pineapple bomb freeze frenzy double hammer
 
 # Ten seconds, ten frames each.
 "$viewer" --headless --scene arcade --autopilot --seed 1 --frames 800 --draw 0 --size 400x225 --record "$work/all" \
