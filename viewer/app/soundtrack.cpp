@@ -75,11 +75,15 @@ void Soundtrack::follow(const sim::Simulation& simulation, sound::Speaker& speak
     follow_game(simulation, speaker);
 }
 
-/// A crack for a few bonds, a heap that comes down for many; the more, the louder.
+/// Fruit that bursts is wet. A crack for a few bonds, a heap that comes down for many; the more, the louder.
 void Soundtrack::follow_breaks(const sim::Simulation& simulation, sound::Speaker& speaker)
 {
     constexpr std::size_t kHeap = 8;     // parts
     constexpr double kManyBonds = 60.0;  // as loud as it gets
+    const std::vector<sim::BreakRecord>& breaks = simulation.breaks();
+    for (; breaks_seen_ < breaks.size(); ++breaks_seen_)
+        if (game::game_of(simulation.scene()) != nullptr && !breaks[breaks_seen_].pieces.empty())
+            speaker.play(Sound::splat, {0.9, varied(breaks_seen_), pan_of(breaks[breaks_seen_].centre.x)});
     const std::vector<sim::CrackRecord>& cracks = simulation.cracks();
     for (; cracks_seen_ < cracks.size(); ++cracks_seen_) {
         const sim::CrackRecord& crack = cracks[cracks_seen_];

@@ -19,7 +19,7 @@ private:
     void follow_blade(const sim::Simulation& simulation, sound::Speaker& speaker);
     void follow_game(const sim::Simulation& simulation, sound::Speaker& speaker);
 
-    std::size_t cuts_seen_ = 0, cracks_seen_ = 0, events_seen_ = 0;
+    std::size_t cuts_seen_ = 0, breaks_seen_ = 0, cracks_seen_ = 0, events_seen_ = 0;
     sim::Tick last_swish_ = -sim::kTicksPerSecond;
     int seconds_told_ = 0;
 };

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kOutlinePoints = 96;
 constexpr float kFlashFades = 2.2f;  // of the flash in a second
 constexpr float kSlowScale = 0.35f;
-constexpr glm::vec3 kDust{0.46f, 0.43f, 0.39f};  // linear
-constexpr float kSmallestStain = 0.025f;         // radius of the drop, world units
+constexpr glm::vec3 kDust{0.46f, 0.43f, 0.39f}, kIceDust{0.72f, 0.84f, 0.95f};  // linear
+constexpr float kSmallestStain = 0.025f;                                        // radius of the drop, world units
 
 // sRGB, as text is drawn.
 constexpr glm::vec3 kWhite{1.0f, 0.98f, 0.92f}, kGold{1.0f, 0.82f, 0.25f}, kRed{1.0f, 0.28f, 0.22f},
@@ -117,7 +117,7 @@ void Effects::take_cut(const sim::Simulation& simulation, const sim::CutRecord& 
     add_splash(splash, drops_, stains_);
 }
 
-/// Fruit bleeds; everything else is left to its cracks.
+/// Fruit bleeds, what is frozen less, and in a cloud of ice; everything else is left to its cracks.
 void Effects::take_break(const sim::Simulation& simulation, const sim::BreakRecord& broken)
 {
     const game::Fruit* const fruit = fruit_of_model(simulation.models().model(broken.model).name);
@@ -131,7 +131,10 @@ void Effects::take_break(const sim::Simulation& simulation, const sim::BreakReco
         splash.velocity = glm::vec3(piece->motion().velocity);
     constexpr auto kEye = static_cast<float>(sim::kEyeDistance);
     splash.behind = glm::vec2(splash.centre) * (kEye - kWallZ) / (kEye - splash.centre.z);
+    const bool is_frozen = fruit->kind == game::FruitKind::frozen;
+    if (is_frozen) splash.strength = 0.4f;
     add_splash(splash, drops_, stains_);
+    if (is_frozen) add_dust({splash.seed + 1, splash.centre, splash.velocity, kIceDust, splash.size, 1.0f}, drops_);
     shake_.hit(0.2f);
 }
 

@@ -14,6 +14,10 @@ namespace {
 /// Numbers of decisions for Simulation::seed_for(): waves count from 1, throws of a frenzy from here.
 constexpr std::uint64_t kFrenzySeeds = std::uint64_t(1) << 32;
 
+/// What is smashed bursts into so many pieces, the outermost so fast, m/s.
+constexpr std::uint32_t kCellsOfFruit = 18;
+constexpr double kBurstSpeed = 4.0;
+
 bool is_thrown_in(GameMode mode, FruitKind kind)
 {
     if (is_special(kind) || kind == FruitKind::frozen) return mode == GameMode::arcade;
@@ -117,6 +121,29 @@ void GameScene::on_cut(sim::Simulation&, const sim::CutRecord& cut)
     what.lighter_share = lighter_share(cut);
     what.object = cut.object;
     what.number = cut.number;
+    flying_.erase(found);
+    rules_.cut(what);
+}
+
+std::optional<sim::Breaking> GameScene::smashes(const sim::Body& body) const
+{
+    if (!bursts(body.id())) return std::nullopt;
+    sim::Breaking how;
+    how.cells = kCellsOfFruit;
+    how.speed = kBurstSpeed;
+    return how;
+}
+
+void GameScene::on_smashed(sim::Simulation& simulation, const sim::Body& body, std::uint32_t swipe)
+{
+    const auto found = flying_.find(body.id());
+    if (found == flying_.end()) return;
+    Cut what;
+    what.kind = found->second;
+    what.tick = simulation.now();
+    what.swipe = swipe;
+    what.place = inside_stage(sim::Camera::seen_on_stage(body.centre()));
+    what.object = body.id();
     flying_.erase(found);
     rules_.cut(what);
 }

@@ -29,6 +29,8 @@ public:
     double time_scale() const override { return rules_.time_scale(); }
     void tick(sim::Simulation& simulation) override;
     void on_cut(sim::Simulation& simulation, const sim::CutRecord& cut) override;
+    std::optional<sim::Breaking> smashes(const sim::Body& body) const override;
+    void on_smashed(sim::Simulation& simulation, const sim::Body& body, std::uint32_t swipe) override;
     void on_gone(sim::Simulation& simulation, const sim::Body& body) override;
     /// `over` ends the game: the player gives up.
     bool command(sim::Simulation& simulation, std::string_view verb, std::string_view argument) override;

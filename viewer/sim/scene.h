@@ -38,6 +38,8 @@ public:
 
     /// How the blade breaks an object that it meets; empty: it cuts it.
     virtual std::optional<Breaking> smashes(const Body&) const { return std::nullopt; }
+    /// The blade has smashed an object that smashes() said it would; its pieces come later (on_broken()).
+    virtual void on_smashed(Simulation&, const Body&, std::uint32_t /*swipe*/) {}
     /// How an object breaks that is whole and was dealt so large an impulse by another one, N s; empty: it does not.
     virtual std::optional<Breaking> crashes(const Body&, double /*impulse*/) const { return std::nullopt; }
     /// The least impulse that clusters and crashes() are told of, N s.

@@ -241,6 +241,7 @@ void Simulation::smash(Body& body, const BladeSegment& segment, const WorldPlane
     const double length = glm::length(stroke);
     const glm::dvec3 direction = length > 0.0 ? glm::dvec3(stroke / length, 0.0) : glm::dvec3(0.0);
     strike(body.id(), {place, kBladeBlow * body.mass() * direction, {}}, how, segment.swipe);
+    scene_->on_smashed(*this, body, segment.swipe);
 }
 
 void Simulation::strike(ObjectId id, const Blow& blow, const Breaking& how, std::uint32_t swipe)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -274,6 +275,63 @@ TEST(GameScene, SaysWhatBursts)
     }
     EXPECT_TRUE(saw_frozen);
     EXPECT_TRUE(saw_hammer);
+}
+
+// Plays arcade games until the kind is on the stage, whole, and swipes through it. Null: no game threw one.
+std::unique_ptr<Game> swipe_at(FruitKind kind, const std::string& backend)
+{
+    for (std::uint64_t seed = 1; seed < 40; ++seed) {
+        auto game = std::make_unique<Game>(GameMode::arcade, seed, backend);
+        const bool is_there = game->play_until([&] { return game->find(kind) != nullptr; }, 40 * sim::kTicksPerSecond);
+        if (!is_there) continue;
+        game->swipe_through(*game->find(kind));
+        return game;
+    }
+    return nullptr;
+}
+
+TEST(GameScene, AFrozenFruitBurstsInsteadOfParting)
+{
+    for (const std::string& backend : sim::backend_names()) {
+        const std::unique_ptr<Game> game = swipe_at(FruitKind::frozen, backend);
+        ASSERT_NE(game, nullptr);
+        game->simulation().advance(4);
+        ASSERT_EQ(game->simulation().breaks().size(), 1u) << backend;
+        const sim::BreakRecord& broken = game->simulation().breaks().front();
+        EXPECT_EQ(broken.status, Status::done);
+        EXPECT_GE(broken.pieces.size(), 15u);
+        EXPECT_TRUE(game->simulation().world().clusters().empty()) << "nothing hangs together";
+        // The stroke may meet other fruit, too.
+        std::int64_t points = 0, times = 0;
+        for (const GameEvent& event : game->scene().events()) {
+            if (event.object != broken.object || event.kind == Kind::thrown) continue;
+            EXPECT_EQ(event.kind, Kind::fruit_cut) << "nothing critical, nothing missed";
+            points += event.points;
+            ++times;
+        }
+        EXPECT_EQ(times, 1) << "once";
+        EXPECT_EQ(points, fruit_of(FruitKind::frozen).points);
+    }
+}
+
+TEST(GameScene, UnderTheHammerFruitIsSmashedAndItsPiecesAreCut)
+{
+    const std::unique_ptr<Game> game = swipe_at(FruitKind::hammer, "halfedge");
+    ASSERT_NE(game, nullptr);
+    game->simulation().advance(4);
+    ASSERT_TRUE(std::ranges::any_of(game->state().specials, [](const auto& s) { return s.kind == FruitKind::hammer; }));
+    EXPECT_EQ(game->simulation().breaks().size(), 0u) << "the one that brings the hammer is cut";
+    ASSERT_EQ(game->simulation().cuts().size(), 1u);
+    ASSERT_TRUE(game->play_until([&] { return game->find_fruit() != nullptr; }, 3 * sim::kTicksPerSecond));
+    const std::int64_t before = game->state().counts.fruit_cut;
+    game->swipe_through(*game->find_fruit());
+    game->simulation().advance(4);
+    ASSERT_GE(game->simulation().breaks().size(), 1u);
+    EXPECT_GT(game->state().counts.fruit_cut, before);
+    const auto piece = std::ranges::max_element(game->simulation().bodies(), {}, [](const auto& body) {
+        return body->identity().parent == 0 ? 0.0 : body->mass();
+    });
+    EXPECT_FALSE(game->scene().smashes(**piece)) << "pieces are cut as ever";
 }
 
 TEST(GameScene, GivesUpOnCommand)
