@@ -12,9 +12,9 @@ namespace kerf::game {
 namespace {
 
 /// There is time to aim, m/s^2.
-constexpr double kGravity = 3.0;
+constexpr double kShatterGravity = 3.0;
 /// Half the diagonal of a thrown model's box, metres.
-constexpr double kRadius = 1.9;
+constexpr double kShatterRadius = 1.9;
 /// The impulse of a blow, N s: it makes a model of a ton go a metre in a second.
 constexpr double kBlow = 1000.0;
 /// A whole model that is dealt more than this by another one cracks, N s.
@@ -56,7 +56,7 @@ bool is_whole(const sim::Body& body)
 
 double ShatterScene::gravity() const
 {
-    return kGravity;
+    return kShatterGravity;
 }
 
 double ShatterScene::least_impact() const
@@ -83,7 +83,7 @@ void ShatterScene::throw_next(sim::Simulation& simulation)
 {
     const std::size_t model = next_model_;
     next_model_ = (next_model_ + 1) % simulation.models().size();
-    simulation.throw_object({model, simulation.seed_for(throws_++), kRadius});
+    simulation.throw_object({model, simulation.seed_for(throws_++), kShatterRadius});
     next_throw_ = simulation.now() + kPause;
 }
 

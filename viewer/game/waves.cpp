@@ -33,8 +33,8 @@ constexpr std::array<Difficulty, 4> kZen{{
 }};
 
 /// What a wave holds one of where Difficulty::special_percent says so, all of them as often.
-constexpr std::array<FruitKind, 5> kSpecials{FruitKind::freeze, FruitKind::frenzy, FruitKind::double_points,
-                                             FruitKind::hammer, FruitKind::frozen};
+constexpr std::array<FruitKind, 5> kThrownSpecials{FruitKind::freeze, FruitKind::frenzy, FruitKind::double_points,
+                                                   FruitKind::hammer, FruitKind::frozen};
 
 /// Room between two fruit that start at once, metres beyond what their boxes take.
 constexpr double kElbowRoom = 0.1;
@@ -81,7 +81,8 @@ std::vector<FruitKind> draw_kinds(core::Random& random, const Difficulty& diffic
     std::vector<FruitKind> kinds;
     const int fruit = between(random, difficulty.least_fruit, difficulty.most_fruit);
     for (int i = 0; i < fruit; ++i) kinds.push_back(draw_fruit(random));
-    if (chance(random, difficulty.special_percent)) kinds.push_back(kSpecials[random.below(kSpecials.size())]);
+    if (chance(random, difficulty.special_percent))
+        kinds.push_back(kThrownSpecials[random.below(kThrownSpecials.size())]);
     if (chance(random, difficulty.bomb_percent))
         kinds.insert(kinds.end(), std::size_t(between(random, 1, difficulty.most_bombs)), FruitKind::bomb);
     // Bombs and specials come anywhere in the wave, not at its end.

@@ -16,6 +16,21 @@
 
 namespace kerf::sim {
 
+Identity heir_of(const Identity& parent, ObjectId id, Tick birth, std::uint32_t swipe, const RecentCut& cut)
+{
+    Identity heir;
+    heir.id = id;
+    heir.parent = parent.id;
+    heir.origin = parent.origin;
+    heir.birth = birth;
+    heir.last_swipe = swipe;
+    heir.closed_rightly = parent.closed_rightly;
+    for (const RecentCut& recent : parent.recent_cuts)
+        if (recent.until > birth) heir.recent_cuts.push_back(recent);
+    heir.recent_cuts.push_back(cut);
+    return heir;
+}
+
 Body::Body(Identity identity, Object object, const Solid& solid, const MeshPose& pose, const Motion& motion,
            ProxyKind proxy)
     : identity_(std::move(identity)), object_(std::move(object)), solid_(solid)

@@ -57,6 +57,10 @@ struct Identity
     bool closed_rightly = true;          ///< CutRecord::closed_rightly of all cuts that it descends from
 };
 
+/// A piece of a body: of the same origin, and a sibling of the other pieces of this cut and of those that have not run out.
+/// @param swipe  that made it, and does not cut it again
+Identity heir_of(const Identity& parent, ObjectId id, Tick birth, std::uint32_t swipe, const RecentCut& cut);
+
 /// One flying piece: something to cut, and the rigid body that carries it. The body's origin is the centre of mass and
 /// its axes are the principal ones, so Bullet's diagonal inertia is exact; mesh coordinates never change.
 class Body

@@ -12,18 +12,10 @@
 
 #include "viewer/sim/bullet_glm.h"
 #include "viewer/sim/kerf_glm.h"
+#include "viewer/sim/point_inertia.h"
 #include "viewer/sim/rigid_body.h"
 
 namespace kerf::sim {
-namespace {
-
-/// |d|^2 - d d': what a unit mass at d adds to an inertia tensor.
-glm::dmat3 of_point(const glm::dvec3& d)
-{
-    return glm::dmat3(glm::dot(d, d)) - glm::outerProduct(d, d);
-}
-
-}  // namespace
 
 Cluster::Cluster(std::vector<Body*> members, std::vector<Bond> bonds, const Motion& motion)
     : members_(std::move(members)), bonds_(std::move(bonds))
@@ -40,7 +32,7 @@ Cluster::Cluster(std::vector<Body*> members, std::vector<Bond> bonds, const Moti
     glm::dmat3 inertia(0.0);
     for (const Body* const body : members_) {
         const glm::dvec3 arm = scale_ * (body->solid().centre - middle_);
-        inertia += body->solid().inertia() + body->mass() * of_point(arm);
+        inertia += body->solid().inertia() + body->mass() * point_inertia(arm);
         radius_ = std::max(radius_, glm::length(arm) + body->radius());
     }
     Mat3d tensor;

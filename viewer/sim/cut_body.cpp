@@ -62,19 +62,11 @@ std::vector<Part> weigh(std::vector<Piece>& pieces, const MeshPose& pose)
     return parts;
 }
 
-Identity heir_of(const Identity& parent, const CutRecord& record, ObjectId id)
+Identity piece_of(const Identity& parent, const CutRecord& record, ObjectId id)
 {
-    Identity heir;
-    heir.id = id;
-    heir.parent = parent.id;
-    heir.origin = parent.origin;
-    heir.birth = record.tick;
-    heir.last_swipe = record.swipe;
-    heir.closed_rightly = record.origin_closed_rightly && record.closed_rightly;
-    for (const RecentCut& cut : parent.recent_cuts)
-        if (cut.until > record.tick) heir.recent_cuts.push_back(cut);
-    heir.recent_cuts.push_back({record.number, record.tick + kSiblingTicks});
-    return heir;
+    Identity piece = heir_of(parent, id, record.tick, record.swipe, {record.number, record.tick + kSiblingTicks});
+    piece.closed_rightly = record.origin_closed_rightly && record.closed_rightly;
+    return piece;
 }
 
 void hash_surfaces(const World& world, CutRecord& record)
@@ -161,7 +153,7 @@ void cut_body(World& world, ObjectId id, const WorldPlane& plane, const CutBodyO
             continue;
         }
         const std::uint64_t triangles = piece.object.triangle_count();
-        const Body& made = world.add(std::make_unique<Body>(heir_of(parent->identity(), record, ++*options.last_id),
+        const Body& made = world.add(std::make_unique<Body>(piece_of(parent->identity(), record, ++*options.last_id),
                                                             std::move(piece.object), piece.solid, pose, parts[i].motion,
                                                             options.proxy));
         record.proxy_ms += made.proxy_ms();

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "viewer/sim/point_inertia.h"
+
 namespace kerf::sim {
 namespace {
 
@@ -16,12 +18,6 @@ struct SideBody
     Motion motion;
 };
 
-/// |d|^2 - d d': what a unit mass at d adds to an inertia tensor.
-glm::dmat3 of_point(const glm::dvec3& d)
-{
-    return glm::dmat3(glm::dot(d, d)) - glm::outerProduct(d, d);
-}
-
 SideBody gather(std::span<const Part> parts, bool positive)
 {
     SideBody side;
@@ -33,7 +29,8 @@ SideBody gather(std::span<const Part> parts, bool positive)
     if (!(side.mass > 0.0)) return side;
     side.centre /= side.mass;
     for (const Part& part : parts)
-        if (part.positive == positive) side.inertia += part.inertia + part.mass * of_point(part.centre - side.centre);
+        if (part.positive == positive)
+            side.inertia += part.inertia + part.mass * point_inertia(part.centre - side.centre);
     return side;
 }
 

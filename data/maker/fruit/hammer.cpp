@@ -22,7 +22,7 @@ constexpr double kSide = 0.20;    ///< half the side of its two faces
 constexpr double kWaist = 0.85;   ///< of that in the middle
 
 constexpr double kCollarRadius = 0.138;
-constexpr double kBevel = 0.024;
+constexpr double kHammerBevel = 0.024;
 
 /// How thick the head is at a place along it, as a share.
 double flare(double u)
@@ -35,12 +35,12 @@ double flare(double u)
 glm::dvec2 on_rectangle(int i, double half_length, double half_width)
 {
     constexpr int kQuarter = kBananaSegments / 4;
-    const double inner = half_length - kBevel - 0.03;
+    const double inner = half_length - kHammerBevel - 0.03;
     const std::array<glm::dvec2, kQuarter + 1> quarter{{
         {half_length, 0},
         {half_length, 0.5 * half_width},
-        {half_length, half_width - kBevel},
-        {half_length - kBevel, half_width},
+        {half_length, half_width - kHammerBevel},
+        {half_length - kHammerBevel, half_width},
         {inner, half_width},
         {inner * 5 / 6, half_width},
         {inner * 4 / 6, half_width},
@@ -71,7 +71,7 @@ public:
         for (const double share : {0.35, 0.7, 1.0})
             add([=](int i) { return glm::mix(lifted(circle(i), kCollar), at_level(inset(i), -1.0), share); });
         group(6);
-        constexpr double kSteep = 1.0 - kBevel / kSide;
+        constexpr double kSteep = 1.0 - kHammerBevel / kSide;
         add([](int i) { return at_level(outline(i), -kSteep); });
         group(7);
         for (const double level : {-0.5, 0.0, 0.5, kSteep}) add([=](int i) { return at_level(outline(i), level); });
@@ -95,7 +95,7 @@ private:
         return {kCollarRadius * std::cos(turn), kCollarRadius * std::sin(turn)};
     }
     static glm::dvec2 outline(int i) { return on_rectangle(i, kLength, kSide); }
-    static glm::dvec2 inset(int i) { return on_rectangle(i, kLength - kBevel, kSide - kBevel); }
+    static glm::dvec2 inset(int i) { return on_rectangle(i, kLength - kHammerBevel, kSide - kHammerBevel); }
     static glm::dvec3 lifted(const glm::dvec2& p, double height) { return {p.x, p.y, height}; }
     /// @param level  -1: lower side, 1: upper side
     static glm::dvec3 at_level(const glm::dvec2& p, double level)

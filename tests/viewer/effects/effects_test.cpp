@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 
 #include "viewer/game/autopilot.h"
 #include "viewer/game/fruit_models.h"
@@ -91,6 +94,30 @@ TEST(Effects, JuiceFliesAndStainsTheWallWhenAFruitIsCut)
     };
     const auto all = game::fruit_catalogue();
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), known)) << "the stain has the colour of the fruit's juice";
+}
+
+TEST(Effects, NameASpecialFruitWhoseEffectBegins)
+{
+    using enum game::FruitKind;
+    const std::map<game::FruitKind, std::string> names{
+        {freeze, "Freeze"}, {frenzy, "Frenzy"}, {double_points, "Double points"}, {hammer, "Hammer"}};
+    std::set<game::FruitKind> begun;
+    for (std::uint64_t seed = 1; seed < 10 && begun.size() < names.size(); ++seed) {
+        Played played(game::GameMode::arcade, seed);
+        std::size_t seen = 0;
+        for (int i = 0; i < 1200; ++i) {
+            played.frame(true);
+            const auto events = game::game_of(played.simulation.scene())->events();
+            for (; seen < events.size(); ++seen) {
+                if (events[seen].kind != game::GameEventKind::special_started) continue;
+                const game::FruitKind kind = events[seen].fruit.value();
+                const auto is_name = [&](const effects::Popup& popup) { return popup.text == names.at(kind); };
+                EXPECT_TRUE(std::ranges::any_of(played.effects.popups().all(), is_name)) << names.at(kind);
+                begun.insert(kind);
+            }
+        }
+    }
+    EXPECT_EQ(begun.size(), names.size());
 }
 
 TEST(Effects, StayBoundedHoweverLongAGameLasts)

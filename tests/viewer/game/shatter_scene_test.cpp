@@ -59,11 +59,8 @@ class ShatterSceneTest : public testing::TestWithParam<std::string>
 {
 };
 
-std::string test_name(const testing::TestParamInfo<std::string>& backend)
-{
-    return backend.param.substr(0, backend.param.find('/'));
-}
-INSTANTIATE_TEST_SUITE_P(BackEnds, ShatterSceneTest, testing::Values("halfedge", "baseline/remap"), test_name);
+INSTANTIATE_TEST_SUITE_P(BackEnds, ShatterSceneTest, testing::Values("halfedge", "baseline/remap"),
+                         test::back_end_test_name);
 
 }  // namespace
 

@@ -33,13 +33,6 @@ Settings with_backend(const std::string& backend, std::uint64_t seed = 1)
     return settings;
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& backend)
-{
-    std::string name = backend.param;
-    std::replace(name.begin(), name.end(), '/', '_');
-    return name;
-}
-
 // Where the first object of a run is seen at a tick, on the stage.
 glm::dvec2 first_seen_at(const std::shared_ptr<ModelLibrary>& models, std::uint64_t seed, Tick tick)
 {
@@ -92,7 +85,7 @@ std::vector<LogLine> log_of(const Simulation& simulation)
 class OnEachBackEnd : public testing::TestWithParam<std::string>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Simulation, OnEachBackEnd, testing::ValuesIn(backend_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(Simulation, OnEachBackEnd, testing::ValuesIn(backend_names()), test::back_end_test_name);
 
 TEST_P(OnEachBackEnd, CutsWhatTheSwipeCrosses)
 {

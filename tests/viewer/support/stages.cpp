@@ -1,6 +1,7 @@
 #include "viewer/support/stages.h"
 
 #include <kerf/shapes.h>
+#include <algorithm>
 
 #include <glm/common.hpp>
 
@@ -67,6 +68,13 @@ std::vector<sim::InputEvent> stroke(sim::Microseconds start, sim::Microseconds d
         events.push_back({start + t, sim::InputKind::move, glm::mix(from, to, double(t) / double(duration)), {}});
     events.push_back({start + duration, sim::InputKind::release, to, {}});
     return events;
+}
+
+std::string back_end_test_name(const testing::TestParamInfo<std::string>& backend)
+{
+    std::string name = backend.param;
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
 }
 
 }  // namespace kerf::test

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <kerf/object.h>
 
 #include <memory>
@@ -41,6 +42,9 @@ std::shared_ptr<sim::ModelLibrary> library_of(const std::vector<std::string>& sh
 
 /// The report's fifteen models.
 std::shared_ptr<sim::ModelLibrary> report_library();
+
+/// Of a test for each back end: its name as GoogleTest takes it.
+std::string back_end_test_name(const testing::TestParamInfo<std::string>& backend);
 
 /// A straight stroke at constant speed: press, a sample every `step`, release.
 std::vector<sim::InputEvent> stroke(sim::Microseconds start, sim::Microseconds duration, const glm::dvec2& from,

@@ -96,10 +96,10 @@ vec4 through_ice(vec3 p, vec3 along)
     vec3 q = in_berry(p), step_ = in_berry(p + along) - q;
     // Sphere tracing (Hart 1996). The share changes by at most 1 / 0.22 a metre.
     float way = 0.0;
-    for (int i = 0; i < 14 && way < out_.x; ++i) {
+    for (int i = 0; i < 16 && way < out_.x; ++i) {
         float share = berry_share(q + way * step_);
         if (share < 1.02) break;
-        way += (share - 1.0) * 0.26;
+        way += (share - 1.0) * 0.22;
     }
     if (way < out_.x && berry_share(q + way * step_) < 1.12) {
         vec3 at = q + way * step_;

@@ -59,23 +59,6 @@ std::vector<Bond> bonds_left(const Cluster& cluster, const glm::dvec3& place, do
     return left;
 }
 
-Identity heir_of(const Identity& parent, ObjectId id, const BreakRecord& record, const BreakBodyOptions& options,
-                 std::uint64_t key)
-{
-    Identity heir;
-    heir.id = id;
-    heir.parent = parent.id;
-    heir.origin = parent.origin;
-    heir.origin.copy = key;
-    heir.birth = record.tick;
-    heir.last_swipe = options.swipe;
-    heir.closed_rightly = parent.closed_rightly;
-    for (const RecentCut& cut : parent.recent_cuts)
-        if (cut.until > record.tick) heir.recent_cuts.push_back(cut);
-    heir.recent_cuts.push_back({options.number, record.tick + kBreakSiblingTicks});
-    return heir;
-}
-
 }  // namespace
 
 CrackRecord crack(World& world, Cluster& cluster, const Blow& blow, double speed, std::uint64_t number)
@@ -127,9 +110,11 @@ CrackRecord break_body(World& world, ObjectId id, BreakJob& job, const BreakBody
         }
         const glm::dvec3 arm = pose.to_world(piece.solid.centre) - record.centre;
         const Motion inherited{motion.velocity + glm::cross(motion.spin, arm), motion.spin};
-        Body& made = world.add(
-            std::make_unique<Body>(heir_of(parent->identity(), ++*options.last_id, record, options, piece.key),
-                                   std::move(piece.object), piece.solid, pose, inherited, std::move(piece.proxy)));
+        Identity identity = heir_of(parent->identity(), ++*options.last_id, record.tick, options.swipe,
+                                    {options.number, record.tick + kBreakSiblingTicks});
+        identity.origin.copy = piece.key;
+        Body& made = world.add(std::make_unique<Body>(std::move(identity), std::move(piece.object), piece.solid, pose,
+                                                      inherited, std::move(piece.proxy)));
         bodies.push_back(of_piece[i] = &made);
         record.pieces.push_back(made.id());
     }

@@ -16,11 +16,8 @@ protected:
     const Object ball = test::object_of(test::shape("icosphere", 5120), GetParam());
 };
 
-std::string test_name(const testing::TestParamInfo<std::string>& backend)
-{
-    return backend.param.substr(0, backend.param.find('/'));
-}
-INSTANTIATE_TEST_SUITE_P(BackEnds, MeshRayTest, testing::Values("halfedge", "baseline/remap"), test_name);
+INSTANTIATE_TEST_SUITE_P(BackEnds, MeshRayTest, testing::Values("halfedge", "baseline/remap"),
+                         test::back_end_test_name);
 
 }  // namespace
 

@@ -100,18 +100,11 @@ void upload_waiting(const Simulation& simulation)
     }
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& backend)
-{
-    std::string name = backend.param;
-    std::replace(name.begin(), name.end(), '/', '_');
-    return name;
-}
-
 class StrikeTest : public testing::TestWithParam<std::string>
 {
 };
 INSTANTIATE_TEST_SUITE_P(Strike, StrikeTest, testing::Values("halfedge", "baseline/remap", "baseline/hash"),
-                         test_name);
+                         test::back_end_test_name);
 
 }  // namespace
 
