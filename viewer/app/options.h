@@ -29,8 +29,8 @@ struct Options
 
     bool headless = false;
     std::int64_t frames = 0;  ///< 0: without a screen as long as the script, with one until the window is closed
-    bool waits = true;  ///< without a screen: for what threads make, so that runs are equal; false: as in a window
-    int draw_every = 1;       ///< without a screen: pictures; 0: only the last, when somebody wants to see it
+    bool waits = true;   ///< without a screen: for what threads make, so that runs are equal; false: as in a window
+    int draw_every = 1;  ///< without a screen: pictures; 0: only the last, when somebody wants to see it
     int width = 1280, height = 720;
     bool has_size = false;             ///< it was asked for
     std::filesystem::path screenshot;  ///< of the last frame
