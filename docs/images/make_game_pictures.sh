@@ -21,7 +21,7 @@ picture() {
 picture menu --scene menu --frames 40
 picture classic --scene classic --autopilot --seed 3 --frames 1627
 picture over --scene classic --screen over --autopilot --seed 3 --frames 2900
-picture arcade --scene arcade --autopilot --seed 1 --frames 1366
+picture arcade --scene arcade --autopilot --seed 1 --frames 508
 picture zen --scene zen --autopilot --seed 8 --frames 706
 picture giant --scene giant --screen play --giant 400000 --script game_giant.kerf --frames 240 --draw 17 --size 960x540
 picture duel --scene duel --autopilot --seed 1 --frames 300

@@ -1,3 +1,5 @@
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <set>
@@ -26,6 +28,37 @@ protected:
         return Json::parse(bytes.substr(20, length));
     }
 };
+
+/// What `assimp info FILE` says; empty if the program is not there.
+std::string said_by_assimp(const std::string& file)
+{
+    std::string text;
+    FILE* const pipe = popen(("assimp info '" + file + "' 2>/dev/null").c_str(), "r");
+    if (pipe == nullptr) return text;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+    pclose(pipe);
+    return text;
+}
+
+/// The number after a title, at the start of a line.
+long number_after(const std::string& text, const std::string& title)
+{
+    const std::size_t place = text.find("\n" + title);
+    return place == std::string::npos ? -1 : std::atol(text.c_str() + place + 1 + title.size());
+}
+
+TEST_F(KerfFracture, AnotherProgramReadsTheScene)
+{
+    make("asteroid", 1000);
+    const Json said = kerf_json("fracture in.ply --cells 12 --seed 7 -o out.glb");
+    const std::string info = said_by_assimp((folder_ / "out.glb").string());
+    if (info.empty()) GTEST_SKIP() << "assimp is not there";
+    long triangles = 0;
+    for (const Json& piece : said["pieces"]) triangles += piece["triangles"].get<long>();
+    EXPECT_EQ(number_after(info, "Nodes:"), long(said["pieces"].size()) + 1) << "and the scene's own";
+    EXPECT_EQ(number_after(info, "Faces:"), triangles);
+    EXPECT_GE(number_after(info, "Materials:"), 1) << "that of the inside";
+}
 
 TEST_F(KerfFracture, WritesANodeForEachPieceThatNamesItsNeighbours)
 {

@@ -108,7 +108,7 @@ ParsedOptions parse_options(int argc, char** argv)
     Options options;
     options.data_folder = data_folder();
     std::string size, lighting, backends, zoom_at;
-    bool no_panel = false, panel = false, no_vsync = false;
+    bool no_panel = false, panel = false, no_vsync = false, no_wait = false;
 
     CLI::App program("Throws models and lets you cut them with the mouse, with either back end.", "kerf-viewer");
     program.set_version_flag("--version", "kerf-viewer " KERF_VERSION);
@@ -140,7 +140,7 @@ ParsedOptions parse_options(int argc, char** argv)
     program.add_option("--frames", options.frames, "frames of 1/60 s to run (0: to the script's end)")
         ->transform(command_line::whole_number(0, kMostFrames))
         ->type_name("N");
-    program.add_flag("!--no-wait", options.waits,
+    program.add_flag("--no-wait", no_wait,
                      "with --headless: what threads make appears when it is ready, as in a window; runs differ then");
     program.add_option("--draw", options.draw_every, "with --headless: draw every N-th frame; 0: only a screenshot")
         ->transform(command_line::whole_number(0, kMostFrames))
@@ -204,6 +204,8 @@ ParsedOptions parse_options(int argc, char** argv)
             throw CLI::ValidationError("FILE", "only the scenes report, shatter and section show models of your own");
         if (is_section && (has_runs || !options.script.empty() || !options.save_script.empty()))
             throw CLI::ValidationError("--scene", "section has one back end, and neither --script nor --save-script");
+        if (no_wait && !options.headless)
+            throw CLI::ValidationError("--no-wait", "needs --headless: a window never waits");
         if (options.headless && options.frames == 0 && options.script.empty())
             throw CLI::ValidationError("--headless", "needs --frames or --script");
     } catch (const CLI::ParseError& error) {
@@ -213,6 +215,7 @@ ParsedOptions parse_options(int argc, char** argv)
         return {std::nullopt, kWrongUse};
     }
     if (lighting == "lambert") options.view.lighting = render::Lighting::lambert;
+    options.waits = !no_wait;
     options.vsync = !no_vsync;
     options.has_size = !size.empty();
     options.wants_panel = panel;
