@@ -41,13 +41,14 @@ void add_thrown_models(RunSetup& setup, const Options& options)
 }
 
 /// Runs in fixed steps must not depend on how fast a thread is, and recordings say themselves when something was ready.
-sim::Handover handover_for(const Options& options, const sim::Script& script)
+sim::Readiness readiness_for(const Options& options, const sim::Script& script)
 {
     for (const sim::InputEvent& event : script.events)
         if (event.kind == sim::InputKind::command && (event.text == "show" || event.text.starts_with("break ")))
-            return sim::Handover::on_command;
-    return (options.headless && options.waits) || (!options.headless && options.frames > 0) ? sim::Handover::at_once
-                                                                                            : sim::Handover::when_ready;
+            return sim::Readiness::on_command;
+    return (options.headless && options.waits) || (!options.headless && options.frames > 0)
+               ? sim::Readiness::at_once
+               : sim::Readiness::when_ready;
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ RunSetup read_run_setup(const Options& options)
         const std::string size = "size " + std::to_string(options.giant);
         setup.script.events.insert(setup.script.events.begin(), {1, sim::InputKind::command, {}, size});
     }
-    setup.handover = setup.settings.breaks = handover_for(options, setup.script);
+    setup.readiness = setup.settings.breaks = readiness_for(options, setup.script);
 
     setup.models = std::make_shared<sim::ModelLibrary>();
     if (settings.scene == "report" || settings.scene == "shatter" || settings.scene == "section") {

@@ -19,7 +19,7 @@ struct RunSetup
     std::shared_ptr<sim::ModelLibrary> models;
     sim::Script script;  ///< empty without --script
     sim::Settings settings;
-    sim::Handover handover = sim::Handover::at_once;
+    sim::Readiness readiness = sim::Readiness::at_once;
     std::vector<std::string> messages;  ///< models that could not be read, one sentence each
 
     /// What settings.scene names, to hand to a Simulation.
@@ -27,7 +27,7 @@ struct RunSetup
     /// @throws std::invalid_argument  there is no such scene
     std::unique_ptr<sim::Scene> make_scene(std::int64_t best = 0) const
     {
-        return game::make_scene(settings.scene, models, {best, handover});
+        return game::make_scene(settings.scene, models, {best, readiness});
     }
 };
 

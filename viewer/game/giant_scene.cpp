@@ -26,8 +26,8 @@ constexpr double kLeftOver = 0.02;
 
 }  // namespace
 
-GiantScene::GiantScene(std::shared_ptr<sim::ModelLibrary> models, sim::Handover handover)
-    : maker_(std::move(models)), handover_(handover)
+GiantScene::GiantScene(std::shared_ptr<sim::ModelLibrary> models, sim::Readiness readiness)
+    : maker_(std::move(models)), readiness_(readiness)
 {
 }
 
@@ -40,8 +40,8 @@ void GiantScene::tick(sim::Simulation& simulation)
 {
     // Not in the first tick: a size that is asked for at the start comes with it.
     if (simulation.now() > 1 && (is_wanted_ || backend_ != simulation.backend())) request(simulation);
-    if (is_expected_ && handover_ == sim::Handover::at_once) show(simulation);
-    if (is_expected_ && handover_ == sim::Handover::when_ready && !is_announced_ && may_show(simulation)) {
+    if (is_expected_ && readiness_ == sim::Readiness::at_once) show(simulation);
+    if (is_expected_ && readiness_ == sim::Readiness::when_ready && !is_announced_ && may_show(simulation)) {
         is_announced_ = true;
         simulation.command("show");
     }
@@ -119,7 +119,7 @@ void GiantScene::on_gone(sim::Simulation&, const sim::Body& body)
 bool GiantScene::command(sim::Simulation& simulation, std::string_view verb, std::string_view argument)
 {
     if (verb == "show") {
-        if (is_expected_ && handover_ != sim::Handover::at_once) show(simulation);
+        if (is_expected_ && readiness_ != sim::Readiness::at_once) show(simulation);
         return true;
     }
     if (verb == "size") {

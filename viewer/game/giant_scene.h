@@ -6,7 +6,7 @@
 
 #include "viewer/game/giant_maker.h"
 #include "viewer/game/giant_sizes.h"
-#include "viewer/sim/handover.h"
+#include "viewer/sim/readiness.h"
 #include "viewer/sim/scene.h"
 
 namespace kerf::game {
@@ -26,13 +26,13 @@ struct GiantState
 /// The heaviest piece is held, the others sink. When little is left of it, or after `next`, the next one rises.
 ///
 /// Commands: `size N` asks for another number of triangles, `next` for a new asteroid, `show`: see
-/// sim::Handover.
+/// sim::Readiness.
 class GiantScene : public sim::Scene
 {
 public:
     static constexpr std::int64_t kTriangles = 100'000;  ///< when nobody asks for another number
 
-    GiantScene(std::shared_ptr<sim::ModelLibrary> models, sim::Handover handover);
+    GiantScene(std::shared_ptr<sim::ModelLibrary> models, sim::Readiness readiness);
 
     std::string_view name() const override { return "giant"; }
     double gravity() const override;
@@ -53,7 +53,7 @@ private:
     void hold(sim::Simulation& simulation);
 
     GiantMaker maker_;
-    sim::Handover handover_;
+    sim::Readiness readiness_;
     std::int64_t triangles_ = kTriangles;
     std::string backend_;        ///< that the last request was for
     bool is_expected_ = false;   ///< a giant was asked for and is not there yet

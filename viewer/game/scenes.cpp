@@ -25,7 +25,7 @@ std::unique_ptr<sim::Scene> make_scene(std::string_view name, const std::shared_
 {
     if (const std::optional<GameMode> mode = find_mode(name))
         return std::make_unique<GameScene>(*mode, *models, options.best);
-    if (name == "giant") return std::make_unique<GiantScene>(models, options.handover);
+    if (name == "giant") return std::make_unique<GiantScene>(models, options.readiness);
     if (name == "shatter") return std::make_unique<ShatterScene>();
     std::unique_ptr<sim::Scene> scene = sim::make_scene(name);
     if (!scene) throw std::invalid_argument("there is no scene '" + std::string(name) + "'");

@@ -19,7 +19,7 @@ const std::vector<std::string>& scene_names();
 struct SceneOptions
 {
     std::int64_t best = 0;  ///< score to beat, for games that count
-    sim::Handover handover = sim::Handover::at_once;
+    sim::Readiness readiness = sim::Readiness::at_once;
 };
 
 /// A scene to hand to sim::Simulation.

@@ -106,11 +106,11 @@ const DrawView& FragmentStore::look_at(const Object& object)
     return view_;
 }
 
-DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> images, Room room)
+/// Uploads what is new of an object's buffers, all of it if they are new here, and tells the object so.
+std::shared_ptr<SharedBuffers> FragmentStore::upload_new(Object& object, const DrawView& view, Room room)
 {
-    const DrawView& view = look_at(object);
     bool is_new = false;
-    const std::shared_ptr<SharedBuffers> buffers = buffers_for(view, room, is_new);
+    std::shared_ptr<SharedBuffers> buffers = buffers_for(view, room, is_new);
 
     bool has_moved = false;
     const auto upload = [&](GrowingBuffer& buffer, std::span<const std::byte> content, std::size_t from) {
@@ -123,6 +123,13 @@ DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> im
     upload(buffers->indices, std::as_bytes(view.indices), is_new ? 0 : view.new_indices_from * sizeof(std::uint32_t));
     if (has_moved) describe_vertices(*buffers);
     object.mark_uploaded(view);
+    return buffers;
+}
+
+DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> images, Room room)
+{
+    const DrawView& view = look_at(object);
+    const std::shared_ptr<SharedBuffers> buffers = upload_new(object, view, room);
 
     const auto look_of = [&](std::uint32_t material, TriangleKind kind) {
         return buffers->looks.look(material, kind,
@@ -137,6 +144,14 @@ std::uint64_t FragmentStore::bring(Object& object, Arrival& arrival, std::uint64
 {
     const DrawView& view = look_at(object);
     const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
+    if (!arrival.buffers && sets_.contains(view.buffers)) {
+        // A relative of what is here: what it adds is little, and comes at once.
+        const std::uint64_t before = bytes_uploaded_;
+        arrival.buffers = upload_new(object, view, room);
+        arrival.bytes = arrival.vertex_bytes = bytes_uploaded_ - before;
+        arrival.is_whole = true;
+        return arrival.bytes;
+    }
     if (!arrival.buffers) {
         // The index buffer gets its size when its turn comes.
         arrival.buffers = std::make_shared<SharedBuffers>(

@@ -118,7 +118,8 @@ public:
     /// Uploads at most so many bytes of an object of which nothing was uploaded yet, from where `arrival` ends, and
     /// says how many. Each of the two buffers is allocated in a call of its own. When all is there the object is told
     /// so, and add() has nothing left to upload as long as `arrival` is kept. The object must be the same each time and
-    /// not be cut meanwhile. O(bytes)
+    /// not be cut meanwhile. Of an object whose buffers are here already, because it shares them with another one, all that
+    /// is new comes at once, whatever `most` says. O(bytes)
     /// @throws RenderError  the graphics card has no memory left
     std::uint64_t bring(Object& object, Arrival& arrival, std::uint64_t most, Room room = Room::exact);
 
@@ -130,6 +131,7 @@ public:
     std::uint64_t bytes_held() const;  ///< on the graphics card now
 
 private:
+    std::shared_ptr<SharedBuffers> upload_new(Object& object, const DrawView& view, Room room);
     std::shared_ptr<SharedBuffers> buffers_for(const DrawView& view, Room room, bool& is_new);
 
     /// Fills `view_`. @throws RenderError

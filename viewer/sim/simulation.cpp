@@ -314,11 +314,11 @@ std::vector<WaitingPiece> Simulation::waiting_pieces() const
 
 void Simulation::settle_breaks()
 {
-    if (settings_.breaks == Handover::at_once) {
+    if (settings_.breaks == Readiness::at_once) {
         while (!pending_.empty()) finish_break(pending_.front().object);
         return;
     }
-    if (settings_.breaks == Handover::on_command) return;
+    if (settings_.breaks == Readiness::on_command) return;
     DrawView view;
     for (PendingBreak& one : pending_) {
         if (one.is_announced || !one.job->is_done) continue;

@@ -10,9 +10,9 @@
 #include "viewer/sim/camera.h"
 #include "viewer/sim/cut_log.h"
 #include "viewer/sim/cutting_plane.h"
-#include "viewer/sim/handover.h"
 #include "viewer/sim/input_queue.h"
 #include "viewer/sim/model_library.h"
+#include "viewer/sim/readiness.h"
 #include "viewer/sim/scene.h"
 #include "viewer/sim/script.h"
 #include "viewer/sim/thrower.h"
@@ -30,7 +30,7 @@ struct Settings
     std::uint64_t seed = 1;
     bool hash_surfaces = false;  ///< fill in surface hashes, measure caps: O(n) for each cut, off the timed path
     bool record = false;         ///< keep what is pushed, for recording()
-    Handover breaks = Handover::at_once;  ///< when the pieces of what is broken are there
+    Readiness breaks = Readiness::at_once;  ///< when the pieces of what is broken are there
 };
 
 /// A piece that is ready and not yet a body: it is brought onto the graphics card meanwhile.
@@ -47,7 +47,7 @@ struct WaitingPiece
 /// the blade against every object at once.
 ///
 /// Commands (InputKind::command; command() now): `backend NAME`, `proxy KIND`, `gesture NAME` for what is thrown from
-/// now on, `break ID` (Handover), and those of the scene.
+/// now on, `break ID` (Readiness), and those of the scene.
 class Simulation
 {
 public:

@@ -216,7 +216,7 @@ protected:
     {
         sim::Settings settings;
         settings.backend = GetParam();
-        settings.breaks = sim::Handover::when_ready;
+        settings.breaks = sim::Readiness::when_ready;
         return settings;
     }
     void strike()

@@ -14,7 +14,7 @@
 namespace kerf::game {
 namespace {
 
-sim::Simulation play(sim::Handover arrival, const std::string& backend = {}, bool record = false)
+sim::Simulation play(sim::Readiness arrival, const std::string& backend = {}, bool record = false)
 {
     const auto models = std::make_shared<sim::ModelLibrary>();
     sim::Settings settings;
@@ -72,7 +72,7 @@ sim::Tick wait_for_giant(sim::Simulation& simulation)
 
 TEST(GiantScene, RaisesAnAsteroidToTheMiddle)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once);
+    sim::Simulation simulation = play(sim::Readiness::at_once);
     simulation.command("size 10000");
     simulation.advance(2);
     ASSERT_EQ(simulation.bodies().size(), 1u);
@@ -85,7 +85,7 @@ TEST(GiantScene, RaisesAnAsteroidToTheMiddle)
 
 TEST(GiantScene, HasAHundredThousandTrianglesUnlessAsked)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once);
+    sim::Simulation simulation = play(sim::Readiness::at_once);
     simulation.advance(2);
     ASSERT_EQ(simulation.bodies().size(), 1u);
     EXPECT_NEAR(double(simulation.bodies()[0]->object().triangle_count()), 100'000.0, 5000.0);
@@ -93,7 +93,7 @@ TEST(GiantScene, HasAHundredThousandTrianglesUnlessAsked)
 
 TEST(GiantScene, HoldsTheHeaviestPieceAndLetsTheOthersSink)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once);
+    sim::Simulation simulation = play(sim::Readiness::at_once);
     simulation.command("size 10000");
     simulation.advance(400);
     // A slice off the right side.
@@ -112,7 +112,7 @@ TEST(GiantScene, HoldsTheHeaviestPieceAndLetsTheOthersSink)
 
 TEST(GiantScene, BringsTheNextWhenLittleIsLeft)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once);
+    sim::Simulation simulation = play(sim::Readiness::at_once);
     simulation.command("size 10000");
     for (int i = 0; i < 40 && state_of(simulation).giants < 3; ++i) play_with_autopilot(simulation, 240);
     EXPECT_GE(state_of(simulation).giants, 3u);
@@ -120,7 +120,7 @@ TEST(GiantScene, BringsTheNextWhenLittleIsLeft)
 
 TEST(GiantScene, ChangesSizeOnCommand)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once);
+    sim::Simulation simulation = play(sim::Readiness::at_once);
     simulation.command("size 10000");
     simulation.advance(60);
     simulation.command("size 20000");
@@ -135,7 +135,7 @@ TEST(GiantScene, ChangesSizeOnCommand)
 
 TEST(GiantScene, RefusesSizesThatMakeNoSense)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once);
+    sim::Simulation simulation = play(sim::Readiness::at_once);
     simulation.command("size 10000");
     simulation.advance(10);
     for (const char* size : {"size 9999", "size 4000001", "size", "size many", "size 20000x", "size -1"}) {
@@ -149,7 +149,7 @@ TEST(GiantScene, RefusesSizesThatMakeNoSense)
 
 TEST(GiantScene, BringsANewOneForAnotherBackEnd)
 {
-    sim::Simulation simulation = play(sim::Handover::at_once, "baseline/hash");
+    sim::Simulation simulation = play(sim::Readiness::at_once, "baseline/hash");
     simulation.command("size 10000");
     simulation.advance(60);
     simulation.command("backend baseline/remap");
@@ -163,7 +163,7 @@ TEST(GiantScene, GivesTheSameStateTwice)
     for (const std::string& backend : sim::backend_names()) {
         std::uint64_t hashes[2];
         for (std::uint64_t& hash : hashes) {
-            sim::Simulation simulation = play(sim::Handover::at_once, backend);
+            sim::Simulation simulation = play(sim::Readiness::at_once, backend);
             simulation.command("size 10000");
             play_with_autopilot(simulation, 180);
             EXPECT_GE(simulation.cuts().size(), 2u);
@@ -179,7 +179,7 @@ TEST(GiantScene, NeverWaitsForAGiantInAWindow)
     // wait, nothing is seen of that: once more.
     constexpr int kMostTries = 20;
     for (int i = 0; i < kMostTries; ++i) {
-        sim::Simulation simulation = play(sim::Handover::when_ready);
+        sim::Simulation simulation = play(sim::Readiness::when_ready);
         simulation.command("size 2000000");
         simulation.advance(120);
         const bool is_under_way = state_of(simulation).progress < 1.0;
@@ -197,7 +197,7 @@ TEST(GiantScene, NeverWaitsForAGiantInAWindow)
 
 TEST(GiantScene, ComesToAWindowWhenAllOfItIsOnTheGraphicsCard)
 {
-    sim::Simulation simulation = play(sim::Handover::when_ready);
+    sim::Simulation simulation = play(sim::Readiness::when_ready);
     simulation.command("size 10000");
     while (simulation.scene().next_models().empty() && simulation.now() < 100'000) {
         simulation.advance();
@@ -216,7 +216,7 @@ TEST(GiantScene, ComesToAWindowWhenAllOfItIsOnTheGraphicsCard)
 
 TEST(GiantScene, ShowsHowFarItIs)
 {
-    sim::Simulation simulation = play(sim::Handover::when_ready);
+    sim::Simulation simulation = play(sim::Readiness::when_ready);
     simulation.command("size 200000");
     double last = 0.0;
     while (!state_of(simulation).is_held && simulation.now() < 100'000) {
@@ -233,7 +233,7 @@ TEST(GiantScene, ShowsHowFarItIs)
 
 TEST(GiantScene, RecordsWhenAGiantCame)
 {
-    sim::Simulation live = play(sim::Handover::when_ready, {}, true);
+    sim::Simulation live = play(sim::Readiness::when_ready, {}, true);
     live.command("size 50000");
     wait_for_giant(live);
     play_with_autopilot(live, 240);
@@ -241,7 +241,7 @@ TEST(GiantScene, RecordsWhenAGiantCame)
     wait_for_giant(live);
     play_with_autopilot(live, 120);
 
-    sim::Simulation replayed = play(sim::Handover::on_command);
+    sim::Simulation replayed = play(sim::Readiness::on_command);
     replayed.push(live.recording().events);
     replayed.advance(live.now());
     EXPECT_EQ(state_of(replayed).giants, state_of(live).giants);

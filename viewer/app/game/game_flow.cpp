@@ -77,7 +77,7 @@ std::unique_ptr<Round> GameFlow::make_round(const std::string& scene)
     how.proxy = setup_.proxy;
     how.seed = setup_.seed++;  // another game each time
     how.record = setup_.record;
-    how.breaks = setup_.fixed_step ? sim::Handover::at_once : sim::Handover::when_ready;
+    how.breaks = setup_.fixed_step ? sim::Readiness::at_once : sim::Readiness::when_ready;
     if (scene == "duel")
         return std::make_unique<DuelRound>(
             DuelSetup{models_.library(), how, setup_.boulder, setup_.duelists, setup_.fixed_step});
@@ -98,9 +98,9 @@ std::unique_ptr<Round> GameFlow::make_round(const std::string& scene)
 std::unique_ptr<sim::Scene> GameFlow::make_scene(const std::string& scene)
 {
     const std::optional<game::GameMode> mode = game::find_mode(scene);
-    const sim::Handover handover = setup_.fixed_step ? sim::Handover::at_once : sim::Handover::when_ready;
+    const sim::Readiness readiness = setup_.fixed_step ? sim::Readiness::at_once : sim::Readiness::when_ready;
     try {
-        return game::make_scene(scene, models_.library(), {mode ? scores_.best(*mode) : 0, handover});
+        return game::make_scene(scene, models_.library(), {mode ? scores_.best(*mode) : 0, readiness});
     } catch (const std::invalid_argument& error) {
         tell(error.what());
         return nullptr;

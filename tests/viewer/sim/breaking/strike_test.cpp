@@ -42,14 +42,14 @@ std::shared_ptr<ModelLibrary> library_with(const std::string& shape)
 
 struct Stage
 {
-    explicit Stage(Handover breaks = Handover::at_once, const std::string& backend = "halfedge", bool record = false,
+    explicit Stage(Readiness breaks = Readiness::at_once, const std::string& backend = "halfedge", bool record = false,
                    const std::string& shape = "icosphere")
         : simulation(library_with(shape), settings_of(breaks, backend, record), make_scene())
     {
         body = simulation.place_object(0, 1.0, {0, 0, 0}, glm::dmat3(1.0), {{0.3, 0.1, 0.0}, {0.0, 0.5, 0.2}});
     }
 
-    static Settings settings_of(Handover breaks, const std::string& backend, bool record)
+    static Settings settings_of(Readiness breaks, const std::string& backend, bool record)
     {
         Settings settings;
         settings.breaks = breaks;
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Strike, StrikeTest, testing::Values("halfedge", "baseli
 
 TEST_P(StrikeTest, WithoutBondsItFliesApart)
 {
-    Stage stage(Handover::at_once, GetParam());
+    Stage stage(Readiness::at_once, GetParam());
     const double mass = stage.body->mass();
     const glm::dvec3 before = momentum_of(stage.simulation);
     stage.strike(500.0, 0.0);
@@ -134,7 +134,7 @@ TEST_P(StrikeTest, WithoutBondsItFliesApart)
 
 TEST_P(StrikeTest, StrongBondsHoldUntilABlowThatIsStrongEnough)
 {
-    Stage stage(Handover::at_once, GetParam());
+    Stage stage(Readiness::at_once, GetParam());
     const double mass = stage.body->mass();
     stage.strike(10.0, 500.0);
     stage.simulation.advance();
@@ -163,7 +163,7 @@ TEST_P(StrikeTest, StrongBondsHoldUntilABlowThatIsStrongEnough)
 TEST_P(StrikeTest, TheSameBlowGivesTheSameState)
 {
     const auto hash = [&] {
-        Stage stage(Handover::at_once, GetParam());
+        Stage stage(Readiness::at_once, GetParam());
         stage.strike(800.0, 300.0);
         stage.simulation.advance(100);
         return stage.simulation.state_hash();
@@ -173,7 +173,7 @@ TEST_P(StrikeTest, TheSameBlowGivesTheSameState)
 
 TEST(Strike, BackEndsBreakAlike)
 {
-    Stage one(Handover::at_once, "halfedge"), other(Handover::at_once, "baseline/remap");
+    Stage one(Readiness::at_once, "halfedge"), other(Readiness::at_once, "baseline/remap");
     for (Stage* stage : {&one, &other}) {
         stage->strike(800.0, 300.0);
         stage->simulation.advance(2);
@@ -188,7 +188,7 @@ TEST(Strike, BackEndsBreakAlike)
 
 TEST(Strike, ARayThatGoesPastBreaksNothing)
 {
-    Stage stage(Handover::at_once, "halfedge", false, "torus");
+    Stage stage(Readiness::at_once, "halfedge", false, "torus");
     Breaking how;
     // Through the hole: the hull is hit, the ring is not.
     stage.simulation.strike(1, {{0, 0, 9}, {0, 0, -500}, {0, 0, -1}}, how);
@@ -202,7 +202,7 @@ TEST(Strike, ARayThatGoesPastBreaksNothing)
 
 TEST(Strike, WhatIsOpenStaysAndTheReasonIsSaid)
 {
-    Stage stage(Handover::at_once, "halfedge", false, "open ball");
+    Stage stage(Readiness::at_once, "halfedge", false, "open ball");
     stage.simulation.strike(1, {stage.body->centre(), {0, 0, -500}}, {});
     stage.simulation.advance();
     EXPECT_EQ(stage.simulation.bodies().size(), 1u);
@@ -223,7 +223,7 @@ TEST(Strike, ABladeThatSmashesBreaksWhatItGoesThrough)
 
 TEST(Strike, ABladeThatPassesBesideSmashesNothing)
 {
-    Stage stage(Handover::at_once, "halfedge", false, "torus");
+    Stage stage(Readiness::at_once, "halfedge", false, "torus");
     stage.scene->smash = Breaking{};
     stage.simulation.push(test::stroke(20'000, 60'000, {-3.0, 3.5}, {3.0, 3.5}));
     stage.simulation.advance(30);
@@ -232,7 +232,7 @@ TEST(Strike, ABladeThatPassesBesideSmashesNothing)
 
 TEST(Strike, WhatIsBeingBrokenIsNeitherCutNorStruckAgain)
 {
-    Stage stage(Handover::on_command);
+    Stage stage(Readiness::on_command);
     stage.strike(500.0, 0.0);
     stage.strike(500.0, 0.0);
     stage.simulation.push(test::stroke(20'000, 60'000, {-2.0, 0.0}, {2.0, 0.3}));
@@ -247,7 +247,7 @@ TEST(Strike, WhatIsBeingBrokenIsNeitherCutNorStruckAgain)
 
 TEST(Strike, WhatLeavesMeanwhileIsForgotten)
 {
-    Stage stage(Handover::on_command);
+    Stage stage(Readiness::on_command);
     stage.strike(500.0, 0.0);
     stage.simulation.move_object(1, {{0, -20, 0}, {}});
     stage.simulation.advance(300);
@@ -260,7 +260,7 @@ TEST(Strike, WhatLeavesMeanwhileIsForgotten)
 
 TEST(Strike, ReadyPiecesWaitForTheGraphicsCardAndARecordingRepeatsTheRun)
 {
-    Stage played(Handover::when_ready, "halfedge", true);
+    Stage played(Readiness::when_ready, "halfedge", true);
     played.simulation.advance(5);
     played.simulation.command("gesture segment");  // something to record before
     played.strike(800.0, 300.0);
@@ -276,7 +276,7 @@ TEST(Strike, ReadyPiecesWaitForTheGraphicsCardAndARecordingRepeatsTheRun)
     ASSERT_GT(played.simulation.bodies().size(), 1u);
     played.simulation.advance(20);
 
-    Stage repeated(Handover::on_command, "halfedge", true);
+    Stage repeated(Readiness::on_command, "halfedge", true);
     repeated.simulation.push(played.simulation.recording().events);
     repeated.simulation.advance(5);
     while (repeated.simulation.now() < struck) repeated.simulation.advance();

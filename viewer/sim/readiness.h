@@ -5,7 +5,7 @@
 namespace kerf::sim {
 
 /// When what a thread makes takes effect in a simulation, whose ticks must not depend on a thread's speed.
-enum class Handover : std::uint8_t
+enum class Readiness : std::uint8_t
 {
     at_once,     ///< in the next tick, which waits for it: without a window
     when_ready,  ///< when the thread is done and all of it is on the graphics card: nothing waits. The simulation gives
