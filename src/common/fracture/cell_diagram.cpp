@@ -145,8 +145,17 @@ Cell cell_of(std::uint32_t site, std::span<const glm::dvec3> sites, Cell cell)
     std::vector<std::pair<double, std::uint32_t>> others;
     for (std::uint32_t other = 0; other < sites.size(); ++other)
         if (other != site) others.emplace_back(squared_distance(other), other);
-    std::ranges::sort(others);
-    for (const auto& [squared, other] : others) {
+    // Few are near enough: they are sorted bit by bit.
+    constexpr std::size_t kAtOnce = 64;
+    std::size_t sorted = 0;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        if (i == sorted) {
+            sorted = std::min(others.size(), sorted + std::max(sorted, kAtOnce));
+            const auto first = others.begin() + std::ptrdiff_t(i), end = others.begin() + std::ptrdiff_t(sorted);
+            if (end != others.end()) std::nth_element(first, end, others.end());
+            std::sort(first, end);
+        }
+        const auto& [squared, other] = others[i];
         if (squared > 4.0 * cell.squared_radius(sites[site])) break;
         const glm::dvec3 towards = sites[other] - sites[site];
         const double half_way = 0.5 * (glm::dot(sites[other], sites[other]) - glm::dot(sites[site], sites[site]));
