@@ -2,30 +2,23 @@
 
 #include <algorithm>
 
-#include "common/geometry/pair_table.h"
 #include "halfedge/universe/cut_reserve.h"
 #include "halfedge/universe/export.h"
+#include "halfedge/universe/number_table.h"
 
 namespace kerf::core::halfedge {
 
 namespace {
 
-/// New numbers for old ones, in the order of first request. A table, or a hash table if few of many are requested.
+/// New numbers for old ones, in the order of first request.
 class Renumbering
 {
 public:
-    Renumbering(std::size_t old_count, std::size_t expected) : sparse_(expected < old_count / 16)
-    {
-        if (sparse_)
-            map_.reset(expected);
-        else
-            table_.assign(old_count, kNone);
-        old_.reserve(expected);
-    }
+    Renumbering(std::size_t old_count, std::size_t expected) : numbers_(old_count, expected) { old_.reserve(expected); }
 
     Index operator()(Index old)
     {
-        Index& number = sparse_ ? map_(old, 0) : table_[old];
+        Index& number = numbers_(old);
         if (number == kNone) {
             number = static_cast<Index>(old_.size());
             old_.push_back(old);
@@ -37,9 +30,8 @@ public:
     std::size_t size() const { return old_.size(); }
 
 private:
-    bool sparse_;
-    std::vector<Index> table_, old_;
-    PairTable map_;  ///< of (old, 0)
+    NumberTable numbers_;
+    std::vector<Index> old_;
 };
 
 /// Slots of one shell and group that follow one another in the tree's order.

@@ -24,7 +24,7 @@ void for_each_slot(const Universe& universe, NodeId root, Visit visit)
 }
 
 /// A compact copy of some shells: groups in drawing order, vertices and points in the order of their first use. O(n),
-/// and memory of the size of the universe.
+/// and memory of the size of the universe unless the shells are a small part of it.
 IndexedMesh export_mesh(const Universe& universe, std::span<const ShellRoot> shells);
 
 }  // namespace kerf::core::halfedge
