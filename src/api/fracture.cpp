@@ -132,6 +132,7 @@ private:
                 if (prepared.status == core::Status::out_of_memory) throw std::bad_alloc();
                 if (prepared.object != nullptr) {
                     prepared.object->memory = object_.memory;
+                    prepared.object->set_noise(object_.noise());
                     number_of_.back() = static_cast<std::uint32_t>(data.pieces.size());
                     data.pieces.push_back({Object(prepared.object.release()), std::move(fragments[f].cells)});
                 }

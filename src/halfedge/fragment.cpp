@@ -199,6 +199,18 @@ std::span<const Vertex> Fragment::used_vertices(std::vector<Vertex>& room) const
     return room;
 }
 
+double Fragment::noise() const
+{
+    const std::shared_lock lock(universe().mutex);
+    return universe().noise;
+}
+
+void Fragment::set_noise(double noise)
+{
+    const std::unique_lock lock(universe().mutex);
+    shared_->universe.noise = noise;
+}
+
 std::span<const Material> Fragment::materials() const
 {
     const std::shared_lock lock(universe().mutex);

@@ -30,6 +30,8 @@ public:
     std::array<glm::vec3, kSupportDirections> support_points() const override;
     std::span<const Vertex> used_vertices(std::vector<Vertex>& room) const override;
     std::span<const SectionLoop> section_loops() const override { return loops_; }
+    double noise() const override;
+    void set_noise(double noise) override;
     std::span<const Material> materials() const override;
     std::uint32_t add_material(const Material& material) override;
     IndexedMesh to_indexed_mesh() const override;

@@ -24,6 +24,8 @@ public:
     std::array<glm::vec3, kSupportDirections> support_points() const override;
     std::span<const Vertex> used_vertices(std::vector<Vertex>&) const override { return fragment_.mesh.vertices; }
     std::span<const SectionLoop> section_loops() const override { return fragment_.section; }
+    double noise() const override { return fragment_.noise; }
+    void set_noise(double noise) override { fragment_.noise = noise; }
     std::span<const Material> materials() const override { return fragment_.mesh.materials; }
     std::uint32_t add_material(const Material& material) override;
     IndexedMesh to_indexed_mesh() const override { return fragment_.mesh; }

@@ -65,6 +65,8 @@ public:
         return mesh;
     }
 
+    double noise() const override { return honest_->noise(); }
+    void set_noise(double noise) override { honest_->set_noise(noise); }
     std::span<const core::Material> materials() const override { return honest_->materials(); }
     std::uint32_t add_material(const core::Material& material) override { return honest_->add_material(material); }
 

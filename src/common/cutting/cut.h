@@ -185,6 +185,11 @@ public:
     };
     Memory memory;
 
+    /// plane_noise() of the mesh that was prepared, in its unit: pieces have that of the whole, so that all back ends agree on
+    /// what misses them.
+    virtual double noise() const = 0;
+    virtual void set_noise(double noise) = 0;
+
     /// Valid until one is added or the object ends.
     virtual std::span<const Material> materials() const = 0;
     /// Appends a material, for caps of later cuts, and returns its index. Relatives that have the same buffers don't
