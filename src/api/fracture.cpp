@@ -110,7 +110,7 @@ private:
         wanted.seed = options_.seed;
         wanted.at = options_.at ? to_core(*options_.at) : object_.bounds().centre();
         wanted.direction = glm::normalize(to_core(options_.direction));
-        return core::make_sites(solid_.points, solid_.triangles, wanted);
+        return core::make_sites(core::AllTriangles(solid_), wanted);
     }
 
     core::InsideLook look_wanted()

@@ -35,6 +35,19 @@ public:
         hits_.resize(count);
     }
 
+    /// Whether a line passes through a box.
+    bool any_meets(const Box& box) const
+    {
+        const double least_u = box.lo[u_], most_u = box.hi[u_], least_v = box.lo[v_], most_v = box.hi[v_];
+        for (std::size_t row = column(least_v, v_); row <= column(most_v, v_); ++row)
+            for (std::size_t place = column(least_u, u_); place <= column(most_u, u_); ++place)
+                for (const std::uint32_t line : cells_[row * side_ + place]) {
+                    const auto [u, v] = places_[line];
+                    if (least_u <= u && u <= most_u && least_v <= v && v <= most_v) return true;
+                }
+        return false;
+    }
+
     void meet(std::array<glm::vec3, 3> corners)
     {
         // In one order, so that the triangle's first corner does not matter.
@@ -56,6 +69,8 @@ public:
             for (std::size_t place = column(least_u, u_); place <= column(most_u, u_); ++place)
                 for (const std::uint32_t line : cells_[row * side_ + place]) {
                     const auto [u, v] = places_[line];
+                    // Exactly, as boxes are asked: so it does not matter which triangles are not looked at.
+                    if (u < least_u || u > most_u || v < least_v || v > most_v) continue;
                     // Shares of the corners.
                     const double of_b = ((u - a[u_]) * (c[v_] - a[v_]) - (v - a[v_]) * (c[u_] - a[u_])) / area;
                     const double of_c = ((b[u_] - a[u_]) * (v - a[v_]) - (b[v_] - a[v_]) * (u - a[u_])) / area;
@@ -107,19 +122,20 @@ private:
 
 }  // namespace
 
-InsideSample::InsideSample(std::span<const glm::vec3> points, std::span<const PointTriple> triangles, std::size_t lines,
-                           Random& random)
+InsideSample::InsideSample(const TriangleSearch& triangles, std::size_t lines, Random& random)
 {
     // Of a solid that fills little of its box few lines meet any: then more are sent.
     constexpr std::size_t kMore = 8, kMostLines = std::size_t{1} << 20;
 
-    Box box;
-    for (const glm::vec3& p : points) box.add(p);
+    const Box box = triangles.bounds();
     const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
     axis_ = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
     for (std::size_t count = lines; runs_.size() < lines / 4 + 1 && count <= kMostLines; count *= kMore) {
         Lines sent(box, axis_, count, random);
-        for (const PointTriple& t : triangles) sent.meet({points[t[0]], points[t[1]], points[t[2]]});
+        triangles.find([&](const Box& part) { return sent.any_meets(part); },
+                       [&](std::span<const TriangleSearch::Corners> found) {
+                           for (const TriangleSearch::Corners& corners : found) sent.meet(corners);
+                       });
         runs_.clear();
         double sum = 0.0;
         sent.for_each_run([&](const glm::dvec3& from, double length) {

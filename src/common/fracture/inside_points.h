@@ -1,10 +1,9 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
-#include "common/fracture/divided_surface.h"
+#include "common/mesh/triangle_search.h"
 #include "common/support/random.h"
 
 namespace kerf::core {
@@ -13,11 +12,10 @@ namespace kerf::core {
 class InsideSample
 {
 public:
-    /// Sends `lines` parallel lines through the box of the points, at random, along its shortest side, and more as long as
-    /// too few of them meet the solid. O(n + h) for n triangles and h places where lines meet them. Nothing depends on the
-    /// order of the triangles.
-    InsideSample(std::span<const glm::vec3> points, std::span<const PointTriple> triangles, std::size_t lines,
-                 Random& random);
+    /// Sends `lines` parallel lines through the box of the triangles, at random, along its shortest side, and more as long as
+    /// too few of them meet the solid. O(n + h) for n triangles that are found and h places where lines meet them. Nothing
+    /// depends on the order of the triangles.
+    InsideSample(const TriangleSearch& triangles, std::size_t lines, Random& random);
 
     /// Whether no line has met an inside.
     bool is_empty() const { return runs_.empty(); }

@@ -34,12 +34,12 @@ double side_of_cube(double volume)
 class SiteMaker
 {
 public:
-    SiteMaker(std::span<const glm::vec3> points, std::span<const PointTriple> triangles, const SitesWanted& wanted)
+    SiteMaker(const TriangleSearch& triangles, const SitesWanted& wanted)
         : wanted_(wanted),
           random_(Random::mix(wanted.seed) ^ static_cast<std::uint64_t>(wanted.pattern)),
-          sample_(points, triangles, lines_for(wanted), random_)
+          sample_(triangles, lines_for(wanted), random_),
+          box_(triangles.bounds())
     {
-        for (const glm::vec3& p : points) box_.add(p);
         diagonal_ = glm::length(glm::dvec3(box_.hi) - glm::dvec3(box_.lo));
     }
 
@@ -162,10 +162,9 @@ private:
 
 }  // namespace
 
-std::vector<glm::dvec3> make_sites(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
-                                   const SitesWanted& wanted)
+std::vector<glm::dvec3> make_sites(const TriangleSearch& triangles, const SitesWanted& wanted)
 {
-    return SiteMaker(points, triangles, wanted).make();
+    return SiteMaker(triangles, wanted).make();
 }
 
 std::vector<glm::dvec3> moved_a_little(std::span<const glm::dvec3> sites, double distance, std::uint64_t seed)

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "common/fracture/divided_surface.h"
+#include "common/mesh/triangle_search.h"
 
 namespace kerf::core {
 
@@ -31,9 +31,8 @@ struct SitesWanted
 /// Sites of cells in the solid that a closed surface bounds, none twice. As many as wanted; of a grid about as many have a
 /// part of the solid, and of a surface that has no inside there is none. No function of the system is called, and nothing
 /// depends on the order of the triangles: the same sites on every machine, for every back end. O(n + m log m) for n
-/// triangles and m sites.
-std::vector<glm::dvec3> make_sites(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
-                                   const SitesWanted& wanted);
+/// triangles that lines meet the boxes of, and m sites.
+std::vector<glm::dvec3> make_sites(const TriangleSearch& triangles, const SitesWanted& wanted);
 
 /// The same sites, each moved by at most `distance` along each axis. O(m).
 std::vector<glm::dvec3> moved_a_little(std::span<const glm::dvec3> sites, double distance, std::uint64_t seed);
