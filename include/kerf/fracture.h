@@ -101,9 +101,17 @@ private:
 
 /// Breaks a closed object into the cells of points (a Voronoi diagram), whatever its shape: docs/fracture.md says how. Where
 /// the diagram meets the surface is one rounded point for all pieces, and each contact is closed once, so that the pieces
-/// fill the object without a gap. They are objects of the same back end, with all attributes; none shares buffers with
-/// another one. The object stays as it is. O(n + k log k) for n triangles and k at the borders of cells, and the pieces'
-/// preparing.
+/// fill the object without a gap. They are objects of the same back end, with all attributes. The object stays as it is, and
+/// shares buffers with none of them.
+///
+/// Pieces of the half-edge back end share buffers with one another if the object has 20 000 triangles or more, as those of
+/// a cut do (Object::shares_buffers_with()): they are uploaded once, and who keeps few of many says compact() to those when
+/// they are `is_scattered()`, which lets go of the rest; detach() parts a piece from the others in any case. Some are made
+/// alone all the same: those in which contacts do not hang together, and those in which rounding has made points coincide.
+///
+/// Costs a copy of memory and O(k log(n / k) + k log k) with the half-edge back end, for n triangles, k of them in leaves of
+/// its tree at the borders of cells or at contacts; pieces that are made alone, small objects and the linear back end O(n + k
+/// log k), and the preparing of those pieces.
 ///
 /// Status: `done`; `invalid_argument` (an empty object, no cell, a number that is not finite, a direction without one);
 /// `invalid_mesh` (the object is open, has no inside, or its surface passes through itself where cells meet);

@@ -58,7 +58,7 @@ struct SectionLoop
 /// nothing, and every call says so.
 ///
 /// Threads. Objects that share buffers (shares_buffers_with()) are relatives: with the half-edge back end the pieces
-/// of one prepare() or clone(). To read is to call a const member; to change is all else, and the end of an object.
+/// of one prepare(), clone() or fracture(). To read is to call a const member; to change is all else, and the end of an object.
 ///
 /// | one thread                | another thread | same object | relative     | stranger |
 /// |---------------------------|----------------|-------------|--------------|----------|

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,8 +12,9 @@
 #include "api/no_memory.h"
 #include "back_ends/back_ends.h"
 #include "common/cutting/back_end_helpers.h"
+#include "common/cutting/breakable.h"
 #include "common/fracture/piece_meshes.h"
-#include "common/fracture/take_apart.h"
+#include "common/fracture/take_apart_by_subtrees.h"
 
 namespace kerf {
 
@@ -67,26 +70,24 @@ Fracture cancelled()
 class Breaker
 {
 public:
-    Breaker(const core::Cuttable& object, const FractureOptions& options)
-        : object_(object), options_(options), mesh_(object.to_indexed_mesh()), solid_(mesh_)
-    {
-    }
+    Breaker(const core::Cuttable& object, const FractureOptions& options) : object_(object), options_(options) {}
 
     Fracture run()
     {
+        breakable_ = object_.breakable();
+        if (breakable_ == nullptr) take_mesh();
         const std::vector<glm::dvec3> sites = sites_wanted();
         if (sites.empty()) return FractureMaker::refused(Status::invalid_mesh, "the object has no inside");
         if (!goes_on(0.1)) return cancelled();
-        auto apart = core::take_apart(solid_, sites, options_.least_volume);
-        if (!apart)
+        if (!take_apart(sites))
             return FractureMaker::refused(Status::invalid_mesh,
                                           "the surface passes through itself where pieces would meet");
         if (!goes_on(kShareOfSplitting)) return cancelled();
         Fracture fracture = FractureMaker::begun();
         Fracture::Data& data = FractureMaker::data(fracture);
-        for (const glm::dvec3& site : apart->sites) data.sites.push_back(to_public(site));
-        if (!make_pieces(*apart, data)) return cancelled();
-        add_bonds(*apart, data);
+        for (const glm::dvec3& site : taken_.apart.sites) data.sites.push_back(to_public(site));
+        if (!make_pieces(data)) return cancelled();
+        add_bonds(data);
         return goes_on(1.0) ? std::move(fracture) : cancelled();
     }
 
@@ -95,6 +96,12 @@ private:
     static constexpr double kShareOfSplitting = 0.5;
 
     bool goes_on(double share) const { return options_.progress == nullptr || options_.progress(options_.user, share); }
+
+    void take_mesh()
+    {
+        mesh_ = object_.to_indexed_mesh();
+        solid_.emplace(mesh_);
+    }
 
     std::vector<glm::dvec3> sites_wanted() const
     {
@@ -110,32 +117,60 @@ private:
         wanted.seed = options_.seed;
         wanted.at = options_.at ? to_core(*options_.at) : object_.bounds().centre();
         wanted.direction = glm::normalize(to_core(options_.direction));
-        return core::make_sites(core::AllTriangles(solid_), wanted);
+        return breakable_ != nullptr ? core::make_sites(*breakable_, wanted)
+                                     : core::make_sites(core::AllTriangles(*solid_), wanted);
     }
 
-    core::InsideLook look_wanted()
+    core::InsideLook look_wanted(core::IndexedMesh& mesh) const
     {
-        const bool is_there = options_.material < mesh_.materials.size();
-        return {is_there ? options_.material : core::add_cap_material(mesh_.materials), options_.uv_scale};
+        const bool is_there = options_.material < mesh.materials.size();
+        return {is_there ? options_.material : core::add_cap_material(mesh.materials), options_.uv_scale};
     }
 
-    bool make_pieces(core::TakenApart& apart, Fracture::Data& data)
+    /// By subtrees if the object has a tree and that pays.
+    bool take_apart(std::span<const glm::dvec3> sites)
+    {
+        if (breakable_ != nullptr) {
+            look_ = look_wanted(breakable_->border());
+            if (auto taken = core::take_apart_by_subtrees(*breakable_, sites, options_.least_volume, look_)) {
+                taken_ = *std::move(taken);
+                mesh_ = std::move(breakable_->border());
+                breakable_.reset();
+                return true;
+            }
+            breakable_.reset();
+            take_mesh();
+        }
+        look_ = look_wanted(mesh_);
+        auto apart = core::take_apart(*solid_, sites, options_.least_volume);
+        if (!apart) return false;
+        taken_.apart = *std::move(apart);
+        taken_.points = std::move(solid_->points);
+        taken_.objects.resize(taken_.apart.fragments.fragments.size());
+        return true;
+    }
+
+    bool make_pieces(Fracture::Data& data)
     {
         const core::RegisteredBackend& entry = *core::find_back_end(object_.memory.back_end);
-        const core::InsideLook look = look_wanted();
-        core::PieceMeshes meshes(mesh_, solid_.points, apart.split, look);
-        std::vector<core::Fragment>& fragments = apart.fragments.fragments;
+        std::optional<core::PieceMeshes> meshes;  // if one is wanted
+        std::vector<core::Fragment>& fragments = taken_.apart.fragments.fragments;
         for (std::size_t f = 0; f < fragments.size(); ++f) {
             number_of_.push_back(kNoPiece);
-            if (auto mesh = meshes.make(fragments[f])) {
-                core::PrepareResult prepared = entry.back_end->prepare(std::move(*mesh), {});
-                if (prepared.status == core::Status::out_of_memory) throw std::bad_alloc();
-                if (prepared.object != nullptr) {
-                    prepared.object->memory = object_.memory;
-                    prepared.object->set_noise(object_.noise());
-                    number_of_.back() = static_cast<std::uint32_t>(data.pieces.size());
-                    data.pieces.push_back({Object(prepared.object.release()), std::move(fragments[f].cells)});
+            std::unique_ptr<core::Cuttable> object = std::move(taken_.objects[f]);
+            if (object == nullptr) {
+                if (!meshes) meshes.emplace(mesh_, taken_.points, taken_.apart.split, look_, taken_.stream_means);
+                if (auto mesh = meshes->make(fragments[f])) {
+                    core::PrepareResult prepared = entry.back_end->prepare(std::move(*mesh), {});
+                    if (prepared.status == core::Status::out_of_memory) throw std::bad_alloc();
+                    object = std::move(prepared.object);
                 }
+            }
+            if (object != nullptr) {
+                object->memory = object_.memory;
+                object->set_noise(object_.noise());
+                number_of_.back() = static_cast<std::uint32_t>(data.pieces.size());
+                data.pieces.push_back({Object(object.release()), std::move(fragments[f].cells)});
             }
             fragments[f] = {};
             if (!goes_on(kShareOfSplitting + (1.0 - kShareOfSplitting) * double(f + 1) / double(fragments.size() + 1)))
@@ -144,9 +179,9 @@ private:
         return true;
     }
 
-    void add_bonds(const core::TakenApart& apart, Fracture::Data& data) const
+    void add_bonds(Fracture::Data& data) const
     {
-        for (const core::Bond& bond : apart.fragments.bonds) {
+        for (const core::Bond& bond : taken_.apart.fragments.bonds) {
             const std::uint32_t first = number_of_[bond.first], second = number_of_[bond.second];
             if (first != kNoPiece && second != kNoPiece)
                 data.bonds.push_back({first, second, bond.area, to_public(bond.centre), to_public(bond.normal)});
@@ -155,8 +190,11 @@ private:
 
     const core::Cuttable& object_;
     const FractureOptions& options_;
-    core::IndexedMesh mesh_;
-    core::SolidOfPoints solid_;
+    std::unique_ptr<core::Breakable> breakable_;  ///< null: the object is broken as a mesh
+    core::IndexedMesh mesh_;                      ///< of the object, or of its border
+    std::optional<core::SolidOfPoints> solid_;
+    core::InsideLook look_;
+    core::TakenApartBySubtrees taken_;
     std::vector<std::uint32_t> number_of_;  ///< the piece that a fragment has become
 };
 

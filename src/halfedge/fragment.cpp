@@ -8,6 +8,7 @@
 #include "common/cutting/back_end_helpers.h"
 #include "common/mesh/mass_moments.h"
 #include "common/mesh/support_points.h"
+#include "halfedge/breakable_fragment.h"
 #include "halfedge/cut/cutter.h"
 #include "halfedge/cut/outline.h"
 #include "halfedge/cut/workspace_pool.h"
@@ -57,13 +58,29 @@ void Fragment::release()
 std::unique_ptr<Cuttable> Fragment::clone() const
 {
     const std::shared_lock lock(universe().mutex);
+    auto copy = copied();
+    copy->loops_ = loops_;
+    return copy;
+}
+
+/// In a universe of its own, without loops; the caller holds the lock.
+std::unique_ptr<Fragment> Fragment::copied() const
+{
     // A fragment that is most of its universe is copied block by block, the others triangle by triangle.
     const bool most = 2 * triangle_count_ > universe().slots.size();
     if (most) make_room_for_cut(universe().slots.size());
-    auto copy = most ? std::make_unique<Fragment>(std::make_shared<SharedUniverse>(*shared_), shells_, material_count_)
-                     : compacted();
-    copy->loops_ = loops_;
-    return copy;
+    return most ? std::make_unique<Fragment>(std::make_shared<SharedUniverse>(*shared_), shells_, material_count_)
+                : compacted();
+}
+
+std::unique_ptr<Breakable> Fragment::breakable() const
+{
+    // Below that, borders are most of it.
+    constexpr std::uint64_t kWorthATree = 20'000;
+    if (triangle_count_ < kWorthATree) return nullptr;
+    const std::shared_lock lock(universe().mutex);
+    const std::unique_ptr<Fragment> copy = copied();
+    return make_breakable(copy->shared_, copy->shells_, material_count_);
 }
 
 /// Without loops; the caller holds the lock.

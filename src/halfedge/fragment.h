@@ -35,6 +35,7 @@ public:
     std::span<const Material> materials() const override;
     std::uint32_t add_material(const Material& material) override;
     IndexedMesh to_indexed_mesh() const override;
+    std::unique_ptr<Breakable> breakable() const override;
     bool wants_compaction() const override;
     void compact() override;
 
@@ -51,6 +52,7 @@ private:
 
     void add_shell(const ShellRoot& shell);
     std::unique_ptr<Fragment> compacted() const;
+    std::unique_ptr<Fragment> copied() const;
     /// The fragments that a cut will fill, with their loops and without shells.
     FragmentsBySide planned_fragments(const Cutter& cutter) const;
     void release();

@@ -97,6 +97,34 @@ TEST(OutOfMemory, CopiesAndArraysOfAMeshSaySo)
     EXPECT_GT(refused, 2u);
 }
 
+TEST(OutOfMemory, BreakingALargeObjectSaysSo)
+{
+    // So large that the half-edge back end hands subtrees over. Not every allocation: there are many.
+    for (const std::string& back_end : test::back_end_names()) {
+        const Object whole = test::object_of(test::shape("asteroid", 25'000), back_end);
+        const std::string before = test::bytes_of(*whole.mesh());
+        FractureOptions options;
+        options.cells = 5;
+        std::uint64_t refused = 0;
+        for (const Failure failure : {Failure::once, Failure::for_good})
+            for (std::uint64_t number = 0;; number += 1 + number / 6) {
+                bool happened = false;
+                Status status = Status::done;
+                {
+                    const FailingAllocation failing(number, failure);
+                    status = kerf::fracture(whole, options).status();
+                    happened = failing.happened();
+                }
+                ASSERT_TRUE(ok(status) || status == Status::out_of_memory) << text(status) << ", allocation " << number;
+                refused += ok(status) ? 0 : 1;
+                if (!happened) break;
+            }
+        EXPECT_GT(refused, 20u);
+        EXPECT_EQ(test::bytes_of(*whole.mesh()), before) << "it stays as it is";
+        EXPECT_EQ(kerf::fracture(whole, options).status(), Status::done);
+    }
+}
+
 TEST(OutOfMemory, ShapesAndFilesSaySo)
 {
     const Mesh torus = test::shape("torus", 60);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/caps/constrained_triangulator.h"
+#include "common/cutting/breakable.h"
 #include "common/mesh/coordinate_grain.h"
 
 namespace kerf::core {
@@ -45,6 +46,11 @@ std::string_view name_of(Status status)
 bool can_close(CapQuality quality) noexcept
 {
     return quality == CapQuality::fast || has_constrained_ways();
+}
+
+std::unique_ptr<Breakable> Cuttable::breakable() const
+{
+    return nullptr;
 }
 
 Status Cuttable::detach() noexcept

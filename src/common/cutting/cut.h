@@ -111,6 +111,7 @@ struct CutOptions
 };
 
 struct CutResult;
+class Breakable;
 
 /// The sections of an object by parallel planes: what they have in common was found once. Any number of threads may ask at
 /// the same time, as long as the object stays as it is.
@@ -129,8 +130,8 @@ protected:
 
 /// An object that can be cut: a prepared mesh or a fragment of one.
 ///
-/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(),
-/// but for those that were detached or compacted since. All others are strangers. To *read* an object is to call a
+/// Threads. Objects that share buffers (shares_buffers_with()) are relatives: fragments of one prepare() or clone(), pieces
+/// of one Breakable, but for those that were detached or compacted since. All others are strangers. To *read* an object is to call a
 /// const member or section(), or to hand it to one (the `other` of shares_buffers_with()); to *change* it is cut(), compact(),
 /// detach(), mark_uploaded() or its end. While one thread is at an object, another thread may do this to the same
 /// object, a relative or a stranger:
@@ -206,6 +207,10 @@ public:
     {
         return nullptr;
     }
+
+    /// A copy of the object that can be broken without a look at all of its triangles, or null: it is broken as a mesh. O(n)
+    /// to copy memory. May throw std::bad_alloc.
+    virtual std::unique_ptr<Breakable> breakable() const;
 
     /// Whether many cuts have scattered the object over shared buffers, so that compact() is worth its time.
     virtual bool wants_compaction() const { return false; }

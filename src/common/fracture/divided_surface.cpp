@@ -7,40 +7,13 @@
 #include <utility>
 
 #include "common/fracture/border_line.h"
+#include "common/fracture/cell_finder.h"
+#include "common/mesh/index.h"
 #include "common/mesh/position_order.h"
 
 namespace kerf::core {
 
 namespace {
-
-double squared_distance(const glm::vec3& point, const glm::dvec3& site)
-{
-    const glm::dvec3 away = glm::dvec3(point) - site;
-    return (away.x * away.x + away.y * away.y) + away.z * away.z;
-}
-
-/// The cell of each point: of the last one, or of a neighbour that is nearer, and so on.
-std::vector<std::uint32_t> cells_of(std::span<const glm::vec3> points, const CellDiagram& diagram)
-{
-    std::vector<std::uint32_t> cells(points.size());
-    std::uint32_t cell = 0;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        double least = squared_distance(points[p], diagram.sites[cell]);
-        for (bool has_moved = true; has_moved;) {
-            has_moved = false;
-            for (const std::uint32_t other : diagram.neighbours[cell]) {
-                const double distance = squared_distance(points[p], diagram.sites[other]);
-                if (distance > least || (distance == least && other > cell)) continue;
-                least = distance;
-                cell = other;
-                has_moved = true;
-                break;
-            }
-        }
-        cells[p] = cell;
-    }
-    return cells;
-}
 
 /// What a point is named by that several triangles or cells have in common: an edge of the mesh and two cells, or a triangle
 /// and three.
@@ -75,10 +48,16 @@ public:
 
     DividedSurface divide()
     {
-        const std::vector<std::uint32_t> cells = cells_of(points_, diagram_);
+        // Only points that a triangle has: there may be others.
+        CellFinder finder(diagram_);
+        std::vector<std::uint32_t> cells(points_.size(), kNone);
+        const auto cell_at = [&](std::uint32_t point) {
+            if (cells[point] == kNone) cells[point] = finder.cell_of(points_[point]);
+            return cells[point];
+        };
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
             const PointTriple& corners = triangles_[t];
-            const SiteTriple at{cells[corners[0]], cells[corners[1]], cells[corners[2]]};
+            const SiteTriple at{cell_at(corners[0]), cell_at(corners[1]), cell_at(corners[2])};
             if (at[0] == at[1] && at[1] == at[2])
                 result_.parts[at[0]].push_back({corners, t});
             else
@@ -110,9 +89,9 @@ private:
             if (known == site) return values;
         const glm::dvec3& place = diagram_.sites[site];
         return distances_
-            .emplace_back(site, std::array{squared_distance(points_[corners_[0]], place),
-                                           squared_distance(points_[corners_[1]], place),
-                                           squared_distance(points_[corners_[2]], place)})
+            .emplace_back(site, std::array{squared_distance_to_site(points_[corners_[0]], place),
+                                           squared_distance_to_site(points_[corners_[1]], place),
+                                           squared_distance_to_site(points_[corners_[2]], place)})
             .second;
     }
 
@@ -141,27 +120,29 @@ private:
     void cut_out()
     {
         sides_ = {{false, 0}, {false, 1}, {false, 2}};
+        const std::array<double, 3> ours = distances(cell_);
         for (const std::uint32_t other : diagram_.neighbours[cell_]) {
-            const std::array<double, 3> theirs = distances(other), ours = distances(cell_);
+            const std::array<double, 3>& theirs = distances(other);
             if (theirs[0] > ours[0] && theirs[1] > ours[1] && theirs[2] > ours[2]) continue;
             inside_.clear();
             for (std::size_t i = 0; i < sides_.size(); ++i) inside_.push_back(is_inside(i, other));
-            const std::size_t kept = static_cast<std::size_t>(std::ranges::count(inside_, true));
+            const std::size_t kept = static_cast<std::size_t>(std::ranges::count(inside_, char(true)));
             if (kept == sides_.size()) continue;
-            std::vector<PartSide> rest;
+            rest_.clear();
             for (std::size_t i = 0; kept > 0 && i < sides_.size(); ++i) {
-                const bool begins = inside_[i], ends = inside_[(i + 1) % sides_.size()];
-                if (begins || ends) rest.push_back(sides_[i]);
-                if (begins && !ends) rest.push_back({true, other});
+                const bool begins = inside_[i] != 0, ends = inside_[(i + 1) % sides_.size()] != 0;
+                if (begins || ends) rest_.push_back(sides_[i]);
+                if (begins && !ends) rest_.push_back({true, other});
             }
-            sides_ = std::move(rest);
+            sides_.swap(rest_);
             if (sides_.size() < 3) return;
         }
     }
 
     void add_part()
     {
-        std::vector<std::uint32_t> outline;
+        std::vector<std::uint32_t>& outline = outline_;
+        outline.clear();
         for (std::size_t i = 0; i < sides_.size(); ++i)
             outline.push_back(beginning_of(sides_[(i + sides_.size() - 1) % sides_.size()], sides_[i]));
         // A fan from the same corner, whichever the triangle begins with.
@@ -207,8 +188,8 @@ private:
         const auto [place, is_new] = numbers_.try_emplace({a, b, first, second}, next_number());
         if (is_new) {
             const auto difference = [&, one = first, two = second](std::uint32_t point) {
-                return squared_distance(points_[point], diagram_.sites[one]) -
-                       squared_distance(points_[point], diagram_.sites[two]);
+                return squared_distance_to_site(points_[point], diagram_.sites[one]) -
+                       squared_distance_to_site(points_[point], diagram_.sites[two]);
             };
             const bool is_turned = lexicographically_less(points_[b], points_[a]);
             const std::uint32_t begin = is_turned ? b : a, end = is_turned ? a : b;
@@ -286,8 +267,9 @@ private:
 
     // Of the part that is cut out
     std::uint32_t cell_ = 0;
-    std::vector<PartSide> sides_;  ///< counter-clockwise
-    std::vector<bool> inside_;
+    std::vector<PartSide> sides_, rest_;  ///< counter-clockwise; what is left of them
+    std::vector<std::uint32_t> outline_;
+    std::vector<char> inside_;
 };
 
 }  // namespace

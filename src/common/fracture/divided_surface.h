@@ -61,6 +61,8 @@ struct DividedSurface
 /// and all signs are exact. Of two sites that are equally near, the first counts. A new point is rounded once. Nothing depends on the order
 /// of the triangles, nor on where their corners begin, but for the order of what comes out.
 ///
+/// Triangles that lie in one cell with all that surrounds them may be left out.
+///
 /// A triangle whose corners lie in one cell lies in it as a whole, because cells are convex. O(n) for n triangles, and
 /// O(c d) for each of k others that lies in c cells with d neighbours.
 DividedSurface divide_surface(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,

@@ -7,7 +7,6 @@
 
 #include "common/geometry/disjoint_sets.h"
 #include "common/geometry/ray_crossing.h"
-#include "common/mesh/box.h"
 #include "common/mesh/index.h"
 
 namespace kerf::core {
@@ -33,12 +32,10 @@ struct Facet
 class FragmentFinder
 {
 public:
-    FragmentFinder(std::span<const glm::vec3> points, SplitSolid& split, double least_volume)
-        : points_(points), split_(split), least_volume_(least_volume)
+    FragmentFinder(std::span<const glm::vec3> points, SplitSolid& split, double least_volume, const glm::dvec3& middle,
+                   std::span<const KnownCell> known)
+        : points_(points), split_(split), least_volume_(least_volume), middle_(middle), known_(known)
     {
-        Box box;
-        for (const glm::vec3& p : points) box.add(p);
-        middle_ = box.centre();
     }
 
     Fragments find()
@@ -107,6 +104,7 @@ private:
 
     void find_shells(std::uint32_t cell)
     {
+        if (!known_.empty() && known_.front().cell == cell) return add_known_shell(cell);
         sets_.clear();
         for (const PartTriangle& part : split_.parts[cell]) unite(part.corners);
         for (const std::uint32_t facet : facets_of_[cell]) unite(facets_[facet].corners);
@@ -135,6 +133,20 @@ private:
         }
         for (const std::uint32_t point : used_) place_[point] = kNone;
         used_.clear();
+    }
+
+    void add_known_shell(std::uint32_t cell)
+    {
+        const auto number = static_cast<std::uint32_t>(shells_.size());
+        first_shell_.push_back(number);
+        Shell& shell = shells_.emplace_back(Shell{cell, std::move(split_.parts[cell]), known_.front().volume});
+        known_ = known_.subspan(1);
+        for (const PartTriangle& part : shell.surface) shell.volume += six_volumes(part.corners) / 6.0;
+        for (const std::uint32_t facet : facets_of_[cell]) {
+            const std::size_t side = side_of(facets_[facet], cell);
+            facets_[facet].shells[side] = number;
+            shell.volume += six_volumes(corners_on(facets_[facet], side)) / 6.0;
+        }
     }
 
     /// A cavity belongs to the smallest of its cell's shells that goes around it.
@@ -289,7 +301,8 @@ private:
     std::span<const glm::vec3> points_;
     SplitSolid& split_;
     double least_volume_;
-    glm::dvec3 middle_{0.0};
+    glm::dvec3 middle_;
+    std::span<const KnownCell> known_;  ///< that are still to come
     std::vector<Facet> facets_;
     std::vector<std::vector<std::uint32_t>> facets_of_;  ///< of each cell
     std::vector<Shell> shells_;                          ///< cell by cell
@@ -305,9 +318,10 @@ private:
 
 }  // namespace
 
-Fragments find_fragments(std::span<const glm::vec3> points, SplitSolid& split, double least_volume)
+Fragments find_fragments(std::span<const glm::vec3> points, SplitSolid& split, double least_volume,
+                         const glm::dvec3& middle, std::span<const KnownCell> known)
 {
-    return FragmentFinder(points, split, least_volume).find();
+    return FragmentFinder(points, split, least_volume, middle, known).find();
 }
 
 }  // namespace kerf::core

@@ -41,12 +41,22 @@ struct Fragments
     std::vector<Bond> bonds;          ///< ascending by fragments
 };
 
+/// A cell of which parts of the surface are missing, but which is known to be one fragment.
+struct KnownCell
+{
+    std::uint32_t cell = 0;
+    double volume = 0.0;  ///< below what is missing; cubed units of the mesh
+};
+
 /// Divides each cell into its connected parts, with the cavities in them, and joins each part of less than `least_volume`
 /// to the largest of its neighbours, again and again, until none is left that has a neighbour. A triangle of a contact
 /// between parts that are joined is gone. O(n + k log k) for n triangles, k of them at contacts.
 ///
 /// @param points  of the mesh
 /// @param split   its parts of the surface go to the fragments; the rest stays
-Fragments find_fragments(std::span<const glm::vec3> points, SplitSolid& split, double least_volume);
+/// @param middle  the point that volumes are summed about: the closer, the more precise
+/// @param known   ascending; their fragments have the parts that are there
+Fragments find_fragments(std::span<const glm::vec3> points, SplitSolid& split, double least_volume,
+                         const glm::dvec3& middle, std::span<const KnownCell> known = {});
 
 }  // namespace kerf::core

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 #include <utility>
 
+#include "common/fracture/close_border.h"
 #include "common/geometry/dominant_axis.h"
 #include "common/mesh/float_range.h"
 #include "common/mesh/index.h"
@@ -20,14 +20,12 @@ namespace {
 using VertexName = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t kOfTriangle = 0xFFFFFFFFu, kOfContact = 0xFFFFFFFEu;
 
-struct HashOfVertexName
+/// A new vertex, among others at the same point.
+struct NamedVertex
 {
-    std::size_t operator()(const VertexName& name) const
-    {
-        std::uint64_t hash = 0xcbf29ce484222325;
-        for (const std::uint32_t part : name) hash = (hash ^ part) * 0x100000001b3;
-        return hash ^ (hash >> 29);
-    }
+    VertexName name;
+    std::uint32_t vertex;
+    std::uint32_t next;  ///< of the list
 };
 
 /// The vertices that a new one lies between, and its shares of them.
@@ -49,18 +47,22 @@ glm::vec3 unit_or(const glm::dvec3& v, const glm::vec3& otherwise)
 class PieceMeshes::Maker
 {
 public:
-    Maker(const IndexedMesh& mesh, std::span<const glm::vec3> points, const SplitSolid& split, const InsideLook& look)
+    Maker(const IndexedMesh& mesh, std::span<const glm::vec3> points, const SplitSolid& split, const InsideLook& look,
+          std::span<const std::vector<double>> stream_means)
         : mesh_(mesh),
           points_(points),
           split_(split),
           look_(look),
+          means_(stream_means.begin(), stream_means.end()),
           vertex_of_point_(points.size()),
           local_vertex_(mesh.vertices.size(), kNone),
-          local_point_(points.size() + split.new_points.size(), kNone)
+          local_point_(points.size() + split.new_points.size(), kNone),
+          first_named_(local_point_.size(), kNone)
     {
         for (std::uint32_t v = static_cast<std::uint32_t>(mesh.vertices.size()); v-- > 0;)
             vertex_of_point_[mesh.points[v]] = v;
-        for (const VertexStream& stream : mesh.streams) {
+        for (std::size_t s = means_.size(); s < mesh.streams.size(); ++s) {
+            const VertexStream& stream = mesh.streams[s];
             std::vector<double>& mean = means_.emplace_back(stream.width, 0.0);
             for (std::size_t i = 0; i < stream.values.size(); ++i) mean[i % stream.width] += stream.values[i];
             for (double& value : mean) value /= double(mesh.vertices.size());
@@ -77,7 +79,47 @@ public:
         return repaired();
     }
 
+    std::optional<PieceBorder> border_of(std::uint32_t cell)
+    {
+        PieceBorder border;
+        border.cell = cell;
+        Fragment fragment;
+        for (const PartTriangle& part : split_.parts[cell]) {
+            if (std::ranges::all_of(part.corners, [&](std::uint32_t p) { return p < points_.size(); })) {
+                border.kept.push_back(part.source);
+            } else {
+                fragment.surface.push_back(part);
+                border.divided.push_back(part.source);
+            }
+        }
+        for (const std::uint32_t contact : contacts_of(cell))
+            for (const auto& [a, b, c] : split_.contacts[contact].triangles) {
+                const bool is_turned = split_.contacts[contact].cells[0] != cell;
+                fragment.inside.push_back(
+                    {is_turned ? PointTriple{a, c, b} : PointTriple{a, b, c}, contact, is_turned});
+            }
+        put_together(fragment);
+        if (has_thin_triangle_) return std::nullopt;
+        border.surface_count = static_cast<std::uint32_t>(fragment.surface.size());
+        border.old_vertex.assign(piece_.vertices.size(), kNone);
+        for (std::size_t i = 0; i < used_vertices_.size(); ++i) border.old_vertex[old_places_[i]] = used_vertices_[i];
+        for (const std::uint32_t point : used_points_)
+            border.old_point.push_back(point < points_.size() ? point : kNone);
+        border.mesh = std::move(piece_);
+        return close_border(border) ? std::optional(std::move(border)) : std::nullopt;
+    }
+
 private:
+    std::span<const std::uint32_t> contacts_of(std::uint32_t cell)
+    {
+        if (contacts_of_.empty()) {
+            contacts_of_.resize(split_.parts.size());
+            for (std::uint32_t c = 0; c < split_.contacts.size(); ++c)
+                for (const std::uint32_t of : split_.contacts[c].cells) contacts_of_[of].push_back(c);
+        }
+        return contacts_of_[cell];
+    }
+
     void put_together(const Fragment& fragment)
     {
         begin(fragment);
@@ -85,7 +127,7 @@ private:
         for (const InsideFacet& facet : fragment.inside) add(facet);
         piece_.point_count = static_cast<std::uint32_t>(used_points_.size());
         for (const std::uint32_t v : used_vertices_) local_vertex_[v] = kNone;
-        for (const std::uint32_t p : used_points_) local_point_[p] = kNone;
+        for (const std::uint32_t p : used_points_) local_point_[p] = first_named_[p] = kNone;
     }
 
     void begin(const Fragment& fragment)
@@ -97,8 +139,9 @@ private:
         piece_.triangles.reserve(triangles);
         piece_.sources.reserve(triangles);
         used_vertices_.clear();
+        old_places_.clear();
         used_points_.clear();
-        new_vertices_.clear();
+        named_.clear();
         group_ = 0;
         has_thin_triangle_ = false;
     }
@@ -134,6 +177,7 @@ private:
         if (local == kNone) {
             local = add_vertex(mesh_.vertices[v], mesh_.points[v]);
             used_vertices_.push_back(v);
+            old_places_.push_back(local);
             for (std::size_t s = 0; s < mesh_.streams.size(); ++s) {
                 const VertexStream& from = mesh_.streams[s];
                 const auto first = from.values.begin() + std::ptrdiff_t(std::size_t{v} * from.width);
@@ -169,6 +213,17 @@ private:
         }
     }
 
+    /// The vertex of a name; if it is new, the one that is added next.
+    std::pair<std::uint32_t, bool> vertex_named(const VertexName& name)
+    {
+        for (std::uint32_t i = first_named_[name[0]]; i != kNone; i = named_[i].next)
+            if (named_[i].name == name) return {named_[i].vertex, false};
+        const auto vertex = static_cast<std::uint32_t>(piece_.vertices.size());
+        const std::uint32_t next = std::exchange(first_named_[name[0]], static_cast<std::uint32_t>(named_.size()));
+        named_.push_back({name, vertex, next});
+        return {vertex, true};
+    }
+
     /// A corner of a part of a triangle.
     std::uint32_t surface_vertex(const Triangle& triangle, std::uint32_t point)
     {
@@ -176,8 +231,7 @@ private:
         const Mixture mixture = mixture_at(point, [&](std::uint32_t p) { return vertex_at(triangle, p); });
         const VertexName name = mixture.count == 2 ? VertexName{point, mixture.vertices[0], mixture.vertices[1]}
                                                    : VertexName{point, kOfTriangle, 0};
-        const auto [entry, is_new] =
-            new_vertices_.try_emplace(name, static_cast<std::uint32_t>(piece_.vertices.size()));
+        const auto [vertex, is_new] = vertex_named(name);
         if (is_new) {
             glm::dvec3 normal(0.0);
             glm::dvec2 uv(0.0);
@@ -190,14 +244,13 @@ private:
                        point);
             add_streams(mixture);
         }
-        return entry->second;
+        return vertex;
     }
 
     std::uint32_t inside_vertex(const InsideFacet& facet, std::uint32_t point)
     {
         const std::uint32_t contact = 2 * facet.contact + (facet.is_turned ? 1 : 0);
-        const auto [entry, is_new] = new_vertices_.try_emplace(VertexName{point, kOfContact, contact},
-                                                               static_cast<std::uint32_t>(piece_.vertices.size()));
+        const auto [vertex, is_new] = vertex_named({point, kOfContact, contact});
         if (is_new) {
             const glm::dvec3 normal = split_.contacts[facet.contact].normal;
             const int axis = dominant_axis(normal);
@@ -208,7 +261,7 @@ private:
             add_vertex({p, glm::vec3(facet.is_turned ? -normal : normal), {coordinate(1), coordinate(2)}}, point);
             add_streams(mixture_inside(point));
         }
-        return entry->second;
+        return vertex;
     }
 
     /// Of a point of a contact that lies on the surface the vertices there; none of the others.
@@ -279,25 +332,33 @@ private:
     std::span<const glm::vec3> points_;
     const SplitSolid& split_;
     const InsideLook look_;
-    std::vector<std::uint32_t> vertex_of_point_;  ///< the first one
-    std::vector<std::vector<double>> means_;      ///< of each stream
+    std::vector<std::vector<double>> means_;               ///< of each stream
+    std::vector<std::uint32_t> vertex_of_point_;           ///< the first one
+    std::vector<std::vector<std::uint32_t>> contacts_of_;  ///< of each cell; made when it is first asked for
 
     // Of the piece that is made
     IndexedMesh piece_;
     std::vector<std::uint32_t> local_vertex_, local_point_;  ///< numbers in it, or kNone
     std::vector<std::uint32_t> used_vertices_, used_points_;
-    std::unordered_map<VertexName, std::uint32_t, HashOfVertexName> new_vertices_;
-    std::size_t group_ = 0;  ///< of the mesh, of the last triangle
+    std::vector<std::uint32_t> old_places_;   ///< numbers of the used vertices in it
+    std::vector<std::uint32_t> first_named_;  ///< of each point the first of its list in named_, or kNone
+    std::vector<NamedVertex> named_;          ///< new vertices
+    std::size_t group_ = 0;                   ///< of the mesh, of the last triangle
     bool has_thin_triangle_ = false;
 };
 
 PieceMeshes::PieceMeshes(const IndexedMesh& mesh, std::span<const glm::vec3> points, const SplitSolid& split,
-                         const InsideLook& look)
-    : maker_(std::make_unique<Maker>(mesh, points, split, look))
+                         const InsideLook& look, std::span<const std::vector<double>> stream_means)
+    : maker_(std::make_unique<Maker>(mesh, points, split, look, stream_means))
 {
 }
 
 PieceMeshes::~PieceMeshes() = default;
+
+std::optional<PieceBorder> PieceMeshes::border_of(std::uint32_t cell)
+{
+    return maker_->border_of(cell);
+}
 
 std::optional<ProvenMesh> PieceMeshes::make(const Fragment& fragment)
 {

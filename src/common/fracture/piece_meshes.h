@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "common/cutting/breakable.h"
 #include "common/fracture/fragments.h"
 #include "common/repair/proven_mesh.h"
 
@@ -28,9 +29,16 @@ class PieceMeshes
 {
 public:
     /// All arguments live as long as this. O(n).
+    ///
+    /// @param stream_means  of each stream of the object's vertices, if the mesh is only the border of it
     PieceMeshes(const IndexedMesh& mesh, std::span<const glm::vec3> points, const SplitSolid& split,
-                const InsideLook& look);
+                const InsideLook& look, std::span<const std::vector<double>> stream_means = {});
     ~PieceMeshes();
+
+    /// What closes a cell of a Breakable of which the mesh is the border, if that hangs together and nothing of it has to be
+    /// repaired: each edge has two triangles, and those around a new point form one fan. O(t) for t triangles of it in the
+    /// border.
+    std::optional<PieceBorder> border_of(std::uint32_t cell);
 
     /// Nothing if no triangle has three different corners: a flake without a volume. O(t) for t triangles of it, and
     /// O(t log t) if points of it were rounded to one place.

@@ -10,11 +10,16 @@ std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, st
     Box bounds;
     for (const glm::vec3& point : points) bounds.add(point);
     const std::optional<CellDiagram> diagram = make_cell_diagram(sites, bounds);
-    if (!diagram) return std::nullopt;
-    DividedSurface surface = divide_surface(points, triangles, *diagram);
-    const auto edges = find_inside_edges(*diagram, points, surface);
+    return diagram ? split_into_cells(points, triangles, *diagram) : std::nullopt;
+}
+
+std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
+                                           const CellDiagram& diagram)
+{
+    DividedSurface surface = divide_surface(points, triangles, diagram);
+    const auto edges = find_inside_edges(diagram, points, surface);
     if (!edges) return std::nullopt;
-    auto contacts = close_contacts(*diagram, points, *edges, surface);
+    auto contacts = close_contacts(diagram, points, *edges, surface);
     if (!contacts) return std::nullopt;
     return SplitSolid{std::move(surface.new_points), std::move(surface.places), std::move(surface.parts),
                       *std::move(contacts), surface.crossing_triangles};

@@ -28,4 +28,9 @@ struct SplitSolid
 std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
                                            std::span<const glm::dvec3> sites);
 
+/// The same with a diagram that is there already, and of a surface of which triangles may be missing: those that lie in one
+/// cell with all that surrounds them.
+std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
+                                           const CellDiagram& diagram);
+
 }  // namespace kerf::core

@@ -16,27 +16,44 @@ constexpr int kMostMoves = 12;
 /// A fragment with a smaller share of the box's volume is none: rounding has made it.
 constexpr double kLeastShare = 1e-12;
 
+glm::dvec3 size_of(const Box& box)
+{
+    return glm::dvec3(box.hi) - glm::dvec3(box.lo);
+}
+
 }  // namespace
+
+std::vector<glm::dvec3> sites_that_split(const Box& box, std::span<const glm::dvec3> sites,
+                                         const std::function<bool(std::span<const glm::dvec3>)>& splits)
+{
+    std::vector<glm::dvec3> tried(sites.begin(), sites.end());
+    double distance = kFirstMove * glm::length(size_of(box));
+    for (int move = 0; move <= kMostMoves; ++move, distance *= 2.0) {
+        if (move > 0) tried = moved_a_little(sites, distance, static_cast<std::uint64_t>(move));
+        if (splits(tried)) return tried;
+    }
+    return {};
+}
+
+double least_volume_of_fragment(const Box& box)
+{
+    const glm::dvec3 size = size_of(box);
+    return kLeastShare * (size.x * size.y * size.z);
+}
 
 std::optional<TakenApart> take_apart(const SolidOfPoints& solid, std::span<const glm::dvec3> sites, double least_volume)
 {
-    Box box;
-    for (const glm::vec3& p : solid.points) box.add(p);
-    const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
-    const double diagonal = glm::length(size), none = kLeastShare * (size.x * size.y * size.z);
-
+    const Box box = AllTriangles(solid).bounds();
     TakenApart apart;
-    apart.sites.assign(sites.begin(), sites.end());
-    double distance = kFirstMove * diagonal;
-    for (int move = 0; move <= kMostMoves; ++move, distance *= 2.0) {
-        if (move > 0) apart.sites = moved_a_little(sites, distance, static_cast<std::uint64_t>(move));
-        auto split = split_into_cells(solid.points, solid.triangles, apart.sites);
-        if (!split) continue;
-        apart.split = *std::move(split);
-        apart.fragments = find_fragments(solid.points, apart.split, std::max(least_volume, none));
-        return apart;
-    }
-    return std::nullopt;
+    apart.sites = sites_that_split(box, sites, [&](std::span<const glm::dvec3> tried) {
+        auto split = split_into_cells(solid.points, solid.triangles, tried);
+        if (split) apart.split = *std::move(split);
+        return split.has_value();
+    });
+    if (apart.sites.empty()) return std::nullopt;
+    apart.fragments =
+        find_fragments(solid.points, apart.split, std::max(least_volume, least_volume_of_fragment(box)), box.centre());
+    return apart;
 }
 
 }  // namespace kerf::core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,5 +27,13 @@ struct TakenApart
 /// @param least_volume  smaller fragments are joined to their neighbours; cubed units of the mesh
 std::optional<TakenApart> take_apart(const SolidOfPoints& solid, std::span<const glm::dvec3> sites,
                                      double least_volume);
+
+/// Tries to split with sites, and again with these moved a little, as long as it fails: a solid in that box. Returns the sites
+/// with which it did not, or none.
+std::vector<glm::dvec3> sites_that_split(const Box& box, std::span<const glm::dvec3> sites,
+                                         const std::function<bool(std::span<const glm::dvec3>)>& splits);
+
+/// What a fragment of a solid in that box has at least, or it is none: rounding has made it. Cubed units of the mesh.
+double least_volume_of_fragment(const Box& box);
 
 }  // namespace kerf::core
