@@ -27,12 +27,12 @@ void GpuWorld::sync(const sim::Simulation& simulation)
 }
 
 /// Brings an object nearer as far as this frame's budget goes. True once all of it is there.
-bool GpuWorld::bring(Object& object, std::uint64_t copy)
+bool GpuWorld::bring(Object& object, std::uint64_t copy, render::Room room)
 {
     wanted_.insert(copy);
     render::Arrival& arrival = arrivals_[copy];
     if (!arrival.is_whole && budget_ > 0) {
-        const std::uint64_t bytes = store_.bring(object, arrival, budget_, render::Room::to_grow);
+        const std::uint64_t bytes = store_.bring(object, arrival, budget_, room);
         budget_ -= std::min(budget_, std::max(bytes, kBytesOfBuffers));
         bytes_of_throws_ += bytes;
     }
@@ -58,7 +58,8 @@ void GpuWorld::bring_next(const sim::Simulation& simulation)
     for (const std::size_t model : simulation.scene().next_models())
         if (const auto next = simulation.models().stocked(model, simulation.backend()))
             bring(*next->object, next->copy);
-    for (const sim::WaitingPiece& piece : simulation.waiting_pieces()) bring(*piece.object, piece.key);
+    for (const sim::WaitingPiece& piece : simulation.waiting_pieces())
+        bring(*piece.object, piece.key, render::Room::exact);
 }
 
 std::optional<double> GpuWorld::arriving() const

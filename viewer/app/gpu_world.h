@@ -68,7 +68,7 @@ private:
     };
     using Uploads = std::map<const render::SharedBuffers*, Upload>;
 
-    bool bring(Object& object, std::uint64_t copy);
+    bool bring(Object& object, std::uint64_t copy, render::Room room = render::Room::to_grow);
     render::DrawnFragment add(const sim::Simulation& simulation, sim::Body& body);
     void bring_whole_bodies(const sim::Simulation& simulation);
     void bring_next(const sim::Simulation& simulation);

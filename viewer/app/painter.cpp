@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
+#include <set>
 #include <vector>
 
 #include "viewer/app/proxy_lines.h"
+#include "viewer/render/rehearsal.h"
 #include "viewer/render/wall.h"
 #include "viewer/sim/camera.h"
 
@@ -82,12 +84,23 @@ render::FlyingSprite sprite_of(const effects::Drop& drop)
     return sprite;
 }
 
+/// Looks of one pattern are drawn with one program: the first of each.
+std::vector<std::uint32_t> one_of_each_pattern(const render::LookTable& table, const std::vector<std::uint32_t>& looks)
+{
+    std::vector<std::uint32_t> chosen;
+    std::set<render::Pattern> seen;
+    for (const std::uint32_t look : looks)
+        if (seen.insert(table.look(look).pattern).second) chosen.push_back(look);
+    return chosen;
+}
+
 }  // namespace
 
 Painter::Painter(int width, int height) : world_(std::in_place, looks_), renderer_(looks_), target_(width, height) {}
 
 void Painter::warm_up(const sim::ModelLibrary& models)
 {
+    std::vector<std::uint32_t> surfaces, caps;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const sim::Model& model = models.model(i);
         std::vector<Material> materials;
@@ -99,10 +112,27 @@ void Painter::warm_up(const sim::ModelLibrary& models)
         for (std::uint32_t m = 0; m < materials.size(); ++m) {
             if (*materials[m].base_colour_image != '\0')
                 renderer_.warm_up(looks_.look(looks_.index_of(materials, m, TriangleKind::surface)).pattern);
-            for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap})
+            for (const TriangleKind kind : {TriangleKind::surface, TriangleKind::cap}) {
                 renderer_.warm_up(render::look_of(materials, m, kind).pattern);
+                (kind == TriangleKind::cap ? caps : surfaces).push_back(looks_.index_of(materials, m, kind));
+            }
         }
     }
+    rehearse(one_of_each_pattern(looks_, surfaces), one_of_each_pattern(looks_, caps));
+}
+
+/// Draws with everything once, into a picture that nobody sees.
+void Painter::rehearse(const std::vector<std::uint32_t>& surfaces, const std::vector<std::uint32_t>& caps)
+{
+    const render::Rehearsal rehearsal(surfaces, caps);
+    StagePicture stage;
+    stage.objects = rehearsal.objects();
+    stage.area = whole();
+    paint(std::span(&stage, 1), {});
+    const render::StainSprite stain{};
+    const render::FlyingSprite drop{};
+    target_.bind();
+    effects_pass_.draw(std::span(&stain, 1), std::span(&drop, 1));
 }
 
 void Painter::resize(int width, int height)

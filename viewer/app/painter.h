@@ -32,8 +32,8 @@ public:
     /// @throws render::RenderError
     Painter(int width, int height);
 
-    /// Makes the shader programs that these models and their insides need and reads their images, so that no throw
-    /// waits for one.
+    /// Makes the shader programs that these models and their insides need, draws with each once, and reads their images,
+    /// so that no throw and nothing that breaks waits for one.
     /// @throws render::RenderError
     void warm_up(const sim::ModelLibrary& models);
 
@@ -65,6 +65,7 @@ public:
     const render::DrawStatistics& statistics() const { return renderer_.statistics(); }
 
 private:
+    void rehearse(const std::vector<std::uint32_t>& surfaces, const std::vector<std::uint32_t>& caps);
     void paint_stage(const StagePicture& stage, const ViewSettings& settings);
     void paint_effects(const effects::Effects& effects);
     void paint_blade(const StagePicture& stage, const glm::mat4& to_picture);
