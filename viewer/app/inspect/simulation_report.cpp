@@ -133,6 +133,13 @@ nlohmann::ordered_json report_of(const sim::Simulation& simulation, const GpuWor
         report["breaks"] = std::move(breaks);
         report["cracks"] = std::move(cracks);
     }
+    if (!times.submit_cpu_ms.empty() && times.submit_cpu_ms.size() == times.simulate_cpu_ms.size()) {
+        // Each frame was drawn: what both cost it together.
+        std::vector<double> both;
+        for (std::size_t i = 0; i < times.submit_cpu_ms.size(); ++i)
+            both.push_back(times.simulate_cpu_ms[i] + times.submit_cpu_ms[i]);
+        report["frame_cpu_ms"] = json_of(summary_of(std::move(both)));
+    }
     if (const game::GameScene* const game = game::game_of(simulation.scene())) report["game"] = game::report_of(*game);
     if (const game::GiantScene* const giant = game::giant_of(simulation.scene()))
         report["giant"] = {{"triangles", giant->state().triangles}, {"giants", giant->state().giants}};
