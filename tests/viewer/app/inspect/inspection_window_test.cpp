@@ -383,4 +383,45 @@ TEST_F(DraggingTest, EndsASwipeWhenTheFocusIsLost)
     EXPECT_FALSE(inspection.simulation().blade().pressed());
 }
 
+namespace {
+
+class ShatterWindowTest : public InspectionWindowTest
+{
+protected:
+    ShatterWindowTest() : InspectionWindowTest(shatter_window()) {}
+
+    static app::Options shatter_window()
+    {
+        app::Options options = small_window();
+        options.scene = "shatter";
+        options.view.panel = false;
+        return options;
+    }
+};
+
+}  // namespace
+
+TEST_F(ShatterWindowTest, AClickBreaksAndNoFrameWaits)
+{
+    Hand hand(window);
+    sim::Simulation& simulation = inspection.simulation();
+    const auto is_high = [&] {
+        return !simulation.bodies().empty() && simulation.bodies().front()->centre().y > -0.5 * sim::kStageHalfHeight;
+    };
+    while (!is_high()) frames(1);
+    const glm::dvec2 size(window.size());
+    const sim::Camera camera(size.x / size.y);
+    const glm::dvec2 place = sim::Camera::seen_on_stage(simulation.bodies().front()->centre());
+    hand.move_to(camera.stage_to_screen(place, size));
+    hand.button(GLFW_PRESS);
+    frames(1);
+    hand.button(GLFW_RELEASE);
+    const sim::ObjectId struck = simulation.bodies().front()->id();
+    while (simulation.breaks().empty() && simulation.world().find(struck) != nullptr) frames(1);
+    ASSERT_EQ(simulation.breaks().size(), 1u);
+    EXPECT_EQ(simulation.breaks().front().status, Status::done);
+    EXPECT_GT(simulation.bodies().size(), 10u);
+    frames(3);
+}
+
 }  // namespace kerf::test

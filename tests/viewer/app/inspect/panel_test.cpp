@@ -6,8 +6,10 @@
 #include "viewer/app/inspect/keys.h"
 #include "viewer/app/user_interface.h"
 #include "viewer/game/autopilot.h"
+#include "viewer/game/scenes.h"
 #include "viewer/render/gl_test.h"
 #include "viewer/render/offscreen_context.h"
+#include "viewer/sim/camera.h"
 #include "viewer/support/stages.h"
 
 namespace kerf::test {
@@ -30,14 +32,15 @@ protected:
 
     /// All words of the panel, or of the list of keys without it, in a picture of so many pixels, as Dear ImGui logs
     /// them.
-    std::string words(int width = 1280, int height = 720)
+    std::string words(int width = 1280, int height = 720) { return words_of(simulation, width, height); }
+    std::string words_of(const sim::Simulation& shown, int width = 1280, int height = 720)
     {
         static std::string copied;
         copied.clear();
         ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { copied = text; };
         for (int frame = 0; frame < 3; ++frame) {
             interface.begin(width, height, 1.0 / 60.0);
-            app::PanelState state{simulation, painter, frames, view, ""};
+            app::PanelState state{shown, painter, frames, view, ""};
             if (frame == 2) ImGui::LogToClipboard();
             app::show_panel(state);
             if (frame == 2) ImGui::LogFinish();
@@ -72,6 +75,25 @@ TEST_F(PanelTest, ShowsWhatTheLastCutCost)
         if (s.phase_ms[std::size_t(phase)] > 0.02 * s.milliseconds()) {
             EXPECT_NE(text.find(kerf::text(phase)), std::string::npos) << kerf::text(phase) << " in\n" << text;
         }
+}
+
+TEST_F(PanelTest, ShowsWhatBreakingCostsAndHowThingsBreak)
+{
+    const auto models = library_of({"icosphere"}, 1000);
+    sim::Simulation broken(models, {}, game::make_scene("shatter", models));
+    broken.command("cells 25");
+    broken.advance(60);
+    const glm::dvec2 place = sim::Camera::seen_on_stage(broken.bodies().front()->centre());
+    broken.push({broken.time() + 1, sim::InputKind::press, place, {}});
+    broken.advance(2);
+    ASSERT_EQ(broken.breaks().size(), 1u);
+    const sim::BreakRecord& record = broken.breaks().front();
+    const std::string text = words_of(broken);
+    for (const std::string& wanted :
+         {std::string("click to break"), std::string("cells"), std::string("impact"), std::string("strength"),
+          std::to_string(record.triangles) + " triangles", std::to_string(record.pieces.size()) + " pieces",
+          std::to_string(record.bonds) + " bonds", std::string("ms a piece"), record.backend})
+        EXPECT_NE(text.find(wanted), std::string::npos) << wanted << " in\n" << text;
 }
 
 TEST_F(PanelTest, SaysBesideFrameTimesThatAProgramDraws)
