@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "api/fracture_referee.h"
 #include "api/objects.h"
@@ -233,6 +234,48 @@ TEST(Fracture, AThousandSeedsGiveRightPieces)
         expect_right(whole, fracture);
         if (HasFailure()) return;
     }
+}
+
+/// The mesh, so far from the origin that its floats are coarse.
+Mesh moved(const Mesh& mesh, float far)
+{
+    const MeshArrays arrays = mesh.arrays();
+    std::vector<Vec3f> positions(arrays.positions.begin(), arrays.positions.end());
+    for (Vec3f& p : positions) p = {p.x + far, p.y + far, p.z + far};
+    MeshInput input;
+    input.positions = &positions[0].x;
+    input.vertex_count = positions.size();
+    input.indices = arrays.indices.data();
+    input.triangle_count = arrays.indices.size() / 3;
+    return *Mesh::make(input);
+}
+
+// Borders and contacts collapse there: outlines have edges of no length, and cross themselves.
+TEST_P(FractureTest, CoarseCoordinatesGiveClosedPiecesOrARefusal)
+{
+    std::size_t broken = 0;
+    for (const std::uint64_t triangles : {500u, 30'000u}) {
+        const Mesh mesh = test::shape("asteroid", triangles);
+        for (const float far : {3e4f, 1e5f, 3e5f, 1e6f, 1e7f})
+            for (std::uint64_t seed = 0; seed < (test::kBrief || triangles > 500 ? 2u : 4u); ++seed) {
+                SCOPED_TRACE(std::to_string(triangles) + " at " + std::to_string(far) + ", seed " +
+                             std::to_string(seed));
+                const Object whole = test::object_of(moved(mesh, far), GetParam());
+                FractureOptions options;
+                options.cells = 64;
+                options.seed = seed;
+                Fracture fracture = kerf::fracture(whole, options);
+                if (!ok(fracture.status())) {
+                    EXPECT_EQ(fracture.status(), Status::invalid_mesh);
+                    EXPECT_STRNE(fracture.reason(), "");
+                    continue;
+                }
+                ++broken;
+                for (std::size_t i = 0; const Object* const piece = fracture.piece(i); ++i)
+                    EXPECT_TRUE(piece->mass_properties().is_of_solid) << "piece " << i;
+            }
+    }
+    EXPECT_GT(broken, 12u) << "most can be broken";
 }
 
 TEST(Fracture, RefusesWhatCannotBeBroken)

@@ -358,12 +358,14 @@ private:
         return true;
     }
 
-    /// False if an edge passes through a point of the outline.
+    /// False if an edge passes through a point of the outline, or has no length.
     bool insert_edges(const CapOutline& outline)
     {
         crossed_.clear();
-        for_each_edge(outline, [&](Index i, Index j) {
+        const bool have_length = for_each_edge(outline, [&](Index i, Index j) {
             const auto [from, to] = from_fewer_loops(i, j);
+            // CGAL would look for the way from a point to itself.
+            if (vertices_[from] == vertices_[to]) return false;
             FaceHandle f;
             int edge;
             if (triangulation_->is_edge(vertices_[from], vertices_[to], f, edge))
@@ -372,6 +374,7 @@ private:
                 crossed_.push_back({from, to});
             return true;
         });
+        if (!have_length) return false;
         // The triangles that an edge crosses are made anew. In the order of a loop that can be half of the
         // triangulation, edge after edge (teeth that lean over one another). In random order earlier edges shield later
         // ones: O(n log^2 n) expected. Shewchuk and Brown, "Fast segment insertion and incremental construction of
