@@ -8,6 +8,7 @@
 
 #include "viewer/game/autopilot.h"
 #include "viewer/game/scenes.h"
+#include "viewer/sim/back_ends.h"
 #include "viewer/sim/camera.h"
 #include "viewer/sim/simulation.h"
 #include "viewer/support/stages.h"
@@ -15,7 +16,7 @@
 namespace kerf::game {
 namespace {
 
-sim::Simulation play(const std::string& backend = "halfedge", std::uint64_t seed = 3)
+sim::Simulation play(const std::string& backend = sim::backend_names().front(), std::uint64_t seed = 3)
 {
     const auto models = test::library_of({"asteroid", "torus"}, 1500);
     sim::Settings settings;
@@ -59,8 +60,7 @@ class ShatterSceneTest : public testing::TestWithParam<std::string>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, ShatterSceneTest, testing::Values("halfedge", "baseline/remap"),
-                         test::back_end_test_name);
+INSTANTIATE_TEST_SUITE_P(BackEnds, ShatterSceneTest, testing::ValuesIn(sim::backend_names()), test::back_end_test_name);
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "viewer/sim/back_ends.h"
 #include "viewer/sim/bodies.h"
 #include "viewer/sim/breaking/breaker.h"
 #include "viewer/sim/world.h"
@@ -20,7 +21,7 @@ protected:
     ClusterTest()
     {
         auto shared = std::make_shared<BreakJob>();
-        shared->object = test::object_of(test::shape("icosphere", 1280), "halfedge");
+        shared->object = test::object_of(test::shape("icosphere", 1280), backend_names().front());
         shared->options.cells = 30;
         Breaker breaker;
         breaker.start(shared);

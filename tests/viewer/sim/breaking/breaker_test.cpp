@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "viewer/sim/back_ends.h"
 #include "viewer/support/stages.h"
 
 namespace kerf::sim {
@@ -23,7 +24,7 @@ std::shared_ptr<BreakJob> job_of(Object object, std::uint32_t cells = 20)
 TEST(Breaker, MakesPiecesWithTheirMassAndProxies)
 {
     Breaker breaker;
-    const Object whole = test::object_of(test::shape("asteroid", 2000), "halfedge");
+    const Object whole = test::object_of(test::shape("asteroid", 2000), backend_names().front());
     const double mass = solid_of(whole.mass_properties(), whole.bounds(), 2.0).mass;
     const auto job = job_of(test::value_of(whole.clone()));
     breaker.start(job);

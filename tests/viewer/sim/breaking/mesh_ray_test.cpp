@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "viewer/sim/back_ends.h"
 #include "viewer/support/stages.h"
 
 namespace kerf::sim {
@@ -16,8 +17,7 @@ protected:
     const Object ball = test::object_of(test::shape("icosphere", 5120), GetParam());
 };
 
-INSTANTIATE_TEST_SUITE_P(BackEnds, MeshRayTest, testing::Values("halfedge", "baseline/remap"),
-                         test::back_end_test_name);
+INSTANTIATE_TEST_SUITE_P(BackEnds, MeshRayTest, testing::ValuesIn(backend_names()), test::back_end_test_name);
 
 }  // namespace
 

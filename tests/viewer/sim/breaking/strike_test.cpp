@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <thread>
 
+#include "viewer/sim/back_ends.h"
 #include "viewer/sim/simulation.h"
 #include "viewer/support/stages.h"
 
@@ -42,8 +43,8 @@ std::shared_ptr<ModelLibrary> library_with(const std::string& shape)
 
 struct Stage
 {
-    explicit Stage(Readiness breaks = Readiness::at_once, const std::string& backend = "halfedge", bool record = false,
-                   const std::string& shape = "icosphere")
+    explicit Stage(Readiness breaks = Readiness::at_once, const std::string& backend = backend_names().front(),
+                   bool record = false, const std::string& shape = "icosphere")
         : simulation(library_with(shape), settings_of(breaks, backend, record), make_scene())
     {
         body = simulation.place_object(0, 1.0, {0, 0, 0}, glm::dmat3(1.0), {{0.3, 0.1, 0.0}, {0.0, 0.5, 0.2}});
@@ -103,8 +104,7 @@ void upload_waiting(const Simulation& simulation)
 class StrikeTest : public testing::TestWithParam<std::string>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Strike, StrikeTest, testing::Values("halfedge", "baseline/remap", "baseline/hash"),
-                         test::back_end_test_name);
+INSTANTIATE_TEST_SUITE_P(Strike, StrikeTest, testing::ValuesIn(backend_names()), test::back_end_test_name);
 
 }  // namespace
 
@@ -173,7 +173,7 @@ TEST_P(StrikeTest, TheSameBlowGivesTheSameState)
 
 TEST(Strike, BackEndsBreakAlike)
 {
-    Stage one(Readiness::at_once, "halfedge"), other(Readiness::at_once, "baseline/remap");
+    Stage one(Readiness::at_once, backend_names().front()), other(Readiness::at_once, "baseline/remap");
     for (Stage* stage : {&one, &other}) {
         stage->strike(800.0, 300.0);
         stage->simulation.advance(2);
@@ -188,7 +188,7 @@ TEST(Strike, BackEndsBreakAlike)
 
 TEST(Strike, ARayThatGoesPastBreaksNothing)
 {
-    Stage stage(Readiness::at_once, "halfedge", false, "torus");
+    Stage stage(Readiness::at_once, backend_names().front(), false, "torus");
     Breaking how;
     // Through the hole: the hull is hit, the ring is not.
     stage.simulation.strike(1, {{0, 0, 9}, {0, 0, -500}, {0, 0, -1}}, how);
@@ -202,7 +202,7 @@ TEST(Strike, ARayThatGoesPastBreaksNothing)
 
 TEST(Strike, WhatIsOpenStaysAndTheReasonIsSaid)
 {
-    Stage stage(Readiness::at_once, "halfedge", false, "open ball");
+    Stage stage(Readiness::at_once, backend_names().front(), false, "open ball");
     stage.simulation.strike(1, {stage.body->centre(), {0, 0, -500}}, {});
     stage.simulation.advance();
     EXPECT_EQ(stage.simulation.bodies().size(), 1u);
@@ -223,7 +223,7 @@ TEST(Strike, ABladeThatSmashesBreaksWhatItGoesThrough)
 
 TEST(Strike, ABladeThatPassesBesideSmashesNothing)
 {
-    Stage stage(Readiness::at_once, "halfedge", false, "torus");
+    Stage stage(Readiness::at_once, backend_names().front(), false, "torus");
     stage.scene->smash = Breaking{};
     stage.simulation.push(test::stroke(20'000, 60'000, {-3.0, 3.5}, {3.0, 3.5}));
     stage.simulation.advance(30);
@@ -260,7 +260,7 @@ TEST(Strike, WhatLeavesMeanwhileIsForgotten)
 
 TEST(Strike, ReadyPiecesWaitForTheGraphicsCardAndARecordingRepeatsTheRun)
 {
-    Stage played(Readiness::when_ready, "halfedge", true);
+    Stage played(Readiness::when_ready, backend_names().front(), true);
     played.simulation.advance(5);
     played.simulation.command("gesture segment");  // something to record before
     played.strike(800.0, 300.0);
@@ -276,7 +276,7 @@ TEST(Strike, ReadyPiecesWaitForTheGraphicsCardAndARecordingRepeatsTheRun)
     ASSERT_GT(played.simulation.bodies().size(), 1u);
     played.simulation.advance(20);
 
-    Stage repeated(Readiness::on_command, "halfedge", true);
+    Stage repeated(Readiness::on_command, backend_names().front(), true);
     repeated.simulation.push(played.simulation.recording().events);
     repeated.simulation.advance(5);
     while (repeated.simulation.now() < struck) repeated.simulation.advance();
