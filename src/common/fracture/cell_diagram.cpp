@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "common/fracture/near_sites.h"
+
 namespace kerf::core {
 
 namespace {
@@ -136,26 +138,12 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> made_;
 };
 
-Cell cell_of(std::uint32_t site, std::span<const glm::dvec3> sites, Cell cell)
+Cell cell_of(std::uint32_t site, std::span<const glm::dvec3> sites, NearSites& near, Cell cell)
 {
-    const auto squared_distance = [&](std::uint32_t other) {
-        const glm::dvec3 away = sites[other] - sites[site];
-        return glm::dot(away, away);
-    };
-    std::vector<std::pair<double, std::uint32_t>> others;
-    for (std::uint32_t other = 0; other < sites.size(); ++other)
-        if (other != site) others.emplace_back(squared_distance(other), other);
-    // Few are near enough: they are sorted bit by bit.
-    constexpr std::size_t kAtOnce = 64;
-    std::size_t sorted = 0;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        if (i == sorted) {
-            sorted = std::min(others.size(), sorted + std::max(sorted, kAtOnce));
-            const auto first = others.begin() + std::ptrdiff_t(i), end = others.begin() + std::ptrdiff_t(sorted);
-            if (end != others.end()) std::nth_element(first, end, others.end());
-            std::sort(first, end);
-        }
-        const auto& [squared, other] = others[i];
+    near.around(site);
+    std::pair<double, std::uint32_t> next;
+    while (near.next(next)) {
+        const auto& [squared, other] = next;
         if (squared > 4.0 * cell.squared_radius(sites[site])) break;
         const glm::dvec3 towards = sites[other] - sites[site];
         const double half_way = 0.5 * (glm::dot(sites[other], sites[other]) - glm::dot(sites[site], sites[site]));
@@ -261,7 +249,8 @@ std::optional<CellDiagram> make_cell_diagram(std::span<const glm::dvec3> sites, 
     const glm::dvec3 margin(glm::length(hi - lo));
     const Cell whole = box_cell(lo - margin, hi + margin);
     DiagramMaker maker(sites);
-    for (std::uint32_t site = 0; site < sites.size(); ++site) maker.add(site, cell_of(site, sites, whole));
+    NearSites near(sites);
+    for (std::uint32_t site = 0; site < sites.size(); ++site) maker.add(site, cell_of(site, sites, near, whole));
     return maker.take();
 }
 
