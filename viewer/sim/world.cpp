@@ -226,9 +226,8 @@ void World::unbind(Cluster& cluster)
 std::vector<std::vector<Body*>> World::part(Cluster& cluster, const std::vector<Bond>& bonds_left)
 {
     const std::vector<Body*> members(cluster.members().begin(), cluster.members().end());
-    const std::vector<Bond> bonds = bonds_left;  // they may be the cluster's own
     unbind(cluster);
-    return bind(members, bonds);
+    return bind(members, bonds_left);
 }
 
 std::vector<Impact> World::impacts(double least) const

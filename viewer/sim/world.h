@@ -65,7 +65,7 @@ public:
     /// parts of a rigid whole. The parts, by their first bodies. O(bodies + bonds).
     /// @param bodies  pieces of one object in one pose, in this world, of no cluster; by their ids
     std::vector<std::vector<Body*>> bind(std::span<Body* const> bodies, const std::vector<Bond>& bonds);
-    /// The same with the bodies of a cluster, which is gone.
+    /// The same with the bodies of a cluster, which is gone. @param bonds_left  not those that it holds itself
     std::vector<std::vector<Body*>> part(Cluster& cluster, const std::vector<Bond>& bonds_left);
     /// In the order in which they were bound.
     std::span<const std::unique_ptr<Cluster>> clusters() const { return clusters_; }

@@ -47,8 +47,9 @@ std::optional<TakenApart> take_apart(const SolidOfPoints& solid, std::span<const
     TakenApart apart;
     apart.sites = sites_that_split(box, sites, [&](std::span<const glm::dvec3> tried) {
         auto split = split_into_cells(solid.points, solid.triangles, tried);
-        if (split) apart.split = *std::move(split);
-        return split.has_value();
+        if (!split) return false;
+        apart.split = *std::move(split);
+        return true;
     });
     if (apart.sites.empty()) return std::nullopt;
     apart.fragments =

@@ -24,8 +24,9 @@ public:
             object_.divide(tried.size(), [&](const Box& part) { return finder.cell_of(part); });
             solid_.emplace(object_.border(), object_.most_points());
             auto split = split_into_cells(solid_->points, solid_->triangles, *diagram);
-            if (split) split_ = *std::move(split);
-            return split.has_value();
+            if (!split) return false;
+            split_ = *std::move(split);
+            return true;
         });
         least_volume_ = std::max(least_volume, least_volume_of_fragment(box));
         return !taken_.apart.sites.empty();
