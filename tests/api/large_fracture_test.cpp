@@ -50,7 +50,7 @@ std::vector<Whole> surface_of(const Object& piece)
         if (arrays.kinds[t] == TriangleKind::cap) continue;
         Whole whole{{}, arrays.triangle_materials[t], arrays.sources[t]};
         for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint32_t v = arrays.indices[3 * t + c];
+            const std::size_t v = arrays.indices[3 * t + c];
             const Vec3f &p = arrays.positions[v], &n = arrays.normals[v];
             whole.corners[c] = {p.x, p.y, p.z, n.x, n.y, n.z, arrays.uvs[v].x, arrays.uvs[v].y};
             for (std::size_t i = 0; i < colours.width && !colours.values.empty(); ++i)
