@@ -26,6 +26,7 @@ function(kerf_component name)
   foreach(room ${ARG_ROOMS})
     list(APPEND objects $<TARGET_OBJECTS:${room}>)
   endforeach()
+  set_property(GLOBAL APPEND PROPERTY KERF_PACKED_ROOMS ${ARG_ROOMS})
   add_library(${target} ${objects})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name} OUTPUT_NAME kerf_${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
@@ -62,14 +63,15 @@ endfunction()
 set(KERF_COMPONENTS "")
 kerf_component(linear BASE ROOMS
   kerf_core_support kerf_core_mesh kerf_core_geometry kerf_core_repair kerf_core_caps kerf_core_section_closer
-  kerf_core_cutting kerf_core_sections kerf_core_linear kerf_core_back_ends kerf_api)
+  kerf_core_cutting kerf_core_sections kerf_core_fracture kerf_core_linear kerf_core_back_ends kerf_api)
 kerf_component(io ROOMS kerf_core_files kerf_core_io kerf_core_drawings kerf_io)
 kerf_component(c ROOMS kerf_c)
 target_link_libraries(kerf_component_c PUBLIC kerf_component_io)
 kerf_component(shapes ROOMS kerf_core_shapes kerf_shapes)
 if(TARGET kerf::core::halfedge)
   kerf_component(halfedge ROOMS
-    kerf_core_halfedge_universe kerf_core_halfedge_cut kerf_core_halfedge kerf_core_halfedge_component
+    kerf_core_halfedge_universe kerf_core_halfedge_cut kerf_core_halfedge_handover kerf_core_halfedge
+    kerf_core_halfedge_component
     NEEDS OpenMeshCore)
   target_link_options(kerf_component_halfedge INTERFACE LINKER:-u,kerf_component_halfedge)
 endif()
@@ -80,6 +82,21 @@ if(TARGET kerf::core::caps_cgal)
   kerf_component(caps_cgal ROOMS kerf_core_caps_cgal NEEDS gmp mpfr)
   target_link_options(kerf_component_caps_cgal INTERFACE LINKER:-u,kerf_component_caps_cgal)
 endif()
+
+# A room that a packed one links, and that no component has, would be missed by its users' linkers only.
+get_property(packed_rooms GLOBAL PROPERTY KERF_PACKED_ROOMS)
+foreach(room ${packed_rooms})
+  get_target_property(links ${room} LINK_LIBRARIES)
+  foreach(link ${links})
+    if(TARGET ${link})
+      get_target_property(real ${link} ALIASED_TARGET)
+      get_target_property(kind ${link} TYPE)
+      if(real AND kind STREQUAL STATIC_LIBRARY AND NOT real IN_LIST packed_rooms)
+        message(FATAL_ERROR "${room} links ${real}, which is a room of no component (cmake/KerfPackage.cmake)")
+      endif()
+    endif()
+  endforeach()
+endforeach()
 
 install(DIRECTORY include/kerf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT kerf-targets NAMESPACE kerf:: DESTINATION ${KERF_CMAKE_FOLDER} COMPONENT development)
