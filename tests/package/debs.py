@@ -112,6 +112,8 @@ def check_contents(package, deb, folder):
     scripts = folder.parent / f"{package}.control"
     run("dpkg-deb", "-e", deb, scripts)
     wanted = {"control", "md5sums"} | ({"shlibs", "triggers"} if package in (LIBRARY, CAPS) else set())
+    # What Python compiled beside its files goes before they go.
+    wanted |= {"prerm"} if package == "python3-kerf" else set()
     if {path.name for path in scripts.iterdir()} != wanted:
         raise Failed(f"{package}: for dpkg it has {sorted(path.name for path in scripts.iterdir())}")
     documents = folder / "usr/share/doc" / package
