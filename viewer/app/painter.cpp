@@ -98,7 +98,7 @@ std::vector<std::uint32_t> one_of_each_pattern(const render::LookTable& table, c
 
 Painter::Painter(int width, int height) : world_(std::in_place, looks_), renderer_(looks_), target_(width, height) {}
 
-void Painter::warm_up(const sim::ModelLibrary& models)
+void Painter::warm_up(const sim::ModelLibrary& models, std::size_t most_pieces)
 {
     std::vector<std::uint32_t> surfaces, caps;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -118,13 +118,14 @@ void Painter::warm_up(const sim::ModelLibrary& models)
             }
         }
     }
-    rehearse(one_of_each_pattern(looks_, surfaces), one_of_each_pattern(looks_, caps));
+    rehearse(one_of_each_pattern(looks_, surfaces), one_of_each_pattern(looks_, caps), most_pieces);
 }
 
 /// Draws with everything once, into a picture that nobody sees.
-void Painter::rehearse(const std::vector<std::uint32_t>& surfaces, const std::vector<std::uint32_t>& caps)
+void Painter::rehearse(const std::vector<std::uint32_t>& surfaces, const std::vector<std::uint32_t>& caps,
+                       std::size_t most_pieces)
 {
-    const render::Rehearsal rehearsal(surfaces, caps);
+    const render::Rehearsal rehearsal(surfaces, caps, most_pieces);
     StagePicture stage;
     stage.objects = rehearsal.objects();
     stage.area = whole();

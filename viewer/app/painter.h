@@ -34,8 +34,9 @@ public:
 
     /// Makes the shader programs that these models and their insides need, draws with each once, and reads their images,
     /// so that no throw and nothing that breaks waits for one.
+    /// @param most_pieces  Scene::most_pieces()
     /// @throws render::RenderError
-    void warm_up(const sim::ModelLibrary& models);
+    void warm_up(const sim::ModelLibrary& models, std::size_t most_pieces);
 
     /// Makes the picture larger or smaller. @throws render::RenderError
     void resize(int width, int height);
@@ -65,7 +66,8 @@ public:
     const render::DrawStatistics& statistics() const { return renderer_.statistics(); }
 
 private:
-    void rehearse(const std::vector<std::uint32_t>& surfaces, const std::vector<std::uint32_t>& caps);
+    void rehearse(const std::vector<std::uint32_t>& surfaces, const std::vector<std::uint32_t>& caps,
+                  std::size_t most_pieces);
     void paint_stage(const StagePicture& stage, const ViewSettings& settings);
     void paint_effects(const effects::Effects& effects);
     void paint_blade(const StagePicture& stage, const glm::mat4& to_picture);

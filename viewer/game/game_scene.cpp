@@ -125,6 +125,11 @@ void GameScene::on_cut(sim::Simulation&, const sim::CutRecord& cut)
     rules_.cut(what);
 }
 
+std::size_t GameScene::most_pieces() const
+{
+    return kCellsOfFruit;
+}
+
 std::optional<sim::Breaking> GameScene::smashes(const sim::Body& body) const
 {
     if (!bursts(body.id())) return std::nullopt;

@@ -30,6 +30,7 @@ public:
     void tick(sim::Simulation& simulation) override;
     void on_cut(sim::Simulation& simulation, const sim::CutRecord& cut) override;
     std::optional<sim::Breaking> smashes(const sim::Body& body) const override;
+    std::size_t most_pieces() const override;
     void on_smashed(sim::Simulation& simulation, const sim::Body& body, std::uint32_t swipe) override;
     void on_gone(sim::Simulation& simulation, const sim::Body& body) override;
     /// `over` ends the game: the player gives up.

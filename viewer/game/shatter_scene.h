@@ -39,6 +39,7 @@ public:
     std::optional<sim::Breaking> crashes(const sim::Body& body, double impulse) const override;
     double least_impact() const override;
     void on_broken(sim::Simulation& simulation, const sim::BreakRecord& broken) override;
+    std::size_t most_pieces() const override { return ShatterSettings::kMostCells; }
     bool command(sim::Simulation& simulation, std::string_view verb, std::string_view argument) override;
     std::vector<std::size_t> next_models() const override { return {next_model_}; }
     void hash(sim::StateHash& hash) const override;

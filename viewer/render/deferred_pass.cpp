@@ -20,7 +20,7 @@ std::int64_t triangles_of(const DrawBatch& batch)
 
 DeferredPass::DeferredPass()
     : is_offered_(epoxy_has_gl_extension("GL_ARB_sample_shading")),
-      program_({"frame.glsl", "surface.vert"}, {"geometry.frag"}),
+      program_({"frame.glsl", "one_model.glsl", "surface.vert"}, {"geometry.frag"}),
       nothing_(GlVertexArray::create())
 {
 }

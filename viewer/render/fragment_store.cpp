@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "viewer/render/render_error.h"
 
@@ -28,9 +29,10 @@ std::vector<Material> materials_of(const Object& object, std::span<const std::st
     return materials;
 }
 
-/// `look_of` gives the look of a material's triangles of a kind.
+/// `first_index` is where the object's indices begin in the buffer, `look_of` gives the look of a material's triangles of a
+/// kind.
 template <class LookOf>
-std::vector<DrawBatch> batches_of(const DrawView& view, LookOf look_of)
+std::vector<DrawBatch> batches_of(const DrawView& view, std::uint32_t first_index, LookOf look_of)
 {
     std::vector<DrawBatch> batches;
     for (const DrawRange& range : view.ranges) {
@@ -42,13 +44,13 @@ std::vector<DrawBatch> batches_of(const DrawView& view, LookOf look_of)
             batch.kind = range.kind;
             batch.look = look_of(range.material, range.kind);
         }
-        batches.back().runs.add(range.first_index, range.index_count);
+        batches.back().runs.add(first_index + range.first_index, range.index_count);
     }
     return batches;
 }
 
 /// All ranges in the order of the buffer, those that follow one another joined.
-IndexRuns everything_of(const DrawView& view)
+IndexRuns everything_of(const DrawView& view, std::uint32_t first_index)
 {
     std::vector<DrawRange> ranges(view.ranges.begin(), view.ranges.end());
     std::sort(ranges.begin(), ranges.end(),
@@ -58,28 +60,12 @@ IndexRuns everything_of(const DrawView& view)
         const std::uint32_t first = ranges[i].first_index;
         std::uint32_t end = first;
         for (; i < ranges.size() && ranges[i].first_index == end; ++i) end += ranges[i].index_count;
-        runs.add(first, end - first);
+        runs.add(first_index + first, end - first);
     }
     return runs;
 }
 
 }  // namespace
-
-void describe_vertices(const SharedBuffers& buffers)
-{
-    glBindVertexArray(buffers.vertex_array.id());
-    glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.id());
-    const auto attribute = [](GLuint location, GLint floats, std::size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, floats, GL_FLOAT, GL_FALSE, sizeof(DrawVertex), buffer_offset(offset));
-    };
-    attribute(0, 3, offsetof(DrawVertex, position));
-    attribute(1, 3, offsetof(DrawVertex, normal));
-    attribute(2, 2, offsetof(DrawVertex, uv));
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-}
 
 void IndexRuns::add(std::uint32_t first_index, std::uint32_t index_count)
 {
@@ -126,28 +112,62 @@ std::shared_ptr<SharedBuffers> FragmentStore::upload_new(Object& object, const D
     return buffers;
 }
 
-DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> images, Room room)
+bool FragmentStore::joins_a_swarm(const DrawView& view, Kin kin) const
+{
+    return kin != 0 && view.vertices.size_bytes() <= Swarm::kMostBytesOfAMember && !sets_.contains(view.buffers);
+}
+
+FragmentStore::Home FragmentStore::take_into_swarm(Object& object, const DrawView& view, Kin kin)
+{
+    std::vector<Swarm>& swarms = swarms_[kin];
+    if (swarms.empty() || !swarms.back().has_room_for(view)) swarms.emplace_back();
+    const Home home{swarms.back().buffers(), swarms.back().take_in(view)};
+    bytes_uploaded_ += view.vertices.size_bytes() + view.indices.size_bytes();
+    object.mark_uploaded(view);
+    return home;
+}
+
+FragmentStore::Home FragmentStore::home_for(Object& object, const DrawView& view, Room room, Kin kin)
+{
+    // Once: what is cut from a member gets buffers of its own.
+    if (const auto newcomer = newcomers_.extract(view.buffers))
+        if (auto buffers = newcomer.mapped().first.lock()) return {std::move(buffers), newcomer.mapped().second};
+    if (joins_a_swarm(view, kin)) return take_into_swarm(object, view, kin);
+    return {upload_new(object, view, room), {}};
+}
+
+DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> images, Room room, Kin kin)
 {
     const DrawView& view = look_at(object);
-    const std::shared_ptr<SharedBuffers> buffers = upload_new(object, view, room);
+    const auto [buffers, member] = home_for(object, view, room, kin);
 
     const auto look_of = [&](std::uint32_t material, TriangleKind kind) {
         return buffers->looks.look(material, kind,
                                    [&] { return looks_.index_of(materials_of(object, images), material, kind); });
     };
-    DrawnFragment drawn{buffers, batches_of(view, look_of), everything_of(view), 0, object.bounds()};
+    const std::uint32_t first_index = member ? member->first_index : 0;
+    DrawnFragment drawn{
+        buffers, batches_of(view, first_index, look_of), everything_of(view, first_index), 0, object.bounds(), {}};
+    if (member) drawn.member = member->number;
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
 }
 
-std::uint64_t FragmentStore::bring(Object& object, Arrival& arrival, std::uint64_t most, Room room)
+std::uint64_t FragmentStore::bring(Object& object, Arrival& arrival, std::uint64_t most, Room room, Kin kin)
 {
     const DrawView& view = look_at(object);
     const auto vertices = std::as_bytes(view.vertices), indices = std::as_bytes(view.indices);
-    if (!arrival.buffers && sets_.contains(view.buffers)) {
-        // A relative of what is here: what it adds is little, and comes at once.
+    // A relative of what is here: what it adds is little, and comes at once. And so do the small.
+    const bool is_relative = sets_.contains(view.buffers), is_small = joins_a_swarm(view, kin);
+    if (!arrival.buffers && (is_relative || is_small)) {
         const std::uint64_t before = bytes_uploaded_;
-        arrival.buffers = upload_new(object, view, room);
+        if (is_relative) {
+            arrival.buffers = upload_new(object, view, room);
+        } else {
+            const Home home = take_into_swarm(object, view, kin);
+            newcomers_[view.buffers] = {home.buffers, *home.member};
+            arrival.buffers = home.buffers;
+        }
         arrival.bytes = arrival.vertex_bytes = bytes_uploaded_ - before;
         arrival.is_whole = true;
         return arrival.bytes;
@@ -184,6 +204,17 @@ void FragmentStore::release_unused()
 {
     std::erase_if(sets_, [](const auto& entry) { return entry.second.use_count() == 1; });
     std::erase_if(arriving_, [](const auto& buffers) { return buffers.use_count() == 1; });
+    for (auto& [kin, swarms] : swarms_)
+        std::erase_if(swarms, [](const Swarm& swarm) { return swarm.buffers().use_count() == 1; });
+    std::erase_if(swarms_, [](const auto& entry) { return entry.second.empty(); });
+    std::erase_if(newcomers_, [](const auto& entry) { return entry.second.first.expired(); });
+}
+
+std::size_t FragmentStore::buffer_sets() const
+{
+    std::size_t sets = sets_.size();
+    for (const auto& [kin, swarms] : swarms_) sets += swarms.size();
+    return sets;
 }
 
 std::uint64_t FragmentStore::bytes_held() const
@@ -191,9 +222,12 @@ std::uint64_t FragmentStore::bytes_held() const
     std::uint64_t bytes = 0;
     const auto add = [&](const SharedBuffers& buffers) {
         bytes += buffers.vertices.capacity() + buffers.indices.capacity();
+        if (buffers.members) bytes += buffers.members->capacity();
     };
     for (const auto& [key, buffers] : sets_) add(*buffers);
     for (const auto& buffers : arriving_) add(*buffers);
+    for (const auto& [kin, swarms] : swarms_)
+        for (const Swarm& swarm : swarms) add(*swarm.buffers());
     return bytes;
 }
 

@@ -2,51 +2,21 @@
 
 #include <kerf/object.h>
 
-#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
-#include "viewer/render/growing_buffer.h"
+#include "viewer/render/shared_buffers.h"
 #include "viewer/render/surface_look.h"
+#include "viewer/render/swarm.h"
 
 namespace kerf::render {
-
-/// What each material looks like, on the surface and on caps: indices into the LookTable, found once. Cuts add materials to
-/// those that there are, and change none.
-class KnownLooks
-{
-public:
-    /// `find()` gives the index if it is not known yet.
-    template <class Find>
-    std::uint32_t look(std::uint32_t material, TriangleKind kind, Find find)
-    {
-        if (material >= looks_.size()) looks_.resize(std::size_t{material} + 1, {kUnknown, kUnknown});
-        std::uint32_t& known = looks_[material][static_cast<std::size_t>(kind)];
-        if (known == kUnknown) known = find();
-        return known;
-    }
-
-private:
-    static constexpr std::uint32_t kUnknown = 0xFFFFFFFFu;
-
-    std::vector<std::array<std::uint32_t, 2>> looks_;  ///< by material and kind
-};
-
-/// Vertex and index buffer that fragments share, the vertex array over them, and the looks of the fragments' materials.
-struct SharedBuffers
-{
-    GrowingBuffer vertices;
-    GrowingBuffer indices;
-    GlVertexArray vertex_array;
-    KnownLooks looks{};
-};
-
-/// Says how the buffers' vertices (DrawVertex) are to be read; again whenever one of the buffers has moved.
-void describe_vertices(const SharedBuffers& buffers);
 
 /// Runs of the index buffer as glMultiDrawElements wants them.
 struct IndexRuns
@@ -73,8 +43,13 @@ struct DrawnFragment
     std::vector<DrawBatch> batches;
     IndexRuns everything;  ///< whatever the material: for shadows
     std::uint64_t triangles = 0;
-    Box bounds;  ///< mesh coordinates
+    Box bounds;                           ///< mesh coordinates
+    std::optional<std::uint32_t> member;  ///< its number, if the buffers are a Swarm's
 };
+
+/// Names what small objects come from, whose materials all of them have: those of one name become members of one Swarm. 0
+/// is nobody's name.
+using Kin = std::uint64_t;
 
 /// How much larger than its content a buffer starts.
 enum class Room
@@ -112,27 +87,38 @@ public:
     /// Uploads what is new of the object, tells it so, and gives what is needed to draw it. O(ranges + new bytes).
     /// Add the fragments of a cut before the next release_unused(), so that they find their object's buffers.
     /// @param images  for each material the file of its image, or nothing; empty: as the materials name them
+    /// @param kin     of an object of which nothing was uploaded yet: with whom it is drawn, if it is small
     /// @throws RenderError  the graphics card has no memory left; the object does not count as uploaded then
-    DrawnFragment add(Object& object, std::span<const std::string> images = {}, Room room = Room::exact);
+    DrawnFragment add(Object& object, std::span<const std::string> images = {}, Room room = Room::exact, Kin kin = 0);
 
     /// Uploads at most so many bytes of an object of which nothing was uploaded yet, from where `arrival` ends, and
     /// says how many. Each of the two buffers is allocated in a call of its own. When all is there the object is told
     /// so, and add() has nothing left to upload as long as `arrival` is kept. The object must be the same each time and
     /// not be cut meanwhile. Of an object whose buffers are here already, because it shares them with another one, all that
-    /// is new comes at once, whatever `most` says. O(bytes)
+    /// is new comes at once, whatever `most` says; and so does what becomes a member of a Swarm. O(bytes)
     /// @throws RenderError  the graphics card has no memory left
-    std::uint64_t bring(Object& object, Arrival& arrival, std::uint64_t most, Room room = Room::exact);
+    std::uint64_t bring(Object& object, Arrival& arrival, std::uint64_t most, Room room = Room::exact, Kin kin = 0);
 
     /// Frees the buffers that no DrawnFragment and no Arrival uses. For once a frame. O(objects)
     void release_unused();
 
     std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }  ///< ever; vertices and indices
-    std::size_t buffer_sets() const { return sets_.size(); }
+    std::size_t buffer_sets() const;
     std::uint64_t bytes_held() const;  ///< on the graphics card now
 
 private:
+    /// Where an object's vertices and indices are.
+    struct Home
+    {
+        std::shared_ptr<SharedBuffers> buffers;
+        std::optional<Swarm::Member> member;
+    };
+
+    Home home_for(Object& object, const DrawView& view, Room room, Kin kin);
     std::shared_ptr<SharedBuffers> upload_new(Object& object, const DrawView& view, Room room);
     std::shared_ptr<SharedBuffers> buffers_for(const DrawView& view, Room room, bool& is_new);
+    bool joins_a_swarm(const DrawView& view, Kin kin) const;
+    Home take_into_swarm(Object& object, const DrawView& view, Kin kin);
 
     /// Fills `view_`. @throws RenderError
     const DrawView& look_at(const Object& object);
@@ -141,6 +127,9 @@ private:
     DrawView view_;                                                           ///< used again and again
     std::unordered_map<std::uint64_t, std::shared_ptr<SharedBuffers>> sets_;  ///< by DrawView::buffers
     std::vector<std::shared_ptr<SharedBuffers>> arriving_;                    ///< all is not there yet
+    std::map<Kin, std::vector<Swarm>> swarms_;                                ///< the last one may have room
+    /// Who was brought into a swarm and not added yet, by DrawView::buffers.
+    std::unordered_map<std::uint64_t, std::pair<std::weak_ptr<SharedBuffers>, Swarm::Member>> newcomers_;
     std::uint64_t bytes_uploaded_ = 0;
 };
 

@@ -35,7 +35,7 @@ std::vector<Pixel> read_back(GLenum point, GLenum format, GLenum type, int width
 InspectionPass::InspectionPass(int width, int height)
     : width_(width),
       height_(height),
-      program_({"frame.glsl", "surface.vert"}, {"inspection.frag"}),
+      program_({"frame.glsl", "one_model.glsl", "surface.vert"}, {"inspection.frag"}),
       framebuffer_(GlFramebuffer::create())
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());

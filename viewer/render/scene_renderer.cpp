@@ -24,7 +24,7 @@ PictureTarget target_of(const SceneRenderer::Area& area)
 SceneRenderer::SceneRenderer(const LookTable& looks)
     : looks_(looks),
       programs_(looks),
-      depth_({"depth.vert"}, {"depth.frag"}),
+      depth_({"one_model.glsl", "depth.vert"}, {"depth.frag"}),
       wire_({"frame.glsl", "wire.vert"}, {"wire.frag"}, {"frame.glsl", "wire.geom"})
 {
 }
@@ -41,6 +41,7 @@ void SceneRenderer::draw(const Viewpoint& viewpoint, std::span<const DrawnObject
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    swarms_.place(objects);
     draw_shadows(objects, shadow_projection, options.clip);
 
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
@@ -97,7 +98,7 @@ void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
     for (const DrawnObject& object : objects) {
-        if (!object.throws_shadow) continue;
+        if (!object.throws_shadow || SwarmPass::suits(object)) continue;
         glBindVertexArray(object.fragment->buffers->vertex_array.id());
         glUniformMatrix4fv(model, 1, GL_FALSE, glm::value_ptr(object.model));
         glUniform4fv(clip_of_object, 1, glm::value_ptr(object.is_clipped ? clip : glm::vec4(0.0f)));
@@ -107,6 +108,7 @@ void SceneRenderer::draw_shadows(std::span<const DrawnObject> objects, const glm
         draw_runs(object.fragment->everything, statistics_);
     }
     end_culling();
+    swarms_.draw_shadows(objects, projection, statistics_);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -114,25 +116,28 @@ void SceneRenderer::draw_surfaces(std::span<const DrawnObject> objects, const gl
                                   const DrawOptions& options, const PictureTarget& target)
 {
     std::vector<PlacedDraw> deferred;
-    std::vector<SurfaceDraw> others;
+    std::vector<SurfaceDraw> of_swarms, others;
     for (const DrawnObject& object : objects) {
         const ScreenRectangle part =
             screen_rectangle(object.fragment->bounds, view_projection * object.model, target.width, target.height);
         if (part.is_empty()) continue;
         for (const DrawBatch& batch : object.fragment->batches) {
             const PlacedDraw draw{{&object, &batch}, part};
-            const bool is_deferred = options.deferred && deferred.size() < DeferredPass::kMostDraws &&
+            // Members of swarms are small and many: the pass would take longer for each than to draw it takes.
+            const bool is_of_swarm = SwarmPass::suits(object);
+            const bool is_deferred = !is_of_swarm && options.deferred && deferred.size() < DeferredPass::kMostDraws &&
                                      deferred_.suits(draw, looks_.look(batch.look).pattern, options.lighting, target);
             if (is_deferred)
                 deferred.push_back(draw);
             else
-                others.push_back(draw.surface);
+                (is_of_swarm ? of_swarms : others).push_back(draw.surface);
         }
     }
     if (!deferred.empty()) {
         deferred_.fill(deferred, target, statistics_);
         deferred_.shade(deferred, options.lighting, target, programs_);
     }
+    swarms_.draw_surfaces(of_swarms, options.lighting, programs_, statistics_);
     draw_at_once(others, options.lighting);
 }
 

@@ -8,6 +8,7 @@
 #include "viewer/render/frame_uniforms.h"
 #include "viewer/render/shadow_map.h"
 #include "viewer/render/surface_programs.h"
+#include "viewer/render/swarm_pass.h"
 #include "viewer/render/wall.h"
 
 namespace kerf::render {
@@ -65,6 +66,7 @@ private:
     Wall wall_;
     SurfacePrograms programs_;
     DeferredPass deferred_;
+    SwarmPass swarms_;
     ShaderProgram depth_, wire_;
     DrawStatistics statistics_;
 };

@@ -73,6 +73,7 @@ ShaderProgram::ShaderProgram(const ShaderFiles& vertex_files, const ShaderFiles&
     };
     bind("Frame", UniformBlock::frame);
     bind("Looks", UniformBlock::looks);
+    bind("Swarm", UniformBlock::swarm);
 }
 
 }  // namespace kerf::render

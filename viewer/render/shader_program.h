@@ -17,6 +17,7 @@ enum class UniformBlock : GLuint
 {
     frame = 0,  ///< "Frame" of frame.glsl
     looks = 1,  ///< "Looks" of surface_look.glsl
+    swarm = 2,  ///< "Swarm" of member_model.glsl
 };
 
 /// Names of shader files, in the order of the text.

@@ -19,11 +19,15 @@ ShaderProgram linked(Lighting lighting, std::span<const std::string_view> patter
     if (lighting == Lighting::textured) files.push_back("noise.glsl");
     files.insert(files.end(), {"surface_look.glsl", "surface_point.glsl",
                                is_deferred ? "deferred_point.glsl" : "forward_point.glsl"});
-    if (lighting == Lighting::textured) files.insert(files.end(), pattern_files.begin(), pattern_files.end());
+    const bool is_swarm = source == PointSource::swarm;
+    if (lighting == Lighting::textured) {
+        files.push_back(is_swarm ? "member_turn.glsl" : "one_model.glsl");
+        files.insert(files.end(), pattern_files.begin(), pattern_files.end());
+    }
     files.push_back(lighting == Lighting::textured ? "textured.glsl" : "lambert.glsl");
     files.push_back(is_deferred ? "deferred.frag" : "forward.frag");
     if (is_deferred) return ShaderProgram({"shade.vert"}, files);
-    return ShaderProgram({"frame.glsl", "surface.vert"}, files);
+    return ShaderProgram({"frame.glsl", is_swarm ? "member_model.glsl" : "one_model.glsl", "surface.vert"}, files);
 }
 
 }  // namespace

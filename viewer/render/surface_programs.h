@@ -20,6 +20,7 @@ enum class Lighting : std::uint8_t
 enum class PointSource : std::uint8_t
 {
     triangle,         ///< the triangle that is being drawn
+    swarm,            ///< the same, and the triangle's vertices say of which of a Swarm's members it is
     geometry_buffer,  ///< what the GeometryBuffer holds at the pixel
 };
 
@@ -31,7 +32,7 @@ struct SurfaceProgram
 {
     ShaderProgram program;
     GLint model, pattern_scale, look_index, is_cap;
-    GLint clipped;                    ///< of PointSource::triangle
+    GLint clipped;                    ///< not of PointSource::geometry_buffer
     GLint to_mesh, batch, is_behind;  ///< of PointSource::geometry_buffer
 
     explicit SurfaceProgram(ShaderProgram linked);

@@ -49,6 +49,8 @@ public:
     virtual void on_press(Simulation&, const glm::dvec2& /*place*/) {}
     /// An object was taken apart, or could not be.
     virtual void on_broken(Simulation&, const BreakRecord&) {}
+    /// Into about how many pieces it breaks an object at most; 0: it breaks none. What that needs to be drawn is made ready.
+    virtual std::size_t most_pieces() const { return 0; }
 
     /// `body` has left the stage and is freed after this call.
     virtual void on_gone(Simulation&, const Body&) {}

@@ -28,7 +28,7 @@ public:
           inspection_(setup, with_backend(setup.settings, backend), options.autopilot, painter_),
           messages_(messages)
     {
-        if (!waits_) painter_.warm_up(*setup.models);
+        if (!waits_) painter_.warm_up(*setup.models, inspection_.simulation().scene().most_pieces());
         if (view_.panel || view_.help || inspection_.game() != nullptr) interface_.emplace(view_.ui_scale);
     }
 

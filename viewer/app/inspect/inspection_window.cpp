@@ -58,7 +58,7 @@ InspectionWindow::InspectionWindow(const Options& options, const RunSetup& setup
       messages_(setup.messages)
 {
     window_.set_vsync(options.vsync);
-    painter_.warm_up(*setup.models);
+    painter_.warm_up(*setup.models, inspection_.simulation().scene().most_pieces());
     for (std::string& message : painter_.take_messages()) messages_.push_back(std::move(message));
     if (!messages_.empty()) say(messages_.front());
     // Who watches a game wants to see the game, unless he asked for the panel.

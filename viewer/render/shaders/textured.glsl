@@ -1,4 +1,3 @@
-uniform mat4 model;  // mesh coordinates to world
 uniform bool is_cap;
 
 // A bump's slope from the differences to the neighbouring pixels (Mikkelsen, "Bump mapping unparametrized surfaces on
@@ -35,13 +34,14 @@ vec3 light_from(SurfacePoint point)
     Look look = looks[look_index];
     float pixel = is_cap ? pixel_of(point.mesh_dx, point.mesh_dy) : length(abs(point.mesh_dx) + abs(point.mesh_dy));
     vec3 v = normalize(frame.eye.xyz - point.world);
-    Place place = Place(point.mesh, point.pattern, normalize(transpose(mat3(model)) * v), point.uv, pixel, is_cap);
+    mat3 turn = model_turn();
+    Place place = Place(point.mesh, point.pattern, normalize(transpose(turn) * v), point.uv, pixel, is_cap);
     Surface s = Surface(look.colour.rgb, 0.0, vec3(0.0), look.finish.x, look.finish.y, look.finish.z,
                         look.colour.rgb, 0.0, 0.0, vec3(0.0));
     describe(look, place, s);
 
     vec3 flat_n = point.normal;
-    vec3 n = bumped(flat_n, point, s.height * length(model[0].xyz), mat3(model) * s.slope / length(model[0].xyz));
+    vec3 n = bumped(flat_n, point, s.height * length(turn[0]), turn * s.slope / length(turn[0]));
 
     vec3 l = frame.to_light.xyz;
     vec3 h = normalize(l + v);
