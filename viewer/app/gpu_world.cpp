@@ -6,6 +6,20 @@
 
 namespace kerf::app {
 
+namespace {
+
+/// How many pieces there are of each object that broke.
+using Siblings = std::map<sim::ObjectId, std::size_t>;
+
+/// Many siblings are drawn together.
+render::Kin kin_of(sim::ObjectId parent, const Siblings& siblings)
+{
+    const auto found = siblings.find(parent);
+    return found != siblings.end() && found->second >= render::Swarm::kFewestMembers ? parent : 0;
+}
+
+}  // namespace
+
 void GpuWorld::sync(const sim::Simulation& simulation)
 {
     const std::size_t first_cut = cut_uploads_.size();
@@ -27,21 +41,22 @@ void GpuWorld::sync(const sim::Simulation& simulation)
 }
 
 /// Brings an object nearer as far as this frame's budget goes. True once all of it is there.
-bool GpuWorld::bring(Object& object, std::uint64_t copy, render::Room room)
+bool GpuWorld::bring(Object& object, std::uint64_t copy, render::Room room, render::Kin kin)
 {
     wanted_.insert(copy);
     render::Arrival& arrival = arrivals_[copy];
     if (!arrival.is_whole && budget_ > 0) {
-        const std::uint64_t bytes = store_.bring(object, arrival, budget_, room);
+        const std::uint64_t bytes = store_.bring(object, arrival, budget_, room, kin);
         budget_ -= std::min(budget_, std::max(bytes, kBytesOfBuffers));
         bytes_of_throws_ += bytes;
     }
     return arrival.is_whole;
 }
 
-render::DrawnFragment GpuWorld::add(const sim::Simulation& simulation, sim::Body& body)
+render::DrawnFragment GpuWorld::add(const sim::Simulation& simulation, sim::Body& body, render::Kin kin)
 {
-    return store_.add(body.object(), simulation.models().model(body.identity().origin.model).images);
+    const std::vector<std::string>& images = simulation.models().model(body.identity().origin.model).images;
+    return store_.add(body.object(), images, render::Room::exact, kin);
 }
 
 void GpuWorld::bring_whole_bodies(const sim::Simulation& simulation)
@@ -58,8 +73,11 @@ void GpuWorld::bring_next(const sim::Simulation& simulation)
     for (const std::size_t model : simulation.scene().next_models())
         if (const auto next = simulation.models().stocked(model, simulation.backend()))
             bring(*next->object, next->copy);
-    for (const sim::WaitingPiece& piece : simulation.waiting_pieces())
-        bring(*piece.object, piece.key, render::Room::exact);
+    const std::vector<sim::WaitingPiece> waiting = simulation.waiting_pieces();
+    Siblings siblings;
+    for (const sim::WaitingPiece& piece : waiting) ++siblings[piece.parent];
+    for (const sim::WaitingPiece& piece : waiting)
+        bring(*piece.object, piece.key, render::Room::exact, kin_of(piece.parent, siblings));
 }
 
 std::optional<double> GpuWorld::arriving() const
@@ -76,17 +94,25 @@ GpuWorld::Uploads GpuWorld::upload_new_bodies(const sim::Simulation& simulation,
     for (std::size_t i = first_cut; i < simulation.cuts().size(); ++i)
         for (const sim::PieceRecord& piece : simulation.cuts()[i].pieces) cut_of_piece[piece.id] = i;
 
-    Uploads uploads;
+    std::vector<sim::Body*> fresh;
+    Siblings siblings;
     for (const auto& body : simulation.bodies()) {
         if (body->identity().parent == 0 || body->object().is_empty() || fragments_.contains(body->id())) continue;
+        fresh.push_back(body.get());
+        if (!cut_of_piece.contains(body->id())) ++siblings[body->identity().parent];
+    }
+    Uploads uploads;
+    for (sim::Body* const body : fresh) {
         core::CpuStopwatch watch;
         const std::uint64_t before = store_.bytes_uploaded();
-        render::DrawnFragment& fragment = fragments_[body->id()] = add(simulation, *body);
+        const auto cut = cut_of_piece.find(body->id());
+        const render::Kin kin = kin_of(body->identity().parent, siblings);
+        render::DrawnFragment& fragment = fragments_[body->id()] = add(simulation, *body, kin);
         const double cpu_ms = 1e3 * watch.lap();
         Upload& upload = uploads[fragment.buffers.get()];
         upload.cost.cpu_ms += cpu_ms;
         upload.cost.bytes += store_.bytes_uploaded() - before;
-        if (const auto cut = cut_of_piece.find(body->id()); cut != cut_of_piece.end()) upload.cuts.insert(cut->second);
+        if (cut != cut_of_piece.end()) upload.cuts.insert(cut->second);
     }
     // A cut of which nothing is left, all pieces having been cut again, was made where those cuts were made.
     for (std::size_t i = simulation.cuts().size(); i-- > first_cut;) {

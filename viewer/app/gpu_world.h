@@ -68,8 +68,8 @@ private:
     };
     using Uploads = std::map<const render::SharedBuffers*, Upload>;
 
-    bool bring(Object& object, std::uint64_t copy, render::Room room = render::Room::to_grow);
-    render::DrawnFragment add(const sim::Simulation& simulation, sim::Body& body);
+    bool bring(Object& object, std::uint64_t copy, render::Room room = render::Room::to_grow, render::Kin kin = 0);
+    render::DrawnFragment add(const sim::Simulation& simulation, sim::Body& body, render::Kin kin = 0);
     void bring_whole_bodies(const sim::Simulation& simulation);
     void bring_next(const sim::Simulation& simulation);
     Uploads upload_new_bodies(const sim::Simulation& simulation, std::size_t first_cut);

@@ -38,6 +38,7 @@ struct WaitingPiece
 {
     Object* object = nullptr;
     std::uint64_t key = 0;  ///< BrokenPiece::key
+    ObjectId parent = 0;    ///< what it is a piece of
 };
 
 /// A run: world, blade and scene in one, in ticks. It does not know of time on the wall, windows or graphics; the same

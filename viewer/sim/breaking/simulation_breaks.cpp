@@ -124,7 +124,7 @@ std::vector<WaitingPiece> Simulation::waiting_pieces() const
     std::vector<WaitingPiece> waiting;
     for (const PendingBreak& one : pending_)
         if (one.job->is_done)
-            for (BrokenPiece& piece : one.job->pieces) waiting.push_back({&piece.object, piece.key});
+            for (BrokenPiece& piece : one.job->pieces) waiting.push_back({&piece.object, piece.key, one.object});
     return waiting;
 }
 
