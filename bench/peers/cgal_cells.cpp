@@ -8,10 +8,12 @@
 #include <cmath>
 #include <exception>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "bench/objects.h"
 #include "bench/peers/cgal_mesh.h"
+#include "bench/peers/in_a_child.h"
 #include "bench/peers/timed_planes.h"
 #include "bench/timed_shapes.h"
 #include "common/support/cpu_stopwatch.h"
@@ -49,6 +51,30 @@ CgalMesh cell_of(const CellInput& input, std::size_t site, CgalMesh mesh)
     return mesh;
 }
 
+/// Some cells come to no end: the others take a second or two.
+constexpr int kMostSeconds = 10;
+
+/// What came of one cell.
+struct Cell
+{
+    double seconds, volume;
+    bool is_given_up, is_closed;
+};
+
+Cell timed_cell(const CellInput& input, std::size_t site, const CgalMesh& whole)
+{
+    CgalMesh copy = whole;
+    core::CpuStopwatch watch;
+    try {
+        const CgalMesh cell = cell_of(input, site, std::move(copy));
+        const double seconds = watch.lap();
+        const bool is_closed = CGAL::is_closed(cell);
+        return {seconds, is_closed ? PMP::volume(cell) : 0.0, false, is_closed};
+    } catch (const std::exception&) {
+        return {watch.lap(), 0.0, true, false};
+    }
+}
+
 }  // namespace
 
 CellInput asteroid_cell_input(std::uint64_t triangles, std::uint32_t cells)
@@ -79,17 +105,10 @@ PeerRow time_cgal_cells(const CellInput& input, double budget_seconds)
     const CgalMesh whole = to_cgal(input);
     double volume = 0.0;
     PeerRow row = time_planes(input.sites.size(), budget_seconds, [&](std::size_t i) -> std::pair<double, Problem> {
-        CgalMesh copy = whole;
-        core::CpuStopwatch watch;
-        try {
-            const CgalMesh cell = cell_of(input, i, std::move(copy));
-            const double seconds = watch.lap();
-            if (!CGAL::is_closed(cell)) return {seconds, "not closed"};
-            volume += PMP::volume(cell);
-            return {seconds, {}};
-        } catch (const std::exception&) {
-            return {watch.lap(), "gives up"};
-        }
+        const std::optional<Cell> cell = in_a_child(kMostSeconds, [&] { return timed_cell(input, i, whole); });
+        if (!cell) return {0.0, "never ends"};
+        volume += cell->volume;
+        return {cell->seconds, cell->is_given_up ? "gives up" : cell->is_closed ? "" : "not closed"};
     });
     if (row.right == input.sites.size() && std::abs(volume - input.volume) > kVolumeShare * input.volume)
         row.verdict = "wrong volume";
