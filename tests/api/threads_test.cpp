@@ -65,6 +65,12 @@ const std::vector<Read>& reads()
             return area;
         },
         [](const Object& object) { return cut_copy(object, Plane::z(0.01).value()).section_area; },
+        [](const Object& object) {
+            FractureOptions options;
+            options.cells = 4;
+            const Fracture broken = fracture(object, options);
+            return 1000.0 * double(broken.count()) + double(broken.bonds().size());
+        },
     };
     return all;
 }
@@ -243,6 +249,33 @@ TEST_P(ObjectThreads, ManyCutARelativeEachWhileAViewIsUsed)
         });
     while (running > 0) EXPECT_EQ(sum_of(view), before);
     for (std::thread& thread : threads) thread.join();
+}
+
+// Large objects of the half-edge back end are broken by the subtrees of a copy, smaller ones as meshes.
+TEST_P(ObjectThreads, OneIsBrokenWhileARelativeIsCut)
+{
+    Cut halves = cut(test::object_of(test::shape("asteroid", 50'000), GetParam()), Plane::x(0.05).value());
+    const Object object = std::move(*halves.one(Side::positive));
+    ASSERT_GT(object.triangle_count(), 20'000u);
+    Object relative = std::move(*halves.one(Side::negative));
+    FractureOptions options;
+    options.cells = 12;
+    const auto break_it = [&] {
+        Fracture broken = fracture(object, options);
+        double volume = double(broken.bonds().size());
+        for (std::size_t i = 0; Object* const piece = broken.piece(i); ++i) volume += piece->mass_properties().volume;
+        return volume;
+    };
+    const double alone = break_it();
+    together([&] { EXPECT_EQ(break_it(), alone); },
+             [&] {
+                 for (int turn = 0; turn < 8; ++turn) {
+                     const Vec3d middle = relative.mass_properties().centre;
+                     Cut result = cut(std::move(relative), test::plane_at(middle.x, middle.y, middle.z, turn, 1, 0.3));
+                     Object* const kept = result.one(Side::positive);
+                     relative = kept != nullptr ? std::move(*kept) : std::move(result.object);
+                 }
+             });
 }
 
 TEST_P(ObjectThreads, TwoPrepareOneObjectTogetherAsOneDoesAlone)
