@@ -121,7 +121,7 @@ FragmentStore::Home FragmentStore::take_into_swarm(Object& object, const DrawVie
 {
     std::vector<Swarm>& swarms = swarms_[kin];
     if (swarms.empty() || !swarms.back().has_room_for(view)) swarms.emplace_back();
-    const Home home{swarms.back().buffers(), swarms.back().take_in(view)};
+    Home home{swarms.back().buffers(), swarms.back().take_in(view)};
     bytes_uploaded_ += view.vertices.size_bytes() + view.indices.size_bytes();
     object.mark_uploaded(view);
     return home;
@@ -139,16 +139,16 @@ FragmentStore::Home FragmentStore::home_for(Object& object, const DrawView& view
 DrawnFragment FragmentStore::add(Object& object, std::span<const std::string> images, Room room, Kin kin)
 {
     const DrawView& view = look_at(object);
-    const auto [buffers, member] = home_for(object, view, room, kin);
+    const Home home = home_for(object, view, room, kin);
 
     const auto look_of = [&](std::uint32_t material, TriangleKind kind) {
-        return buffers->looks.look(material, kind,
-                                   [&] { return looks_.index_of(materials_of(object, images), material, kind); });
+        return home.buffers->looks.look(material, kind,
+                                        [&] { return looks_.index_of(materials_of(object, images), material, kind); });
     };
-    const std::uint32_t first_index = member ? member->first_index : 0;
+    const std::uint32_t first_index = home.member ? home.member->first_index : 0;
     DrawnFragment drawn{
-        buffers, batches_of(view, first_index, look_of), everything_of(view, first_index), 0, object.bounds(), {}};
-    if (member) drawn.member = member->number;
+        home.buffers, batches_of(view, first_index, look_of), everything_of(view, first_index), 0, object.bounds(), {}};
+    if (home.member) drawn.member = home.member->number;
     for (const DrawRange& range : view.ranges) drawn.triangles += range.index_count / 3;
     return drawn;
 }

@@ -27,7 +27,7 @@ bool is_juice(int shape, int x, int y)
 }
 
 /// Texels of each connected piece, largest first.
-std::vector<int> pieces_of(int shape)
+std::vector<int> sizes_of_pieces(int shape)
 {
     std::vector<char> seen(std::size_t(kSide) * kSide, 0);
     std::vector<int> sizes;
@@ -60,7 +60,7 @@ TEST(SplatShapes, AreABodyWithManyDroplets)
 {
     for (int shape = 0; shape < SplatShapes::kShapes; ++shape) {
         SCOPED_TRACE(shape);
-        const std::vector<int> pieces = pieces_of(shape);
+        const std::vector<int> pieces = sizes_of_pieces(shape);
         ASSERT_GT(pieces.size(), 30u);
         EXPECT_GT(pieces[0], 20 * pieces[1]) << "the body";
         EXPECT_TRUE(is_juice(shape, kSide / 2, kSide / 2));
