@@ -19,6 +19,8 @@ constexpr std::size_t kCandidates = 24;
 constexpr double kJitter = 0.45;
 /// Share of the sites' distance by which splinters begin and end before or behind one another.
 constexpr double kUneven = 0.8;
+/// Of two splinters, as a share of their usual distance.
+constexpr double kLeastApart = 0.01;
 
 /// The side of a cube with this volume, by halving: std::cbrt() need not be the same everywhere.
 double side_of_cube(double volume)
@@ -140,16 +142,58 @@ private:
     /// In a plane across the grain: borders between sites there run along it.
     void make_splinters()
     {
-        std::vector<glm::dvec3> found;
-        for (std::uint32_t i = 0; i < wanted_.count; ++i) {
+        std::vector<glm::dvec3> feet;  // on the plane, of points of the object
+        std::vector<double> points;    // how high above the plane these are
+        // Points come from lines, which may run along the grain: each line is good for one splinter.
+        const double least = kLeastApart * diagonal_ / std::sqrt(double(wanted_.count));
+        const auto is_near = [&](const glm::dvec3& foot) {
+            return std::ranges::any_of(
+                feet, [&](const glm::dvec3& other) { return glm::dot(foot - other, foot - other) < least * least; });
+        };
+        constexpr std::size_t kTries = 20;  // a site, until another one is near it
+        for (std::size_t i = 0; i < kTries * wanted_.count && feet.size() < wanted_.count; ++i) {
             const glm::dvec3 p = sample_.point(random_);
-            found.push_back(p - glm::dot(p - wanted_.at, wanted_.direction) * wanted_.direction);
+            const double height = glm::dot(p - wanted_.at, wanted_.direction);
+            const glm::dvec3 foot = p - height * wanted_.direction;
+            if (is_near(foot)) continue;
+            feet.push_back(foot);
+            points.push_back(height);
         }
         Box box;
-        for (const glm::dvec3& p : found) box.add(glm::vec3(p));
+        for (const glm::dvec3& p : feet) box.add(glm::vec3(p));
         const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
         const double apart = glm::length(size) / std::sqrt(double(wanted_.count));
-        for (const glm::dvec3& p : found) sites_.push_back(p + jitter(kUneven * apart) * wanted_.direction);
+        std::vector<double> sites;
+        for (std::size_t i = 0; i < feet.size(); ++i) sites.push_back(jitter(kUneven * apart));
+        level(feet, points, sites);
+        for (std::size_t i = 0; i < feet.size(); ++i) sites_.push_back(feet[i] + sites[i] * wanted_.direction);
+    }
+
+    /// Lowers sites until each cell holds the point of the object that its site comes from: borders lean where the sites at
+    /// both sides differ in height, and a cell that leans too far would miss a pointed object. O(n^2) for n sites.
+    /// @param feet    on the plane
+    /// @param points  how high above the plane the object's points are
+    /// @param sites   how high the sites are
+    static void level(const std::vector<glm::dvec3>& feet, const std::vector<double>& points,
+                      std::vector<double>& sites)
+    {
+        constexpr int kMostRounds = 32;
+        constexpr std::size_t kMostUneven = 2000;  // more are thin enough, and would take seconds
+        for (int round = 0; round < kMostRounds && feet.size() <= kMostUneven; ++round) {
+            std::vector<bool> leans(feet.size(), false);
+            bool any = false;
+            for (std::size_t i = 0; i < feet.size(); ++i)
+                for (std::size_t j = 0; j < feet.size(); ++j) {
+                    const glm::dvec3 between = feet[j] - feet[i];
+                    if ((sites[j] - sites[i]) * (2.0 * points[i] - sites[i] - sites[j]) <= glm::dot(between, between))
+                        continue;
+                    leans[i] = leans[j] = any = true;
+                }
+            if (!any) return;
+            for (std::size_t i = 0; i < sites.size(); ++i)
+                if (leans[i]) sites[i] *= 0.5;
+        }
+        std::ranges::fill(sites, 0.0);
     }
 
     const SitesWanted& wanted_;
