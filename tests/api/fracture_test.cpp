@@ -47,8 +47,9 @@ constexpr FracturePattern kPatterns[]{FracturePattern::uniform, FracturePattern:
 
 TEST_P(FractureTest, PiecesFillTheObjectAndFitTogether)
 {
+    constexpr std::uint64_t kTriangles = test::kBrief ? 700 : 2000;
     for (const char* name : {"asteroid", "torus", "menger_sponge", "sphere_in_sphere", "two_legs", "comb"}) {
-        const Object whole = test::object_of(test::shape(name, 2000), GetParam());
+        const Object whole = test::object_of(test::shape(name, kTriangles), GetParam());
         for (const FracturePattern pattern : kPatterns) {
             SCOPED_TRACE(std::string(name) + ", pattern " + std::to_string(int(pattern)));
             FractureOptions options;
@@ -254,7 +255,7 @@ Mesh moved(const Mesh& mesh, float far)
 TEST_P(FractureTest, CoarseCoordinatesGiveClosedPiecesOrARefusal)
 {
     std::size_t broken = 0;
-    for (const std::uint64_t triangles : {500u, 30'000u}) {
+    for (const std::uint64_t triangles : {500u, test::kBrief ? 5000u : 30'000u}) {
         const Mesh mesh = test::shape("asteroid", triangles);
         for (const float far : {3e4f, 1e5f, 3e5f, 1e6f, 1e7f})
             for (std::uint64_t seed = 0; seed < (test::kBrief || triangles > 500 ? 2u : 4u); ++seed) {

@@ -97,7 +97,7 @@ Mesh coloured(const Mesh& plain)
 
 TEST_P(LargeFractureTest, PiecesFillTheObjectAndFitTogether)
 {
-    for (const char* name : {"asteroid", "torus", "menger_sponge", "sphere_in_sphere"}) {
+    for (const char* name : {"sphere_in_sphere", "asteroid", "torus", "menger_sponge"}) {
         const Object whole = test::object_of(test::shape(name, kLarge), GetParam());
         for (const FracturePattern pattern :
              {FracturePattern::uniform, FracturePattern::impact, FracturePattern::grid}) {
@@ -110,6 +110,7 @@ TEST_P(LargeFractureTest, PiecesFillTheObjectAndFitTogether)
             test::expect_right(whole, fracture);
             if (HasFailure()) return;
         }
+        if (test::kBrief) return;
     }
 }
 
