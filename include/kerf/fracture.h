@@ -23,8 +23,8 @@ enum class FracturePattern : unsigned char
 struct FractureOptions
 {
     FracturePattern pattern = FracturePattern::uniform;  ///< a number that is none of them is `uniform`
-    /// How many. A cell that reaches into several parts of an object, the legs of a table, makes several pieces; a grid has
-    /// about as many.
+    /// How many. A cell that reaches into several parts of an object, the legs of a table, makes several pieces. A grid
+    /// has as many rows and layers as give about this number.
     std::uint32_t cells = 50;
     std::uint64_t seed = 0;  ///< another one, other cells; the same one, the same bytes, on every machine
     /// Of an impact; on the plane of a crack; in the middle of splinters. Mesh coordinates; not set: the middle of the box.

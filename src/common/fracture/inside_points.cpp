@@ -103,8 +103,6 @@ public:
         }
     }
 
-    double area() const { return size_[u_] * size_[v_]; }
-
 private:
     std::size_t column(double coordinate, int axis) const
     {
@@ -142,7 +140,6 @@ InsideSample::InsideSample(const TriangleSearch& triangles, std::size_t lines, R
             sum += length;
             runs_.push_back({from, length, sum});
         });
-        volume_ = sum * sent.area() / double(count);
     }
 }
 

@@ -19,10 +19,14 @@ public:
 
     /// Whether no line has met an inside.
     bool is_empty() const { return runs_.empty(); }
-    /// Of the solid, about.
-    double volume() const { return volume_; }
     /// A point inside, each place as likely as any other. There is an inside. O(log r) for r runs.
     glm::dvec3 point(Random& random) const;
+    /// Calls visit(from, axis, length) for each part of a line that lies inside. O(r) for r runs.
+    template <class Visit>
+    void for_each_run(Visit visit) const
+    {
+        for (const Run& run : runs_) visit(run.from, axis_, run.length);
+    }
 
 private:
     /// A part of a line that lies inside.
@@ -35,7 +39,6 @@ private:
 
     int axis_ = 0;
     std::vector<Run> runs_;
-    double volume_ = 0.0;
 };
 
 }  // namespace kerf::core

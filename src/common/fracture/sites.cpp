@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/fracture/grid_layers.h"
 #include "common/fracture/inside_points.h"
 #include "common/mesh/box.h"
 
@@ -21,17 +22,6 @@ constexpr double kJitter = 0.45;
 constexpr double kUneven = 0.8;
 /// Of two splinters, as a share of their usual distance.
 constexpr double kLeastApart = 0.01;
-
-/// The side of a cube with this volume, by halving: std::cbrt() need not be the same everywhere.
-double side_of_cube(double volume)
-{
-    double low = 0.0, high = std::max(volume, 1.0);
-    for (int i = 0; i < 200 && low < high; ++i) {
-        const double middle = 0.5 * (low + high);
-        (middle * middle * middle < volume ? low : high) = middle;
-    }
-    return high;
-}
 
 class SiteMaker
 {
@@ -114,29 +104,16 @@ private:
 
     void make_grid()
     {
-        const double spacing = side_of_cube(sample_.volume() / wanted_.count);
-        const glm::dvec3 size = glm::dvec3(box_.hi) - glm::dvec3(box_.lo), middle = box_.centre();
-        std::array<std::uint64_t, 3> count{};
-        double all = 1.0;
-        for (int axis = 0; axis < 3; ++axis) all *= double(count[axis] = layers(size[axis], spacing));
-        // Of a solid that fills next to nothing of its box.
-        constexpr double kMostSites = 1e5;
-        if (!(all <= kMostSites)) return;
-        for (std::uint64_t z = 0; z < count[2]; ++z)
-            for (std::uint64_t y = 0; y < count[1]; ++y)
-                for (std::uint64_t x = 0; x < count[0]; ++x) {
-                    const glm::dvec3 place{double(x) - 0.5 * double(count[0] - 1),
-                                           double(y) - 0.5 * double(count[1] - 1),
-                                           double(z) - 0.5 * double(count[2] - 1)};
+        const glm::dvec3 size = glm::dvec3(box_.hi) - glm::dvec3(box_.lo);
+        const Layers count = layers_for(box_, sample_, wanted_.count);
+        const glm::dvec3 apart{size.x / double(count[0]), size.y / double(count[1]), size.z / double(count[2])};
+        for (std::uint32_t z = 0; z < count[2]; ++z)
+            for (std::uint32_t y = 0; y < count[1]; ++y)
+                for (std::uint32_t x = 0; x < count[0]; ++x) {
+                    const glm::dvec3 middle{double(x) + 0.5, double(y) + 0.5, double(z) + 0.5};
                     const glm::dvec3 moved{jitter(kJitter), jitter(kJitter), jitter(kJitter)};
-                    sites_.push_back(middle + spacing * (place + moved));
+                    sites_.push_back(glm::dvec3(box_.lo) + (middle + moved) * apart);
                 }
-    }
-
-    static std::uint64_t layers(double size, double spacing)
-    {
-        constexpr double kMost = 1e4;
-        return static_cast<std::uint64_t>(std::clamp(std::round(size / spacing), 1.0, kMost));
     }
 
     /// In a plane across the grain: borders between sites there run along it.
