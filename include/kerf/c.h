@@ -61,11 +61,12 @@ enum
     KERF_POSITIVE = 1
 };
 
-typedef struct kerf_mesh kerf_mesh;        ///< triangles that can be cut; can't be changed
-typedef struct kerf_object kerf_object;    ///< what is cut: a prepared mesh, or a piece of one
-typedef struct kerf_pieces kerf_pieces;    ///< what a cut yields
-typedef struct kerf_section kerf_section;  ///< what a plane meets of an object
-typedef struct kerf_draw kerf_draw;        ///< what to draw of an object
+typedef struct kerf_mesh kerf_mesh;          ///< triangles that can be cut; can't be changed
+typedef struct kerf_object kerf_object;      ///< what is cut: a prepared mesh, or a piece of one
+typedef struct kerf_pieces kerf_pieces;      ///< what a cut yields
+typedef struct kerf_section kerf_section;    ///< what a plane meets of an object
+typedef struct kerf_draw kerf_draw;          ///< what to draw of an object
+typedef struct kerf_fracture kerf_fracture;  ///< the pieces of an object that was broken
 
 /// The version of the library that the program runs with: "0.2.0". Never null.
 KERF_C_API const char* kerf_version(void);
@@ -293,6 +294,70 @@ typedef struct kerf_section_arrays
 
 /// O(1). Status: KERF_INVALID_ARGUMENT.
 KERF_C_API kerf_status kerf_section_get_arrays(const kerf_section* section, kerf_section_arrays* arrays);
+
+/// Where the cells of kerf_fracture_make() lie (kerf/fracture.h).
+enum
+{
+    KERF_UNIFORM = 0,   ///< anywhere in the object
+    KERF_IMPACT = 1,    ///< the nearer to a point, the smaller
+    KERF_CRACK = 2,     ///< the nearer to a plane, the smaller
+    KERF_GRID = 3,      ///< in rows and layers, each moved a little
+    KERF_SPLINTERS = 4  ///< long, along a direction
+};
+
+/// Options of kerf_fracture_make().
+typedef struct kerf_fracture_options
+{
+    uint32_t size;        ///< sizeof(kerf_fracture_options)
+    int32_t pattern;      ///< KERF_UNIFORM, ...
+    uint32_t cells;       ///< how many; 0: 50
+    int32_t has_at;       ///< 1: `at` is given; 0: the middle of the box is meant
+    double at[3];         ///< of an impact; on the plane of a crack; in the middle of splinters
+    double direction[3];  ///< across the plane of a crack; along splinters; all 0: y
+    uint64_t seed;        ///< another one, other cells; the same one, the same bytes, on every machine
+    const double* sites;  ///< of the cells, three for each, instead of a pattern; may be null
+    size_t site_count;    ///< of `sites`
+    double least_volume;  ///< a piece that is smaller is joined to the largest of its neighbours
+    double uv_scale;      ///< uv of the inside for each unit of length; 0: 1
+    uint32_t material;    ///< of the inside, and one more: 0: one is added, "cap"; 1: material 0, ...
+    uint32_t reserved;    ///< 0
+    /// Called now and then with the share that is done, 0 first, 1 last. Returns 0 to stop. May be null.
+    int (*progress)(void* user, double share);
+    void* user;  ///< for `progress`
+} kerf_fracture_options;
+
+/// Breaks a closed object into the cells of points: kerf::fracture(), which says what it costs. The object stays. Status:
+/// KERF_DONE, KERF_INVALID_ARGUMENT, KERF_INVALID_MESH (it is open, or its surface passes through itself where cells meet),
+/// KERF_CANCELLED, KERF_OUT_OF_MEMORY.
+/// @param options   may be null
+/// @param fracture  receives a handle if there are pieces, otherwise null
+KERF_C_API kerf_status kerf_fracture_make(const kerf_object* object, const kerf_fracture_options* options,
+                                          kerf_fracture** fracture, char* reason, size_t reason_size);
+
+/// How pieces hang together, in flat arrays, which live as long as the fracture. Piece p consists of the cells from
+/// cell_starts[p] to cell_starts[p + 1]. A bond is where two pieces touch: both are closed there by the same triangles,
+/// those of the second turned over.
+typedef struct kerf_fracture_arrays
+{
+    uint32_t size;              ///< sizeof(kerf_fracture_arrays)
+    uint32_t reserved;          ///< 0
+    size_t piece_count;         ///< those that were taken, too
+    const size_t* cell_starts;  ///< one more than pieces
+    const uint32_t* cells;      ///< ascending within a piece; one for each, unless small ones were joined
+    size_t site_count;          ///< of all cells, also those in which nothing of the object lies
+    const double* sites;        ///< three for each
+    size_t bond_count;          ///< pairs of pieces that touch
+    const uint32_t* bonds;      ///< two pieces for each, the first the smaller number
+    const double* areas;        ///< for each bond, in the unit of length, squared
+    const double* centres;      ///< three for each bond: of that area
+    const double* normals;      ///< three for each bond: from its first piece to its second
+} kerf_fracture_arrays;
+
+/// O(1). Status: KERF_INVALID_ARGUMENT.
+KERF_C_API kerf_status kerf_fracture_get_arrays(const kerf_fracture* fracture, kerf_fracture_arrays* arrays);
+/// Piece `i`, which belongs to the caller from then on; null beyond the last, and of one that was taken. What was not taken
+/// ends with the handle.
+KERF_C_API kerf_object* kerf_fracture_take(kerf_fracture* fracture, size_t i);
 
 /// Vertices and indices for the GPU (kerf/draw.h), which live until the object changes or ends. Objects that share buffers
 /// have the same number, vertices and indices, and ranges of their own.

@@ -99,6 +99,25 @@ kerf_status with_memory(const Reason& reason, Call call)
     }
 }
 
+/// A progress function of C, which answers with an int.
+struct Listener
+{
+    int (*progress)(void* user, double share);
+    void* user;
+
+    /// Has itself called by what works with these options; it has to live as long.
+    template <class Options>
+    void listen_to(Options& options)
+    {
+        if (progress == nullptr) return;
+        options.progress = [](void* listener, double share) {
+            const auto* const l = static_cast<const Listener*>(listener);
+            return l->progress(l->user, share) != 0;
+        };
+        options.user = this;
+    }
+};
+
 template <std::size_t N>
 Vec3d to_vec3d(const double (&numbers)[N])
 {

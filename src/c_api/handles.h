@@ -54,3 +54,11 @@ struct kerf_draw : kerf::c_api::Handle
     kerf::DrawView view;
     std::vector<std::uint32_t> ranges;
 };
+
+struct kerf_fracture : kerf::c_api::Handle
+{
+    kerf::Fracture fracture;
+    std::vector<std::size_t> cell_starts;
+    std::vector<std::uint32_t> cells, bonds;
+    std::vector<double> areas, centres, normals;
+};

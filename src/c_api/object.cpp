@@ -7,25 +7,6 @@
 #include "c_api/calls.h"
 #include "c_api/handles.h"
 
-namespace kerf::c_api {
-namespace {
-
-/// A progress function of C, which answers with an int.
-struct Listener
-{
-    int (*progress)(void* user, double share);
-    void* user;
-
-    static bool goes_on(void* listener, double share)
-    {
-        const auto* const l = static_cast<const Listener*>(listener);
-        return l->progress(l->user, share) != 0;
-    }
-};
-
-}  // namespace
-}  // namespace kerf::c_api
-
 using namespace kerf::c_api;
 
 kerf_status kerf_plane_to_local(const kerf_plane* world, const double object_to_world[16], kerf_plane* local)
@@ -56,10 +37,7 @@ kerf_status kerf_prepare(const kerf_mesh* mesh, const kerf_prepare_options* opti
     if (given->cuts_expected != 0) asked.cuts_expected = given->cuts_expected;
     if (given->cuts_with_room != 0) asked.cuts_with_room = given->cuts_with_room;
     if (given->threads != 0) asked.threads = given->threads;
-    if (listener.progress != nullptr) {
-        asked.progress = &Listener::goes_on;
-        asked.user = &listener;
-    }
+    listener.listen_to(asked);
     kerf::Result<kerf::Object> made = kerf::prepare(mesh->mesh, asked);
     if (!made) return why.answer(made.status(), made.reason());
     return with_memory(why, [&] {

@@ -229,6 +229,105 @@ TEST_F(CApi, SectionsAreThoseOfCpp)
     EXPECT_EQ(found.path_count, 0u);
 }
 
+TEST_F(CApi, BreaksAsCppDoes)
+{
+    auto options = sized<kerf_fracture_options>();
+    options.pattern = KERF_IMPACT;
+    options.cells = 12;
+    options.has_at = 1;
+    options.at[1] = 0.3;
+    options.seed = 7;
+    options.uv_scale = 2.0;
+    options.material = 1;
+    kerf_fracture* made = nullptr;
+    ASSERT_EQ(kerf_fracture_make(object_.get(), &options, &made, reason_, sizeof reason_), KERF_DONE) << reason_;
+    const Held<kerf_fracture> fracture(made);
+    FractureOptions same;
+    same.pattern = FracturePattern::impact;
+    same.cells = 12;
+    same.at = Point(0.0, 0.3, 0.0);
+    same.seed = 7;
+    same.uv_scale = 2.0;
+    same.material = 0;
+    Fracture expected = kerf::fracture(cpp_object_, same);
+
+    auto found = sized<kerf_fracture_arrays>();
+    ASSERT_EQ(kerf_fracture_get_arrays(fracture.get(), &found), KERF_DONE);
+    ASSERT_EQ(found.piece_count, expected.count());
+    ASSERT_EQ(found.site_count, expected.sites().size());
+    EXPECT_EQ(std::memcmp(found.sites, expected.sites().data(), expected.sites().size_bytes()), 0);
+    ASSERT_EQ(found.bond_count, expected.bonds().size());
+    EXPECT_GT(found.bond_count, 10u);
+    for (std::size_t b = 0; b < found.bond_count; ++b) {
+        const FractureBond& bond = expected.bonds()[b];
+        EXPECT_EQ(found.bonds[2 * b], bond.first);
+        EXPECT_EQ(found.bonds[2 * b + 1], bond.second);
+        EXPECT_EQ(found.areas[b], bond.area);
+        EXPECT_EQ(std::memcmp(found.centres + 3 * b, &bond.centre, sizeof bond.centre), 0);
+        EXPECT_EQ(std::memcmp(found.normals + 3 * b, &bond.normal, sizeof bond.normal), 0);
+    }
+    for (std::size_t i = 0; i < found.piece_count; ++i) {
+        const std::span<const std::uint32_t> cells = expected.cells(i);
+        ASSERT_EQ(found.cell_starts[i + 1] - found.cell_starts[i], cells.size());
+        EXPECT_TRUE(equal(cells, found.cells + found.cell_starts[i]));
+        const Held<kerf_object> piece(kerf_fracture_take(fracture.get(), i));
+        ASSERT_NE(piece, nullptr);
+        EXPECT_EQ(kerf_fracture_take(fracture.get(), i), nullptr) << "it was taken";
+        auto facts = sized<kerf_object_facts>();
+        ASSERT_EQ(kerf_object_get_facts(piece.get(), &facts), KERF_DONE);
+        EXPECT_EQ(facts.volume, expected.piece(i)->mass_properties().volume);
+        EXPECT_EQ(facts.triangle_count, expected.piece(i)->triangle_count());
+    }
+    EXPECT_EQ(kerf_fracture_take(fracture.get(), found.piece_count), nullptr);
+}
+
+TEST_F(CApi, BreaksByDefaultsAndByGivenSites)
+{
+    kerf_fracture* made = nullptr;
+    ASSERT_EQ(kerf_fracture_make(object_.get(), nullptr, &made, nullptr, 0), KERF_DONE);
+    const Held<kerf_fracture> by_default(made);
+    auto found = sized<kerf_fracture_arrays>();
+    ASSERT_EQ(kerf_fracture_get_arrays(made, &found), KERF_DONE);
+    EXPECT_EQ(found.site_count, FractureOptions().cells);
+
+    const double sites[]{-0.3, 0.0, 0.0, 0.3, 0.0, 0.0};
+    auto options = sized<kerf_fracture_options>();
+    options.sites = sites;
+    options.site_count = 2;
+    ASSERT_EQ(kerf_fracture_make(object_.get(), &options, &made, nullptr, 0), KERF_DONE);
+    const Held<kerf_fracture> by_sites(made);
+    ASSERT_EQ(kerf_fracture_get_arrays(made, &found), KERF_DONE);
+    EXPECT_EQ(found.site_count, 2u);
+    EXPECT_EQ(std::memcmp(found.sites, sites, sizeof sites), 0);
+}
+
+TEST_F(CApi, RefusesToBreakWhatMakesNoSense)
+{
+    kerf_fracture* made = nullptr;
+    const auto answer = [&](const std::function<void(kerf_fracture_options&)>& change) {
+        auto options = sized<kerf_fracture_options>();
+        change(options);
+        const kerf_status status = kerf_fracture_make(object_.get(), &options, &made, reason_, sizeof reason_);
+        EXPECT_EQ(made, nullptr);
+        EXPECT_STRNE(reason_, "");
+        return status;
+    };
+    const double site[]{0.0, 0.0, 0.0};
+    for (const int32_t wrong : {-1, 5, 256, std::numeric_limits<int32_t>::max()})
+        EXPECT_EQ(answer([&](auto& o) { o.pattern = wrong; }), KERF_INVALID_ARGUMENT);
+    EXPECT_EQ(answer([](auto& o) { o.site_count = 1; }), KERF_INVALID_ARGUMENT);
+    EXPECT_EQ(answer([&](auto& o) {
+                  o.sites = site;
+                  o.site_count = std::numeric_limits<std::size_t>::max();
+              }),
+              KERF_INVALID_ARGUMENT);
+    EXPECT_EQ(answer([](auto& o) { o.least_volume = -1.0; }), KERF_INVALID_ARGUMENT);
+    EXPECT_EQ(answer([](auto& o) { o.direction[0] = std::numeric_limits<double>::quiet_NaN(); }),
+              KERF_INVALID_ARGUMENT);
+    EXPECT_EQ(answer([](auto& o) { o.progress = [](void*, double share) { return share < 0.3 ? 1 : 0; }; }),
+              KERF_CANCELLED);
+}
+
 TEST_F(CApi, DrawsWhatCppDraws)
 {
     kerf_draw* made = nullptr;
@@ -318,6 +417,11 @@ TEST_F(CApi, RefusesStructsThatAreNullOrOfAnotherSize)
     kerf_pieces* pieces = nullptr;
     kerf_section* section = nullptr;
     kerf_draw* draw = nullptr;
+    kerf_fracture* fracture = nullptr;
+    ASSERT_EQ(kerf_fracture_make(object, nullptr, &fracture, nullptr, 0), KERF_DONE);
+    const Held<kerf_fracture> held_fracture(fracture);
+    expect_refused<kerf_fracture_arrays>(sized<kerf_fracture_arrays>(),
+                                         [&](auto* out) { return kerf_fracture_get_arrays(held_fracture.get(), out); });
     ASSERT_EQ(kerf_section_find(object, &plane_, nullptr, &section, nullptr, 0), KERF_DONE);
     ASSERT_EQ(kerf_object_draw(object, &draw), KERF_DONE);
     const Held<kerf_section> held_section(section);
@@ -348,6 +452,9 @@ TEST_F(CApi, RefusesStructsThatAreNullOrOfAnotherSize)
     });
     expect_refused<kerf_section_options>(sized<kerf_section_options>(), [&](auto* in) {
         return unless_null(in, [&] { return kerf_section_find(object, &plane_, in, &section, nullptr, 0); });
+    });
+    expect_refused<kerf_fracture_options>(sized<kerf_fracture_options>(), [&](auto* in) {
+        return unless_null(in, [&] { return kerf_fracture_make(object, in, &fracture, nullptr, 0); });
     });
     expect_refused<kerf_prepare_options>(sized<kerf_prepare_options>(), [&](auto* in) {
         return unless_null(in, [&] { return kerf_prepare(mesh_.get(), in, &other, nullptr, 0); });
@@ -384,12 +491,14 @@ TEST_F(CApi, RefusesHandlesThatAreNull)
     auto of_cut = sized<kerf_cut_facts>();
     auto of_section = sized<kerf_section_arrays>();
     auto of_draw = sized<kerf_draw_arrays>();
+    auto of_fracture = sized<kerf_fracture_arrays>();
     auto local = plane_;
     kerf_mesh* mesh = mesh_.get();
     kerf_object *object = object_.get(), *nothing = nullptr;
     kerf_pieces* pieces = nullptr;
     kerf_section* section = nullptr;
     kerf_draw* draw = nullptr;
+    kerf_fracture* fracture = nullptr;
     for (const kerf_status status : {kerf_mesh_make(&input_, nullptr, nullptr, 0),
                                      kerf_mesh_read("x.obj", nullptr, nullptr, 0),
                                      kerf_mesh_read(nullptr, &mesh, nullptr, 0),
@@ -412,6 +521,9 @@ TEST_F(CApi, RefusesHandlesThatAreNull)
                                      kerf_section_find(nullptr, &plane_, nullptr, &section, nullptr, 0),
                                      kerf_section_find(object, &plane_, nullptr, nullptr, nullptr, 0),
                                      kerf_section_get_arrays(nullptr, &of_section),
+                                     kerf_fracture_make(nullptr, nullptr, &fracture, nullptr, 0),
+                                     kerf_fracture_make(object, nullptr, nullptr, nullptr, 0),
+                                     kerf_fracture_get_arrays(nullptr, &of_fracture),
                                      kerf_object_draw(nullptr, &draw),
                                      kerf_object_draw(object, nullptr),
                                      kerf_draw_get_arrays(nullptr, &of_draw),
@@ -419,6 +531,7 @@ TEST_F(CApi, RefusesHandlesThatAreNull)
                                      kerf_object_mark_uploaded(object, nullptr)})
         EXPECT_EQ(status, KERF_INVALID_ARGUMENT);
     EXPECT_EQ(kerf_pieces_take(nullptr, KERF_POSITIVE, 0), nullptr);
+    EXPECT_EQ(kerf_fracture_take(nullptr, 0), nullptr);
     kerf_free(nullptr);
     EXPECT_EQ(object, object_.get());
     for (const kerf_plane& wrong :
