@@ -1,5 +1,5 @@
 // The promise that results keep their bytes: hashes of surfaces, caps and written files, and of what the public interface
-// gives of pieces that are cut by a blade with a width and taken apart, recorded for bits_version().
+// gives of pieces that are cut by a blade with a width and taken apart, or broken, recorded for bits_version().
 // They are the same for every compiler and optimisation, so nothing here is made by a function of the system: the
 // meshes are files, the planes exact numbers.
 //
@@ -105,39 +105,66 @@ std::vector<std::vector<std::uint32_t>> caps_of(const IndexedMesh& mesh)
     return caps;
 }
 
-/// Hashes by what they are of: "surface MODEL", "caps MODEL BACK_END", "MODEL.FORMAT BACK_END", "parts MODEL BACK_END";
-/// all but the first end in kKindOfCaps.
+/// Hashes by what they are of: "surface MODEL", "caps MODEL BACK_END", "MODEL.FORMAT BACK_END", "parts MODEL BACK_END",
+/// "broken MODEL BACK_END"; all but the first end in kKindOfCaps.
 using Hashes = std::map<std::string, std::string>;
 
-/// What the public interface gives of a model's pieces.
-std::string hash_of_parts(const std::string& file, const char* back_end)
+/// All arrays of a piece, as the public interface gives them.
+void add(const kerf::Object& piece, Hash& hash)
 {
-    kerf::PrepareOptions prepared;
-    prepared.back_end_name = back_end;
-    const kerf::Result<kerf::Object> object = kerf::prepare(*kerf::read_mesh(file.c_str()), prepared);
-    if (!object) return object.reason();
+    const kerf::Mesh mesh = *piece.mesh();
+    const kerf::MeshArrays arrays = mesh.arrays();
+    hash.add(arrays.positions);
+    hash.add(arrays.normals);
+    hash.add(arrays.uvs);
+    hash.add(arrays.points);
+    hash.add(arrays.indices);
+    hash.add(arrays.sources);
+    hash.add(arrays.kinds);
+    hash.add(arrays.triangle_materials);
+    hash.add(arrays.solids);
+}
+
+/// A model's pieces, cut and taken apart.
+std::string hash_of_parts(const kerf::Object& object)
+{
     kerf::CutOptions options;
     options.components = true;
     options.gap = 0.0625;
     Hash hash;
     for (const Plane& plane : planes()) {
         const glm::dvec3 n = plane.normal;
-        kerf::Cut cut = kerf::cut_copy(*object, *kerf::Plane::from_coefficients(n.x, n.y, n.z, -plane.offset), options);
+        kerf::Cut cut = kerf::cut_copy(object, *kerf::Plane::from_coefficients(n.x, n.y, n.z, -plane.offset), options);
         hash.add(std::string(kerf::outcome_name(cut.status)));
         for (const kerf::Side side : {kerf::Side::positive, kerf::Side::negative})
-            for (std::size_t i = 0; const kerf::Object* const piece = cut.piece(side, i); ++i) {
-                const kerf::Mesh mesh = *piece->mesh();
-                const kerf::MeshArrays arrays = mesh.arrays();
-                hash.add(arrays.positions);
-                hash.add(arrays.normals);
-                hash.add(arrays.uvs);
-                hash.add(arrays.points);
-                hash.add(arrays.indices);
-                hash.add(arrays.sources);
-                hash.add(arrays.kinds);
-                hash.add(arrays.triangle_materials);
-                hash.add(arrays.solids);
-            }
+            for (std::size_t i = 0; const kerf::Object* const piece = cut.piece(side, i); ++i) add(*piece, hash);
+    }
+    return hash.text();
+}
+
+/// A model's pieces, broken in three ways, and what held them together.
+std::string hash_of_broken(const kerf::Object& object)
+{
+    Hash hash;
+    for (const auto pattern :
+         {kerf::FracturePattern::impact, kerf::FracturePattern::grid, kerf::FracturePattern::splinters}) {
+        kerf::FractureOptions options;
+        options.pattern = pattern;
+        options.cells = 8;
+        options.seed = 1;
+        kerf::Fracture fracture = kerf::fracture(object, options);
+        hash.add(std::string(kerf::outcome_name(fracture.status())));
+        for (std::size_t i = 0; const kerf::Object* const piece = fracture.piece(i); ++i) {
+            hash.add(fracture.cells(i));
+            add(*piece, hash);
+        }
+        for (const kerf::FractureBond& bond : fracture.bonds()) {
+            hash.add(bond.first);
+            hash.add(bond.second);
+            const double area_and_places[]{bond.area,     bond.centre.x, bond.centre.y, bond.centre.z,
+                                           bond.normal.x, bond.normal.y, bond.normal.z};
+            hash.add(std::span<const double>(area_and_places));
+        }
     }
     return hash.text();
 }
@@ -165,20 +192,25 @@ protected:
             for (const Plane& plane : planes()) {
                 const CutResult result = cut(object->clone(), plane);
                 for (const auto* side : {&result.positive, &result.negative})
-                    for (const auto& fragment : *side) add(fragment->to_indexed_mesh(), surface, caps, written);
+                    for (const auto& fragment : *side)
+                        add_fragment(fragment->to_indexed_mesh(), surface, caps, written);
             }
             const std::string own = hashes.try_emplace("surface " + model, surface.text()).first->second;
             EXPECT_EQ(surface.text(), own) << model << ", " << named.name << ": all back ends have one surface";
             const std::string by = " " + named.name + (named.name == "baseline_hash" ? "" : kKindOfCaps);
             hashes["caps " + model + by] = caps.text();
             for (const auto& [format, hash] : written) hashes[model + "." + format + by] = hash.text();
-            if (named.name != "baseline_hash")
-                hashes["parts " + model + by] = hash_of_parts(file.string(), named.name.c_str());
+            if (named.name == "baseline_hash") continue;
+            kerf::PrepareOptions prepared;
+            prepared.back_end_name = named.name.c_str();
+            const kerf::Object whole = *kerf::prepare(*kerf::read_mesh(file.string().c_str()), prepared);
+            hashes["parts " + model + by] = hash_of_parts(whole);
+            if (whole.mass_properties().is_of_solid) hashes["broken " + model + by] = hash_of_broken(whole);
         }
     }
 
 private:
-    void add(const IndexedMesh& mesh, Hash& surface, Hash& caps, std::map<std::string, Hash>& written) const
+    void add_fragment(const IndexedMesh& mesh, Hash& surface, Hash& caps, std::map<std::string, Hash>& written) const
     {
         for (const referee::SurfaceTriangle& triangle : referee::canonical_surface(mesh)) {
             surface.add(triangle.source);
