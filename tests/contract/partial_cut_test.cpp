@@ -13,6 +13,7 @@
 #include "common/cutting/cut.h"
 #include "common/shapes/shapes.h"
 #include "support/backends.h"
+#include "support/brief.h"
 #include "support/fixtures.h"
 #include "support/referee.h"
 
@@ -108,7 +109,7 @@ TEST_P(PartialCut, ChangesNothingButTheTrianglesOfThePathsThatItCuts)
         const auto object = prepare(shape.mesh);
         const auto before = referee::canonical_surface(shape.mesh);
         const double whole = referee::volume(shape.mesh);
-        for (const test::NamedPlane& plane : test::planes_for(shape.mesh, 2, 61)) {
+        for (const test::NamedPlane& plane : test::planes_for(shape.mesh, test::kBrief ? 1 : 2, 61)) {
             PlaneSection found;
             if (section(*object, plane.plane, found) == Status::missed) continue;
             const std::vector<glm::dvec3> points = points_on_paths(found);

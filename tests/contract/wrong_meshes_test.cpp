@@ -10,6 +10,7 @@
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
 #include "support/backends.h"
+#include "support/brief.h"
 #include "support/mesh_trial.h"
 #include "support/referee.h"
 #include "support/wrong_meshes.h"
@@ -48,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(All, WrongMeshes, testing::ValuesIn(test::mesh_changes(
 
 TEST_P(WrongMeshes, AreRefusedOrCutRightlyByEveryBackEnd)
 {
-    constexpr std::uint64_t kMeshes = 60;
+    constexpr std::uint64_t kMeshes = test::kBrief ? 25 : 60;
     std::uint64_t refused = 0, cuts = 0;
     for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
         SCOPED_TRACE(seed);

@@ -96,7 +96,7 @@ TEST_F(KerfBatch, ReadsTheMeshOnce)
 
 TEST_F(KerfBatch, GoesOnWhereItWasInterruptedAndTheFilesAreTheSame)
 {
-    const std::size_t count = test::kBrief ? 80 : 300;
+    const std::size_t count = test::kBrief ? 60 : 300;
     write_planes(count);
     const auto batch = [](const std::string& folder) {
         return "cut rock.ply --batch jobs.jsonl --format ply -j 2 --out " + folder + "/rock --results " + folder +
