@@ -61,41 +61,47 @@ struct FractureMaker
 
 namespace {
 
-Fracture cancelled()
-{
-    return FractureMaker::refused(Status::cancelled, "the caller asked to stop; there are no pieces");
-}
-
 /// May throw std::bad_alloc.
 class Breaker
 {
 public:
-    Breaker(const core::Cuttable& object, const FractureOptions& options) : object_(object), options_(options) {}
+    Breaker(const core::Cuttable& object, const FractureOptions& options)
+        : object_(object), options_(options), progress_({options.progress, options.user}, 0.0, 1.0)
+    {
+    }
 
     Fracture run()
     {
+        try {
+            return take_apart_and_make_pieces();
+        } catch (const core::Cancelled&) {
+            return FractureMaker::refused(Status::cancelled, "the caller asked to stop; there are no pieces");
+        }
+    }
+
+private:
+    /// What is done when sites are there, and when cells and contacts are; the rest is the pieces' meshes and preparing.
+    static constexpr double kShareOfSites = 0.1, kShareOfSplitting = 0.5;
+
+    Fracture take_apart_and_make_pieces()
+    {
+        progress_.at(0.0);
         breakable_ = object_.breakable();
         if (breakable_ == nullptr) take_mesh();
         const std::vector<glm::dvec3> sites = sites_wanted();
         if (sites.empty()) return FractureMaker::refused(Status::invalid_mesh, "the object has no inside");
-        if (!goes_on(0.1)) return cancelled();
         if (!take_apart(sites))
             return FractureMaker::refused(Status::invalid_mesh,
                                           "the surface passes through itself where pieces would meet");
-        if (!goes_on(kShareOfSplitting)) return cancelled();
+        progress_.at(kShareOfSplitting);
         Fracture fracture = FractureMaker::begun();
         Fracture::Data& data = FractureMaker::data(fracture);
         for (const glm::dvec3& site : taken_.apart.sites) data.sites.push_back(to_public(site));
-        if (!make_pieces(data)) return cancelled();
+        make_pieces(data);
         add_bonds(data);
-        return goes_on(1.0) ? std::move(fracture) : cancelled();
+        progress_.at(1.0);
+        return fracture;
     }
-
-private:
-    /// What the bar says when cells and contacts are there; the rest is the pieces' meshes and preparing.
-    static constexpr double kShareOfSplitting = 0.5;
-
-    bool goes_on(double share) const { return options_.progress == nullptr || options_.progress(options_.user, share); }
 
     void take_mesh()
     {
@@ -130,9 +136,12 @@ private:
     /// By subtrees if the object has a tree and that pays.
     bool take_apart(std::span<const glm::dvec3> sites)
     {
+        core::ProgressOfStep progress = progress_.part(kShareOfSites, kShareOfSplitting);
         if (breakable_ != nullptr) {
             look_ = look_wanted(breakable_->border());
-            if (auto taken = core::take_apart_by_subtrees(*breakable_, sites, options_.least_volume, look_)) {
+            constexpr double kShareOfTrial = 0.9;  // if it is refused, there is a rest for the other way
+            if (auto taken = core::take_apart_by_subtrees(*breakable_, sites, options_.least_volume, look_,
+                                                          progress.part(0.0, kShareOfTrial))) {
                 taken_ = *std::move(taken);
                 mesh_ = std::move(breakable_->border());
                 breakable_.reset();
@@ -140,9 +149,10 @@ private:
             }
             breakable_.reset();
             take_mesh();
+            progress = progress.part(kShareOfTrial, 1.0);
         }
         look_ = look_wanted(mesh_);
-        auto apart = core::take_apart(*solid_, sites, options_.least_volume);
+        auto apart = core::take_apart(*solid_, sites, options_.least_volume, progress);
         if (!apart) return false;
         taken_.apart = *std::move(apart);
         taken_.points = std::move(solid_->points);
@@ -150,11 +160,12 @@ private:
         return true;
     }
 
-    bool make_pieces(Fracture::Data& data)
+    void make_pieces(Fracture::Data& data)
     {
         const core::RegisteredBackend& entry = *core::find_back_end(object_.memory.back_end);
         std::optional<core::PieceMeshes> meshes;  // if one is wanted
         std::vector<core::Fragment>& fragments = taken_.apart.fragments.fragments;
+        const core::ProgressOfStep progress = progress_.part(kShareOfSplitting, 1.0);
         for (std::size_t f = 0; f < fragments.size(); ++f) {
             number_of_.push_back(kNoPiece);
             std::unique_ptr<core::Cuttable> object = std::move(taken_.objects[f]);
@@ -173,10 +184,8 @@ private:
                 data.pieces.push_back({Object(object.release()), std::move(fragments[f].cells)});
             }
             fragments[f] = {};
-            if (!goes_on(kShareOfSplitting + (1.0 - kShareOfSplitting) * double(f + 1) / double(fragments.size() + 1)))
-                return false;
+            progress.at(double(f + 1) / double(fragments.size() + 1));
         }
-        return true;
     }
 
     void add_bonds(Fracture::Data& data) const
@@ -190,6 +199,7 @@ private:
 
     const core::Cuttable& object_;
     const FractureOptions& options_;
+    const core::ProgressOfStep progress_;
     std::unique_ptr<core::Breakable> breakable_;  ///< null: the object is broken as a mesh
     core::IndexedMesh mesh_;                      ///< of the object, or of its border
     std::optional<core::SolidOfPoints> solid_;
@@ -225,7 +235,6 @@ Fracture fracture(const Object& object, const FractureOptions& options) noexcept
     const core::Cuttable& inside = *object.inside();
     if (!inside.memory.is_of_solid)
         return FractureMaker::refused(Status::invalid_mesh, "the object is open: only a solid can be broken");
-    if (options.progress != nullptr && !options.progress(options.user, 0.0)) return cancelled();
     return answer_or(
         FractureMaker::refused(Status::out_of_memory, "there is not enough memory for the pieces; ask for fewer cells"),
         [&] { return Breaker(inside, options).run(); });

@@ -265,7 +265,7 @@ TEST_P(LargeFractureTest, TheSameSeedGivesTheSameBytes)
 TEST_P(LargeFractureTest, CanBeStoppedAtAnyTime)
 {
     const Object whole = test::object_of(test::shape("asteroid", kLarge), GetParam());
-    for (const double stop : {0.05, 0.3, 0.8}) {
+    for (const double stop : {0.05, 0.2, 0.3, 0.45, 0.8}) {
         double until = stop;
         FractureOptions options;
         options.cells = 10;
@@ -274,6 +274,23 @@ TEST_P(LargeFractureTest, CanBeStoppedAtAnyTime)
         EXPECT_EQ(kerf::fracture(whole, options).status(), Status::cancelled) << stop;
     }
     EXPECT_EQ(whole.mass_properties().is_of_solid, true);
+}
+
+TEST_P(LargeFractureTest, SaysHowFarItIsAllTheTime)
+{
+    std::vector<double> shares;
+    FractureOptions options;
+    options.cells = 100;
+    options.user = &shares;
+    options.progress = [](void* user, double share) {
+        static_cast<std::vector<double>*>(user)->push_back(share);
+        return true;
+    };
+    Fracture fracture = kerf::fracture(test::object_of(test::shape("asteroid", kLarge), GetParam()), options);
+    ASSERT_EQ(fracture.status(), Status::done);
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    constexpr double kMostBetween = 0.21;
+    for (std::size_t i = 1; i < shares.size(); ++i) EXPECT_LE(shares[i] - shares[i - 1], kMostBetween) << shares[i];
 }
 
 }  // namespace

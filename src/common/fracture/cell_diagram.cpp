@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "common/fracture/near_sites.h"
@@ -12,6 +11,10 @@
 namespace kerf::core {
 
 namespace {
+
+/// Cells are cut off that far beyond the sites and the solid, as a share of the diagonal: farther than rounding moves a
+/// corner, and so near that cells at the rim soon have all their neighbours.
+constexpr double kMargin = 0.01;
 
 /// A plane of a cell: half way to a site, or a side of the box, which is negative.
 using PlaneName = std::int64_t;
@@ -22,10 +25,11 @@ struct CellCorner
     std::array<PlaneName, 3> planes;
 };
 
+/// A run of numbers in a list.
 struct CellFace
 {
     PlaneName plane;
-    std::vector<std::size_t> corners;  ///< counter-clockwise, seen from outside
+    std::size_t first = 0, count = 0;
 };
 
 /// A convex body.
@@ -33,6 +37,26 @@ struct Cell
 {
     std::vector<CellCorner> corners;
     std::vector<CellFace> faces;
+    std::vector<std::size_t> around;  ///< corners of the faces, each counter-clockwise, seen from outside
+
+    std::span<const std::size_t> corners_of(const CellFace& face) const
+    {
+        return std::span(around).subspan(face.first, face.count);
+    }
+
+    void begin_face(PlaneName plane) { faces.push_back({plane, around.size(), 0}); }
+    void add_corner(std::size_t corner)
+    {
+        around.push_back(corner);
+        ++faces.back().count;
+    }
+    /// A face that has fewer than three corners is none.
+    void end_face()
+    {
+        if (faces.back().count > 2) return;
+        around.resize(faces.back().first);
+        faces.pop_back();
+    }
 
     double squared_radius(const glm::dvec3& centre) const
     {
@@ -53,106 +77,133 @@ Cell box_cell(const glm::dvec3& lo, const glm::dvec3& hi)
         cell.corners.push_back(
             {{x ? hi.x : lo.x, y ? hi.y : lo.y, z ? hi.z : lo.z}, {x ? -2 : -1, y ? -4 : -3, z ? -6 : -5}});
     }
-    cell.faces = {{-1, {0, 4, 6, 2}}, {-2, {1, 3, 7, 5}}, {-3, {0, 1, 5, 4}},
-                  {-4, {2, 6, 7, 3}}, {-5, {0, 2, 3, 1}}, {-6, {4, 5, 7, 6}}};
+    constexpr std::array<std::array<std::size_t, 4>, 6> kSides{
+        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    for (std::size_t side = 0; side < kSides.size(); ++side) {
+        cell.begin_face(-1 - static_cast<PlaneName>(side));
+        for (const std::size_t corner : kSides[side]) cell.add_corner(corner);
+    }
     return cell;
 }
 
-/// Cuts off what lies where the heights are above 0.
+/// Cuts cells off. Its lists are used again, because there are some thirty cuts a cell.
 class CellCutter
 {
 public:
-    CellCutter(Cell& cell, PlaneName plane, std::vector<double> heights)
-        : cell_(cell), plane_(plane), heights_(std::move(heights))
+    /// Cuts off what lies beyond a plane, where the dot product with `normal` is above `offset`. Whether that is anything.
+    bool cut(Cell& cell, PlaneName plane, const glm::dvec3& normal, double offset)
     {
-    }
-
-    void cut()
-    {
-        std::vector<CellFace> kept;
-        std::map<std::size_t, std::size_t> next;  // along the new face
-        for (CellFace& face : cell_.faces) {
-            CellFace rest{face.plane, {}};
-            std::size_t leaves = 0, enters = 0;
-            bool is_crossed = false;
-            for (std::size_t i = 0; i < face.corners.size(); ++i) {
-                const std::size_t a = face.corners[i], b = face.corners[(i + 1) % face.corners.size()];
-                const bool keeps_a = heights_[a] <= 0.0, keeps_b = heights_[b] <= 0.0;
-                if (keeps_a) rest.corners.push_back(a);
-                if (keeps_a == keeps_b) continue;
-                is_crossed = true;
-                (keeps_a ? leaves : enters) = corner_between(a, b);
-                rest.corners.push_back(keeps_a ? leaves : enters);
-            }
-            if (is_crossed) next[enters] = leaves;
-            if (rest.corners.size() > 2) kept.push_back(std::move(rest));
-        }
-        if (!next.empty()) {
-            CellFace lid{plane_, {}};
-            const std::size_t first = next.begin()->first;
-            for (std::size_t at = first; lid.corners.empty() || (at != first && lid.corners.size() < next.size());) {
-                lid.corners.push_back(at);
-                at = next[at];
-            }
-            kept.push_back(std::move(lid));
-        }
-        cell_.faces = std::move(kept);
-        drop_unused();
+        const auto height = [&](const CellCorner& corner) { return glm::dot(normal, corner.position) - offset; };
+        if (std::ranges::none_of(cell.corners, [&](const CellCorner& corner) { return height(corner) > 0.0; }))
+            return false;
+        heights_.clear();
+        for (const CellCorner& corner : cell.corners) heights_.push_back(height(corner));
+        made_.clear();
+        lid_.clear();
+        rest_.faces.clear();
+        rest_.around.clear();
+        for (const CellFace& face : cell.faces) cut_face(cell, face, plane);
+        add_lid(plane);
+        cell.faces.swap(rest_.faces);
+        cell.around.swap(rest_.around);
+        drop_unused(cell);
+        return true;
     }
 
 private:
-    std::size_t corner_between(std::size_t a, std::size_t b)
+    struct Made
     {
-        const auto [place, is_new] = made_.try_emplace(std::minmax(a, b), cell_.corners.size());
-        if (!is_new) return place->second;
+        std::size_t a, b, corner;
+    };
+    struct LidStep
+    {
+        std::size_t from, to;
+    };
+
+    void cut_face(Cell& cell, const CellFace& face, PlaneName plane)
+    {
+        rest_.begin_face(face.plane);
+        LidStep step{};
+        bool is_crossed = false;
+        for (std::size_t i = 0; i < face.count; ++i) {
+            const std::size_t a = cell.around[face.first + i], b = cell.around[face.first + (i + 1) % face.count];
+            const bool keeps_a = heights_[a] <= 0.0, keeps_b = heights_[b] <= 0.0;
+            if (keeps_a) rest_.add_corner(a);
+            if (keeps_a == keeps_b) continue;
+            is_crossed = true;
+            const std::size_t between = corner_between(cell, a, b, plane);
+            (keeps_a ? step.to : step.from) = between;
+            rest_.add_corner(between);
+        }
+        if (is_crossed) lid_.push_back(step);
+        rest_.end_face();
+    }
+
+    /// The new face runs along the others the other way.
+    void add_lid(PlaneName plane)
+    {
+        if (lid_.empty()) return;
+        rest_.begin_face(plane);
+        std::size_t at = lid_.front().from;
+        for (std::size_t i = 0; i < lid_.size(); ++i) {
+            rest_.add_corner(at);
+            const auto step = std::ranges::find(lid_, at, &LidStep::from);
+            if (step == lid_.end() || step->to == lid_.front().from) break;
+            at = step->to;
+        }
+        rest_.end_face();
+    }
+
+    std::size_t corner_between(Cell& cell, std::size_t a, std::size_t b, PlaneName plane)
+    {
         if (heights_[a] > 0.0) std::swap(a, b);
-        const CellCorner &in = cell_.corners[a], &out = cell_.corners[b];
+        const auto known = std::ranges::find_if(made_, [&](const Made& m) { return m.a == a && m.b == b; });
+        if (known != made_.end()) return known->corner;
+        const CellCorner &in = cell.corners[a], &out = cell.corners[b];
         const double t = heights_[a] / (heights_[a] - heights_[b]);
-        CellCorner corner{in.position + t * (out.position - in.position), {plane_, plane_, plane_}};
+        CellCorner corner{in.position + t * (out.position - in.position), {plane, plane, plane}};
         std::size_t common = 0;
         for (const PlaneName p : in.planes)
             if (common < 2 && std::ranges::find(out.planes, p) != out.planes.end()) corner.planes[common++] = p;
-        cell_.corners.push_back(corner);
-        heights_.push_back(0.0);
-        return place->second;
+        made_.push_back({a, b, cell.corners.size()});
+        cell.corners.push_back(corner);
+        return made_.back().corner;
     }
 
-    void drop_unused()
+    void drop_unused(Cell& cell)
     {
-        std::vector<std::size_t> number(cell_.corners.size(), cell_.corners.size());
-        std::vector<CellCorner> used;
-        for (CellFace& face : cell_.faces)
-            for (std::size_t& corner : face.corners) {
-                if (number[corner] == cell_.corners.size()) {
-                    number[corner] = used.size();
-                    used.push_back(cell_.corners[corner]);
-                }
-                corner = number[corner];
+        const std::size_t none = cell.corners.size();
+        number_.assign(cell.corners.size(), none);
+        rest_.corners.clear();
+        for (std::size_t& corner : cell.around) {
+            if (number_[corner] == none) {
+                number_[corner] = rest_.corners.size();
+                rest_.corners.push_back(cell.corners[corner]);
             }
-        cell_.corners = std::move(used);
+            corner = number_[corner];
+        }
+        cell.corners.swap(rest_.corners);
     }
 
-    Cell& cell_;
-    PlaneName plane_;
+    Cell rest_;  ///< what is left of the cell
     std::vector<double> heights_;
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> made_;
+    std::vector<Made> made_;
+    std::vector<LidStep> lid_;
+    std::vector<std::size_t> number_;
 };
 
-Cell cell_of(std::uint32_t site, std::span<const glm::dvec3> sites, NearSites& near, Cell cell)
+void cut_to_cell(std::uint32_t site, std::span<const glm::dvec3> sites, NearSites& near, CellCutter& cutter, Cell& cell)
 {
     near.around(site);
+    double reach = 4.0 * cell.squared_radius(sites[site]);
     std::pair<double, std::uint32_t> next;
     while (near.next(next)) {
         const auto& [squared, other] = next;
-        if (squared > 4.0 * cell.squared_radius(sites[site])) break;
+        if (squared > reach) break;
         const glm::dvec3 towards = sites[other] - sites[site];
         const double half_way = 0.5 * (glm::dot(sites[other], sites[other]) - glm::dot(sites[site], sites[site]));
-        std::vector<double> heights;
-        for (const CellCorner& corner : cell.corners) heights.push_back(glm::dot(towards, corner.position) - half_way);
-        if (std::ranges::any_of(heights, [](double height) { return height > 0.0; }))
-            CellCutter(cell, other, std::move(heights)).cut();
+        if (cutter.cut(cell, other, towards, half_way)) reach = 4.0 * cell.squared_radius(sites[site]);
     }
-    return cell;
 }
 
 /// A corner's sites with the cell's own, or nothing at the box.
@@ -186,9 +237,10 @@ public:
             ++cells;
         }
         for (const CellFace& face : cell.faces)
-            for (std::size_t i = 0; face.plane >= 0 && i < face.corners.size(); ++i)
-                add_edge(site, face.plane, cell.corners[face.corners[i]],
-                         cell.corners[face.corners[(i + 1) % face.corners.size()]]);
+            for (std::size_t i = 0; face.plane >= 0 && i < face.count; ++i) {
+                const std::span<const std::size_t> corners = cell.corners_of(face);
+                add_edge(site, face.plane, cell.corners[corners[i]], cell.corners[corners[(i + 1) % face.count]]);
+            }
     }
 
     std::optional<CellDiagram> take()
@@ -239,18 +291,27 @@ private:
 
 }  // namespace
 
-std::optional<CellDiagram> make_cell_diagram(std::span<const glm::dvec3> sites, const Box& bounds)
+std::optional<CellDiagram> make_cell_diagram(std::span<const glm::dvec3> sites, const Box& bounds,
+                                             const ProgressOfStep& progress)
 {
     glm::dvec3 lo(bounds.lo), hi(bounds.hi);
     for (const glm::dvec3& site : sites) {
         lo = glm::min(lo, site);
         hi = glm::max(hi, site);
     }
-    const glm::dvec3 margin(glm::length(hi - lo));
+    const glm::dvec3 margin(kMargin * glm::length(hi - lo));
     const Cell whole = box_cell(lo - margin, hi + margin);
     DiagramMaker maker(sites);
     NearSites near(sites);
-    for (std::uint32_t site = 0; site < sites.size(); ++site) maker.add(site, cell_of(site, sites, near, whole));
+    CellCutter cutter;
+    Cell cell;
+    constexpr std::uint32_t kBetweenQuestions = 64;
+    for (std::uint32_t site = 0; site < sites.size(); ++site) {
+        if (site % kBetweenQuestions == 0) progress.at(double(site) / double(sites.size()));
+        cell = whole;
+        cut_to_cell(site, sites, near, cutter, cell);
+        maker.add(site, cell);
+    }
     return maker.take();
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/cutting/progress.h"
 #include "common/mesh/box.h"
 
 // Cells of points in space: the Voronoi diagram, as far as a mesh within a box needs it.
@@ -45,10 +46,11 @@ struct CellDiagram
     std::vector<DiagramEdge> edges;      ///< ascending by sites
 };
 
-/// The diagram around `bounds`: cells are cut off well outside. Each cell is cut out of a box by the planes half way to
+/// The diagram around `bounds`: cells are cut off a little outside. Each cell is cut out of a box by the planes half way to
 /// other sites, the nearest first, until those left are farther away than twice its radius (Rycroft, "Voro++", Chaos
 /// 19, 2009, section II). O(m^2 log m) for m sites. Nothing if more than four cells meet in a corner, as far as doubles
 /// tell: then some sites have to move a little.
-std::optional<CellDiagram> make_cell_diagram(std::span<const glm::dvec3> sites, const Box& bounds);
+std::optional<CellDiagram> make_cell_diagram(std::span<const glm::dvec3> sites, const Box& bounds,
+                                             const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core

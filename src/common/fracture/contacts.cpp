@@ -98,11 +98,15 @@ private:
 }  // namespace
 
 std::optional<std::vector<Contact>> close_contacts(const CellDiagram& diagram, std::span<const glm::vec3> points,
-                                                   std::span<const InsideEdge> edges, DividedSurface& surface)
+                                                   std::span<const InsideEdge> edges, DividedSurface& surface,
+                                                   const ProgressOfStep& progress)
 {
     ContactCloser closer(points, surface);
     std::vector<Contact> contacts;
-    for (const auto& [cells, outline] : outlines_of(edges, surface)) {
+    const auto outlines = outlines_of(edges, surface);
+    constexpr std::size_t kBetweenQuestions = 64;
+    for (const auto& [cells, outline] : outlines) {
+        if (contacts.size() % kBetweenQuestions == 0) progress.at(double(contacts.size()) / double(outlines.size()));
         const Plane plane = plane_between(diagram.sites[cells[0]], diagram.sites[cells[1]]);
         if (!closer.close(plane, outline, contacts.emplace_back(Contact{cells, plane.normal, {}}).triangles))
             return std::nullopt;

@@ -23,6 +23,7 @@ struct Contact
 ///
 /// @param points  of the mesh
 std::optional<std::vector<Contact>> close_contacts(const CellDiagram& diagram, std::span<const glm::vec3> points,
-                                                   std::span<const InsideEdge> edges, DividedSurface& surface);
+                                                   std::span<const InsideEdge> edges, DividedSurface& surface,
+                                                   const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core

@@ -46,7 +46,7 @@ public:
         result_.parts.resize(diagram.sites.size());
     }
 
-    DividedSurface divide()
+    DividedSurface divide(const ProgressOfStep& progress)
     {
         // Only points that a triangle has: there may be others.
         CellFinder finder(diagram_);
@@ -55,7 +55,9 @@ public:
             if (cells[point] == kNone) cells[point] = finder.cell_of(points_[point]);
             return cells[point];
         };
+        constexpr std::uint32_t kBetweenQuestions = 1u << 14;
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+            if (t % kBetweenQuestions == 0) progress.at(double(t) / double(triangles_.size()));
             const PointTriple& corners = triangles_[t];
             const SiteTriple at{cell_at(corners[0]), cell_at(corners[1]), cell_at(corners[2])};
             if (at[0] == at[1] && at[1] == at[2])
@@ -275,9 +277,9 @@ private:
 }  // namespace
 
 DividedSurface divide_surface(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
-                              const CellDiagram& diagram)
+                              const CellDiagram& diagram, const ProgressOfStep& progress)
 {
-    return SurfaceDivider(points, triangles, diagram).divide();
+    return SurfaceDivider(points, triangles, diagram).divide(progress);
 }
 
 }  // namespace kerf::core

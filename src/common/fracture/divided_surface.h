@@ -65,7 +65,9 @@ struct DividedSurface
 ///
 /// A triangle whose corners lie in one cell lies in it as a whole, because cells are convex. O(n) for n triangles, and
 /// O(c d) for each of k others that lies in c cells with d neighbours.
+///
+/// @throws Cancelled  `progress` says to stop; so do all functions of this folder that are given one
 DividedSurface divide_surface(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
-                              const CellDiagram& diagram);
+                              const CellDiagram& diagram, const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core

@@ -26,11 +26,11 @@ struct SplitSolid
 /// sphere) that doubles do not tell which cells meet: then some have to move a little. Nothing, either, if an edge of the
 /// diagram goes where the surface passes through itself.
 std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
-                                           std::span<const glm::dvec3> sites);
+                                           std::span<const glm::dvec3> sites, const ProgressOfStep& progress = {});
 
 /// The same with a diagram that is there already, and of a surface of which triangles may be missing: those that lie in one
 /// cell with all that surrounds them.
 std::optional<SplitSolid> split_into_cells(std::span<const glm::vec3> points, std::span<const PointTriple> triangles,
-                                           const CellDiagram& diagram);
+                                           const CellDiagram& diagram, const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core

@@ -25,13 +25,16 @@ struct TakenApart
 /// passes through itself where cells meet.
 ///
 /// @param least_volume  smaller fragments are joined to their neighbours; cubed units of the mesh
-std::optional<TakenApart> take_apart(const SolidOfPoints& solid, std::span<const glm::dvec3> sites,
-                                     double least_volume);
+std::optional<TakenApart> take_apart(const SolidOfPoints& solid, std::span<const glm::dvec3> sites, double least_volume,
+                                     const ProgressOfStep& progress = {});
+
+/// Whether a solid can be split with these sites. It is told which share of the work its own is.
+using SplitTrial = std::function<bool(std::span<const glm::dvec3> sites, const ProgressOfStep& progress)>;
 
 /// Tries to split with sites, and again with these moved a little, as long as it fails: a solid in that box. Returns the sites
 /// with which it did not, or none.
-std::vector<glm::dvec3> sites_that_split(const Box& box, std::span<const glm::dvec3> sites,
-                                         const std::function<bool(std::span<const glm::dvec3>)>& splits);
+std::vector<glm::dvec3> sites_that_split(const Box& box, std::span<const glm::dvec3> sites, const SplitTrial& splits,
+                                         const ProgressOfStep& progress = {});
 
 /// What a fragment of a solid in that box has at least, or it is none: rounding has made it. Cubed units of the mesh.
 double least_volume_of_fragment(const Box& box);

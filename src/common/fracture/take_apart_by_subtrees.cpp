@@ -14,20 +14,21 @@ class SubtreeTaker
 public:
     SubtreeTaker(Breakable& object, const InsideLook& look) : object_(object), look_(look) {}
 
-    bool split(std::span<const glm::dvec3> sites, double least_volume)
+    bool split(std::span<const glm::dvec3> sites, double least_volume, const ProgressOfStep& progress)
     {
         const Box box = object_.bounds();
-        taken_.apart.sites = sites_that_split(box, sites, [&](std::span<const glm::dvec3> tried) {
-            const auto diagram = make_cell_diagram(tried, box);
+        const auto splits = [&](std::span<const glm::dvec3> tried, const ProgressOfStep& part) {
+            const auto diagram = make_cell_diagram(tried, box, part.part(0.0, 0.3));
             if (!diagram) return false;
             CellFinder finder(*diagram);
-            object_.divide(tried.size(), [&](const Box& part) { return finder.cell_of(part); });
+            object_.divide(tried.size(), [&](const Box& subtree) { return finder.cell_of(subtree); });
             solid_.emplace(object_.border(), object_.most_points());
-            auto split = split_into_cells(solid_->points, solid_->triangles, *diagram);
+            auto split = split_into_cells(solid_->points, solid_->triangles, *diagram, part.part(0.5, 1.0));
             if (!split) return false;
             split_ = *std::move(split);
             return true;
-        });
+        };
+        taken_.apart.sites = sites_that_split(box, sites, splits, progress);
         least_volume_ = std::max(least_volume, least_volume_of_fragment(box));
         return !taken_.apart.sites.empty();
     }
@@ -148,10 +149,11 @@ private:
 }  // namespace
 
 std::optional<TakenApartBySubtrees> take_apart_by_subtrees(Breakable& object, std::span<const glm::dvec3> sites,
-                                                           double least_volume, const InsideLook& look)
+                                                           double least_volume, const InsideLook& look,
+                                                           const ProgressOfStep& progress)
 {
     SubtreeTaker taker(object, look);
-    if (!taker.split(sites, least_volume)) return std::nullopt;
+    if (!taker.split(sites, least_volume, progress)) return std::nullopt;
     return taker.take();
 }
 

@@ -30,6 +30,7 @@ struct TakenApartBySubtrees
 ///
 /// @param look  its material is one of the border's
 std::optional<TakenApartBySubtrees> take_apart_by_subtrees(Breakable& object, std::span<const glm::dvec3> sites,
-                                                           double least_volume, const InsideLook& look);
+                                                           double least_volume, const InsideLook& look,
+                                                           const ProgressOfStep& progress = {});
 
 }  // namespace kerf::core
