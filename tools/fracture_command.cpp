@@ -76,6 +76,9 @@ Fracture broken(const Object& object, const FractureCommandOptions& options)
     return fracture;
 }
 
+/// Farther away other programs show nothing, and floats tell nothing.
+constexpr double kMostExploded = 1000.0;
+
 /// The last of the materials: the inside's, unless the object had one for it.
 std::string material_inside(Fracture& fracture)
 {
@@ -238,13 +241,21 @@ void add_fracture_command(CLI::App& program)
         ->type_name("NUMBER");
     command
         ->add_option_function<std::string>(
-            "--explode", [options](const std::string& text) { options->explode = parse_width("--explode", text); },
+            "--explode",
+            [options](const std::string& text) {
+                options->explode = parse_width("--explode", text);
+                if (options->explode > kMostExploded)
+                    throw CLI::ValidationError("--explode",
+                                               text + " is more than a thousand times the size of the mesh");
+            },
             "Move each piece away from the middle by so many times its distance from there")
         ->type_name("NUMBER");
     command->add_option("-o,--out", options->out, "GLB file to write, a node for each piece")->type_name("FILE");
     command
-        ->add_option("--backend", options->backend,
-                     "Which back end's objects; the pieces are the same; default: linear, which prepares nothing")
+        ->add_option(
+            "--backend", options->backend,
+            "Which back end's objects; the pieces have the same surfaces, and may come in another order; default: "
+            "linear, which prepares nothing")
         ->check(CLI::IsMember(backend_choices()).description(""));
     command->add_flag("--json", options->json, "Print JSON instead of text");
     command->footer(

@@ -21,25 +21,31 @@ std::string name_of(std::size_t number, std::size_t count)
     return name.append(digits);
 }
 
-Json extras_of(std::size_t number, const std::vector<FracturePiece>& pieces, std::span<const FractureBond> bonds,
-               const std::string& material)
+/// For each piece those that it touches. O(pieces + bonds)
+std::vector<Json> neighbours_of(const std::vector<FracturePiece>& pieces, std::span<const FractureBond> bonds)
 {
-    Json neighbours = Json::array();
+    std::vector<Json> neighbours(pieces.size(), Json::array());
+    const auto add = [&](std::uint32_t of, std::uint32_t other, const FractureBond& bond, const glm::dvec3& normal) {
+        neighbours[of].push_back({{"piece", pieces[other].name},
+                                  {"area", bond.area},
+                                  {"centre", vector_json(to_glm(bond.centre))},
+                                  {"normal", vector_json(normal)}});
+    };
     for (const FractureBond& bond : bonds) {
-        if (bond.first != number && bond.second != number) continue;
-        const bool is_first = bond.first == number;
-        const glm::dvec3 normal = to_glm(bond.normal);
-        neighbours.push_back({{"piece", pieces[is_first ? bond.second : bond.first].name},
-                              {"area", bond.area},
-                              {"centre", vector_json(to_glm(bond.centre))},
-                              {"normal", vector_json(is_first ? normal : -normal)}});
+        add(bond.first, bond.second, bond, to_glm(bond.normal));
+        add(bond.second, bond.first, bond, -to_glm(bond.normal));
     }
-    const FracturePiece& piece = pieces[number];
-    return {{"cells", piece.cells},
-            {"volume", piece.facts.volume},
-            {"centre_of_mass", vector_json(piece.facts.centre_of_mass)},
-            {"neighbours", std::move(neighbours)},
-            {"interior_material", material}};
+    return neighbours;
+}
+
+std::string extras_of(const FracturePiece& piece, Json neighbours, const std::string& material)
+{
+    return Json{{"cells", piece.cells},
+                {"volume", piece.facts.volume},
+                {"centre_of_mass", vector_json(piece.facts.centre_of_mass)},
+                {"neighbours", std::move(neighbours)},
+                {"interior_material", material}}
+        .dump();
 }
 
 }  // namespace
@@ -67,8 +73,10 @@ Json contact_json(const FractureBond& bond)
 std::string scene_of(const std::vector<FracturePiece>& pieces, std::span<const FractureBond> bonds,
                      const glm::dvec3& centre, double explode, const std::string& material)
 {
+    std::vector<Json> neighbours = neighbours_of(pieces, bonds);
     std::vector<std::string> extras;
-    for (std::size_t i = 0; i < pieces.size(); ++i) extras.push_back(extras_of(i, pieces, bonds, material).dump());
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        extras.push_back(extras_of(pieces[i], std::move(neighbours[i]), material));
     std::vector<SceneNode> nodes;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const glm::dvec3 away = explode * (pieces[i].facts.centre_of_mass - centre);

@@ -142,6 +142,7 @@ TEST_F(KerfFracture, RefusesWhatItCannotDo)
     EXPECT_EQ(kerf("fracture in.ply --cells 0").status, 2);
     EXPECT_EQ(kerf("fracture in.ply --pattern spiral").status, 2);
     EXPECT_EQ(kerf("fracture in.ply --direction 0,0,0").status, 2);
+    EXPECT_EQ(kerf("fracture in.ply --explode 1e300 -o out.glb").status, 2);
     write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const auto open = kerf("fracture open.obj -o out.glb");
     EXPECT_EQ(open.status, 1);
