@@ -278,7 +278,7 @@ TEST_P(FractureTest, CoarseCoordinatesGiveClosedPiecesOrARefusal)
                     EXPECT_TRUE(piece->mass_properties().is_of_solid) << "piece " << i;
             }
     }
-    EXPECT_GE(broken, 8u) << "many can be broken";
+    EXPECT_GE(broken, test::kBrief ? 5u : 8u) << "many can be broken";
 }
 
 TEST(Fracture, RefusesWhatCannotBeBroken)

@@ -104,7 +104,7 @@ void expect_a_good_chain(const IndexedMesh& mesh, int cuts)
 }
 
 // Every cut is followed by checks of everything.
-constexpr int kCuts = test::kBrief ? 100 : 1000;
+constexpr int kCuts = test::kBrief ? 50 : 1000;
 
 TEST(Connectivity, SurvivesAThousandCutsInAChain)
 {

@@ -6,6 +6,7 @@
 
 #include "common/repair/repair.h"
 #include "common/shapes/shapes.h"
+#include "support/brief.h"
 
 namespace kerf::core::test {
 
@@ -149,7 +150,8 @@ std::vector<NamedPlane> planes_for(const IndexedMesh& mesh, std::uint32_t count,
     add("through the centre along (1,1,1)", centre, {1, 1, 1});
 
     const auto triangle_count = static_cast<std::uint32_t>(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t rounds = kBrief ? (count + 1) / 2 : count;
+    for (std::uint32_t i = 0; i < rounds; ++i) {
         const std::string number = " #" + std::to_string(i);
         const glm::dvec3 jitter{random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5};
         add("random" + number, centre + 0.5 * jitter * size, random.direction());

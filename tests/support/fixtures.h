@@ -61,7 +61,8 @@ struct NamedPlane
 };
 
 /// Planes worth testing on a mesh: `count` each of random ones through the middle, through a vertex, along an edge,
-/// through three vertices, in the plane of a face; and the axis planes through the centre of the bounds.
+/// through three vertices, in the plane of a face; and the axis planes through the centre of the bounds. Brief builds have
+/// half of `count`.
 std::vector<NamedPlane> planes_for(const IndexedMesh& mesh, std::uint32_t count, std::uint64_t seed);
 
 }  // namespace kerf::core::test
