@@ -30,7 +30,8 @@ struct FractureOptions
     /// Of an impact; on the plane of a crack; in the middle of splinters. Mesh coordinates; not set: the middle of the box.
     std::optional<Point> at;
     Normal direction{0, 1, 0};  ///< across the plane of a crack; along splinters
-    /// Sites of the cells instead of a pattern: each place belongs to the nearest one. Mesh coordinates.
+    /// Sites of the cells instead of a pattern: each place belongs to the nearest one. Mesh coordinates, within a million
+    /// times the object's size.
     std::span<const Vec3d> sites;
     /// A piece that is smaller is joined to the largest of its neighbours, until it is not. The mesh's unit, cubed.
     double least_volume = 0.0;
@@ -69,7 +70,8 @@ public:
     const char* reason() const noexcept { return refusal_; }
 
     std::size_t count() const noexcept;  ///< of pieces
-    /// Piece i, in the order of their first cells; null beyond the last.
+    /// Piece i, in the order of their first cells; null beyond the last. Several of one cell come in an order that depends on
+    /// the back end.
     Object* piece(std::size_t i) noexcept;
     /// The cells that a piece consists of, ascending: one, unless small ones were joined. Empty beyond the last piece.
     std::span<const std::uint32_t> cells(std::size_t i) const noexcept;
@@ -113,7 +115,8 @@ private:
 /// its tree at the borders of cells or at contacts; pieces that are made alone, small objects and the linear back end O(n + k
 /// log k), and the preparing of those pieces.
 ///
-/// Status: `done`; `invalid_argument` (an empty object, no cell, a number that is not finite, a direction without one);
+/// Status: `done`; `invalid_argument` (an empty object, no cell, a number that is not finite, a direction without one, a site
+/// too far away);
 /// `invalid_mesh` (the object is open, has no inside, or its surface passes through itself where cells meet);
 /// `cancelled`; `out_of_memory`. All but the first have no pieces.
 KERF_API Fracture fracture(const Object& object, const FractureOptions& options = {}) noexcept;

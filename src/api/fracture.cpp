@@ -89,7 +89,9 @@ private:
         breakable_ = object_.breakable();
         if (breakable_ == nullptr) take_mesh();
         const std::vector<glm::dvec3> sites = sites_wanted();
-        if (sites.empty()) return FractureMaker::refused(Status::invalid_mesh, "the object has no inside");
+        if (sites.empty())
+            return FractureMaker::refused(Status::invalid_mesh,
+                                          "the object has no inside, or fills too little of its box to find it");
         if (!take_apart(sites))
             return FractureMaker::refused(Status::invalid_mesh,
                                           "the surface passes through itself where pieces would meet");
@@ -221,6 +223,14 @@ const char* fault_of(const Object& object, const FractureOptions& options)
     if (options.at && !is_finite(*options.at)) return "`at` must be finite";
     if (!Plane::at(Point(0, 0, 0), options.direction)) return "`direction` must have a direction";
     if (!std::ranges::all_of(options.sites, is_finite)) return "sites must be finite";
+    // Beyond, doubles don't tell where in the object such a site's borders lie.
+    constexpr double kMostAway = 1e6;
+    const core::Box box = object.inside()->bounds();
+    const double reach = kMostAway * glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
+    if (!std::ranges::all_of(options.sites, [&](const Vec3d& site) {
+            return glm::length(to_core(site) - glm::dvec3(box.centre())) <= reach;
+        }))
+        return "sites must lie within a million times the object's size";
     if (!std::isfinite(options.least_volume) || options.least_volume < 0.0)
         return "the least volume must be finite and not below 0";
     if (!std::isfinite(options.uv_scale)) return "the scale of uv must be finite";

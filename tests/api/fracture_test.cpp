@@ -307,7 +307,65 @@ TEST(Fracture, RefusesWhatCannotBeBroken)
               Status::cancelled);
     const std::vector<Vec3d> nowhere{{0, 0, 0}, {kNan, 0, 0}};
     EXPECT_EQ(refused([&](FractureOptions& o) { o.sites = nowhere; }), Status::invalid_argument);
+    for (const double far : {1e8, 1e14, 1e155, 1e300}) {
+        const std::vector<Vec3d> away{{0, 0, 0}, {0, far, 0}};
+        EXPECT_EQ(refused([&](FractureOptions& o) { o.sites = away; }), Status::invalid_argument) << far;
+    }
     EXPECT_EQ(whole.triangle_count(), 12u) << "it stays as it is";
+}
+
+// Places inside are looked for along a million lines at most, some for each cell.
+TEST(Fracture, ManyCellsAreNoReasonToFindNoInside)
+{
+    const Object whole = test::cube("linear");
+    for (const auto& [pattern, cells] :
+         {std::pair{FracturePattern::impact, 50'000u}, {FracturePattern::uniform, 300'000u}}) {
+        FractureOptions options;
+        options.pattern = pattern;
+        options.cells = cells;
+        // Sites are there at a tenth of the work.
+        options.progress = [](void*, double share) { return share < 0.09; };
+        EXPECT_EQ(kerf::fracture(whole, options).status(), Status::cancelled);
+    }
+}
+
+TEST(Fracture, SplintersOfALongRodAreAsManyAsAreWanted)
+{
+    test::Arrays rod = test::cube_arrays(0.0f, 1.0f);
+    for (auto& position : rod.positions) position[0] *= 1000.0f;
+    FractureOptions options;
+    options.pattern = FracturePattern::splinters;
+    options.direction = Normal(1, 0, 0);
+    options.cells = 20;
+    EXPECT_EQ(kerf::fracture(test::object_of(test::mesh_of(rod), "linear"), options).count(), 20u);
+}
+
+TEST(Fracture, AGridOfAScatteredObjectIsNoFinerThanItMustBe)
+{
+    test::Arrays cubes = test::two_cubes();
+    for (std::size_t v = 8; v < 16; ++v)
+        for (float& coordinate : cubes.positions[v]) coordinate += 100.0f;
+    const Object whole = test::object_of(test::mesh_of(cubes), "linear");
+    FractureOptions options;
+    options.pattern = FracturePattern::grid;
+    options.cells = 2;
+    Fracture fracture = kerf::fracture(whole, options);
+    test::expect_right(whole, fracture);
+    EXPECT_EQ(fracture.count(), 2u);
+    EXPECT_LT(fracture.sites().size(), 10u);
+}
+
+// The squares of their coordinates are the same.
+TEST(Fracture, SitesMayBeVeryNearToOneAnother)
+{
+    const Object whole = test::cube("linear");
+    const std::vector<Vec3d> sites{
+        {0.1, 0.2, 0.3}, {0.1 + 1e-9, 0.2, 0.3}, {0.1, 0.2 + 1e-9, 0.3}, {0.1, 0.2, 0.3 - 1e-9}, {-0.4, 0.1, 0.2}};
+    FractureOptions options;
+    options.sites = sites;
+    Fracture fracture = kerf::fracture(whole, options);
+    test::expect_right(whole, fracture);
+    EXPECT_EQ(fracture.count(), 5u);
 }
 
 TEST(Fracture, SaysHowFarItIs)

@@ -90,10 +90,11 @@ Cell box_cell(const glm::dvec3& lo, const glm::dvec3& hi)
 class CellCutter
 {
 public:
-    /// Cuts off what lies beyond a plane, where the dot product with `normal` is above `offset`. Whether that is anything.
-    bool cut(Cell& cell, PlaneName plane, const glm::dvec3& normal, double offset)
+    /// Cuts off what lies beyond a plane through a point, where its normal leads. Whether that is anything.
+    bool cut(Cell& cell, PlaneName plane, const glm::dvec3& point, const glm::dvec3& normal)
     {
-        const auto height = [&](const CellCorner& corner) { return glm::dot(normal, corner.position) - offset; };
+        // (The difference first: sites may be nearer to one another than the squares of their coordinates tell.)
+        const auto height = [&](const CellCorner& corner) { return glm::dot(normal, corner.position - point); };
         if (std::ranges::none_of(cell.corners, [&](const CellCorner& corner) { return height(corner) > 0.0; }))
             return false;
         heights_.clear();
@@ -201,8 +202,8 @@ void cut_to_cell(std::uint32_t site, std::span<const glm::dvec3> sites, NearSite
         const auto& [squared, other] = next;
         if (squared > reach) break;
         const glm::dvec3 towards = sites[other] - sites[site];
-        const double half_way = 0.5 * (glm::dot(sites[other], sites[other]) - glm::dot(sites[site], sites[site]));
-        if (cutter.cut(cell, other, towards, half_way)) reach = 4.0 * cell.squared_radius(sites[site]);
+        if (cutter.cut(cell, other, sites[site] + 0.5 * towards, towards))
+            reach = 4.0 * cell.squared_radius(sites[site]);
     }
 }
 

@@ -44,6 +44,8 @@ public:
         : points_(points), triangles_(triangles), diagram_(diagram)
     {
         result_.parts.resize(diagram.sites.size());
+        place_of_distances_.resize(diagram.sites.size(), 0);
+        place_of_reached_.resize(diagram.sites.size(), 0);
     }
 
     DividedSurface divide(const ProgressOfStep& progress)
@@ -55,40 +57,58 @@ public:
             if (cells[point] == kNone) cells[point] = finder.cell_of(points_[point]);
             return cells[point];
         };
-        constexpr std::uint32_t kBetweenQuestions = 1u << 14;
+        progress.at(0.0);
+        // One triangle may lie in thousands of cells.
+        std::uint32_t looks = 0;
+        constexpr std::uint32_t kBetweenQuestions = 1u << 12;
         for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-            if (t % kBetweenQuestions == 0) progress.at(double(t) / double(triangles_.size()));
+            const auto look = [&] {
+                if (++looks % kBetweenQuestions == 0) progress.at(double(t) / double(triangles_.size()));
+            };
+            look();
             const PointTriple& corners = triangles_[t];
             const SiteTriple at{cell_at(corners[0]), cell_at(corners[1]), cell_at(corners[2])};
             if (at[0] == at[1] && at[1] == at[2])
                 result_.parts[at[0]].push_back({corners, t});
             else
-                divide_triangle(t, at);
+                divide_triangle(t, at, look);
         }
         return std::move(result_);
     }
 
 private:
-    void divide_triangle(std::uint32_t triangle, const SiteTriple& cells_of_corners)
+    template <class Look>
+    void divide_triangle(std::uint32_t triangle, const SiteTriple& cells_of_corners, Look look)
     {
         ++result_.crossing_triangles;
         triangle_ = triangle;
         corners_ = triangles_[triangle];
         distances_.clear();
         // Each part borders on the next ones: all are found from any.
-        reached_.assign(1, cells_of_corners[0]);
+        reached_.clear();
+        reach(cells_of_corners[0]);
         for (std::size_t i = 0; i < reached_.size(); ++i) {
+            look();
             cell_ = reached_[i];
             cut_out();
             if (sides_.size() > 2) add_part();
         }
     }
 
+    void reach(std::uint32_t cell)
+    {
+        std::uint32_t& at = place_of_reached_[cell];
+        if (at < reached_.size() && reached_[at] == cell) return;
+        at = static_cast<std::uint32_t>(reached_.size());
+        reached_.push_back(cell);
+    }
+
     /// Squared distances of the corners from a site.
     const std::array<double, 3>& distances(std::uint32_t site)
     {
-        for (const auto& [known, values] : distances_)
-            if (known == site) return values;
+        std::uint32_t& at = place_of_distances_[site];
+        if (at < distances_.size() && distances_[at].first == site) return distances_[at].second;
+        at = static_cast<std::uint32_t>(distances_.size());
         const glm::dvec3& place = diagram_.sites[site];
         return distances_
             .emplace_back(site, std::array{squared_distance_to_site(points_[corners_[0]], place),
@@ -157,7 +177,7 @@ private:
             const std::uint32_t other = sides_[i].number;
             if (cell_ < other)
                 result_.borders[{cell_, other}].push_back({outline[(i + 1) % outline.size()], outline[i]});
-            if (std::ranges::find(reached_, other) == reached_.end()) reached_.push_back(other);
+            reach(other);
         }
     }
 
@@ -266,6 +286,8 @@ private:
     PointTriple corners_{};
     std::vector<std::pair<std::uint32_t, std::array<double, 3>>> distances_;
     std::vector<std::uint32_t> reached_;  ///< cells that have a part of it
+    /// Of each site, where in these lists it is, if that is where it is.
+    std::vector<std::uint32_t> place_of_distances_, place_of_reached_;
 
     // Of the part that is cut out
     std::uint32_t cell_ = 0;

@@ -72,13 +72,14 @@ private:
 Layers layers_for(const Box& box, const InsideSample& sample, std::size_t wanted)
 {
     const Grid grid(box, sample);
-    // The finest grid of cubes that has no more than are wanted: their side is halved into.
+    // The coarsest grid of cubes that has as many as are wanted, found by halving, and the one before. Of a scattered solid a
+    // much finer one has no more.
     double coarse = grid.longest_side(), fine = coarse / kMostBoxes;
     constexpr int kRounds = 60;
     for (int round = 0; round < kRounds; ++round) {
         const double side = 0.5 * (coarse + fine);
         const Layers layers = grid.of_side(side);
-        (number_of(layers) <= kMostBoxes && grid.filled(layers) <= wanted ? coarse : fine) = side;
+        (number_of(layers) <= kMostBoxes && grid.filled(layers) < wanted ? coarse : fine) = side;
     }
     // The next one may have eight times as many: what lies between, axis by axis.
     Layers best = grid.of_side(coarse), next = best;

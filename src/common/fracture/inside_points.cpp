@@ -128,7 +128,8 @@ InsideSample::InsideSample(const TriangleSearch& triangles, std::size_t lines, R
     const Box box = triangles.bounds();
     const glm::dvec3 size = glm::dvec3(box.hi) - glm::dvec3(box.lo);
     axis_ = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
-    for (std::size_t count = lines; runs_.size() < lines / 4 + 1 && count <= kMostLines; count *= kMore) {
+    const std::size_t first = std::min(lines, kMostLines);
+    for (std::size_t count = first; runs_.size() < first / 4 + 1 && count <= kMostLines; count *= kMore) {
         Lines sent(box, axis_, count, random);
         triangles.find([&](const Box& part) { return sent.any_meets(part); },
                        [&](std::span<const TriangleSearch::Corners> found) {

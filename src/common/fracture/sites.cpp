@@ -122,7 +122,7 @@ private:
         std::vector<glm::dvec3> feet;  // on the plane, of points of the object
         std::vector<double> points;    // how high above the plane these are
         // Points come from lines, which may run along the grain: each line is good for one splinter.
-        const double least = kLeastApart * diagonal_ / std::sqrt(double(wanted_.count));
+        const double least = kLeastApart * size_across() / std::sqrt(double(wanted_.count));
         const auto is_near = [&](const glm::dvec3& foot) {
             return std::ranges::any_of(
                 feet, [&](const glm::dvec3& other) { return glm::dot(foot - other, foot - other) < least * least; });
@@ -131,7 +131,7 @@ private:
         for (std::size_t i = 0; i < kTries * wanted_.count && feet.size() < wanted_.count; ++i) {
             const glm::dvec3 p = sample_.point(random_);
             const double height = glm::dot(p - wanted_.at, wanted_.direction);
-            const glm::dvec3 foot = p - height * wanted_.direction;
+            const glm::dvec3 foot = foot_of(p);
             if (is_near(foot)) continue;
             feet.push_back(foot);
             points.push_back(height);
@@ -144,6 +144,21 @@ private:
         for (std::size_t i = 0; i < feet.size(); ++i) sites.push_back(jitter(kUneven * apart));
         level(feet, points, sites);
         for (std::size_t i = 0; i < feet.size(); ++i) sites_.push_back(feet[i] + sites[i] * wanted_.direction);
+    }
+
+    /// The point's foot on the plane across the grain.
+    glm::dvec3 foot_of(const glm::dvec3& point) const
+    {
+        return point - glm::dot(point - wanted_.at, wanted_.direction) * wanted_.direction;
+    }
+
+    /// How large the object is across the grain, as some points tell.
+    double size_across()
+    {
+        constexpr int kPoints = 256;
+        Box box;
+        for (int i = 0; i < kPoints; ++i) box.add(glm::vec3(foot_of(sample_.point(random_))));
+        return glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
     }
 
     /// Lowers sites until each cell holds the point of the object that its site comes from: borders lean where the sites at
